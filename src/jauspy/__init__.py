@@ -56,7 +56,7 @@ _EXPORTS = {
     "RequestError": "jauspy.errors",
     "ResponseTimeout": "jauspy.errors",
     "Robot": "jauspy.ocu",
-    "run": "jauspy.component.program",
+    "run": "jauspy.component.component",
     "SchemaError": "jauspy.errors",
     "Service": "jauspy.services.service",
     "ServiceClient": "jauspy.ocu",

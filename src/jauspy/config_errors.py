@@ -1,4 +1,4 @@
-"""What is wrong with a configuration, in one sentence per mistake: the key, what it is, and what it may be."""
+"""Explanations of configuration mistakes, one sentence each: the key, its value, and what is permitted."""
 
 from __future__ import annotations
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from jauspy.capture.hextext import from_hex, from_lines
+from jauspy.capture.reader import from_hex, from_lines
 from jauspy.errors import ConfigError
 
 

@@ -3,8 +3,8 @@
 import dpkt
 import pytest
 
-from jauspy.capture import link
-from jauspy.capture.ip import MAX_OPEN_PACKETS, Assembler
+from jauspy.capture import reader
+from jauspy.capture.reader import MAX_OPEN_PACKETS, Assembler
 
 MESSAGE = bytes.fromhex("02001000010a017e0014017e0002200200")
 
@@ -36,19 +36,19 @@ ETHERNET = b"\1" * 6 + b"\2" * 6
 @pytest.mark.parametrize(
     ("link_type", "frame"),
     [
-        (link.ETHERNET, ETHERNET + b"\x08\x00" + PACKET),
-        (link.ETHERNET, ETHERNET + b"\x81\x00\x00\x05\x08\x00" + PACKET),
-        (link.ETHERNET, ETHERNET + b"\x88\xa8\x00\x05\x81\x00\x00\x06\x08\x00" + PACKET),
-        (link.LINUX_SLL, bytes(14) + b"\x08\x00" + PACKET),
-        (link.LINUX_SLL2, b"\x08\x00" + bytes(18) + PACKET),
-        (link.NULL, b"\2\0\0\0" + PACKET),
-        (link.LOOP, b"\0\0\0\2" + PACKET),
+        (reader.ETHERNET, ETHERNET + b"\x08\x00" + PACKET),
+        (reader.ETHERNET, ETHERNET + b"\x81\x00\x00\x05\x08\x00" + PACKET),
+        (reader.ETHERNET, ETHERNET + b"\x88\xa8\x00\x05\x81\x00\x00\x06\x08\x00" + PACKET),
+        (reader.LINUX_SLL, bytes(14) + b"\x08\x00" + PACKET),
+        (reader.LINUX_SLL2, b"\x08\x00" + bytes(18) + PACKET),
+        (reader.NULL, b"\2\0\0\0" + PACKET),
+        (reader.LOOP, b"\0\0\0\2" + PACKET),
         (101, PACKET),
-        (link.IPV4, PACKET),
+        (reader.IPV4, PACKET),
     ],
 )
 def test_every_link_type_gives_the_same_datagram(link_type, frame):
-    udp = Assembler().add(link.ip_packet(link_type, frame))
+    udp = Assembler().add(reader.ip_packet(link_type, frame))
     assert udp is not None
     assert udp.payload == MESSAGE
     assert (udp.source, udp.destination) == (("10.0.0.1", 3794), ("10.0.0.2", 3794))
@@ -57,15 +57,15 @@ def test_every_link_type_gives_the_same_datagram(link_type, frame):
 @pytest.mark.parametrize(
     ("link_type", "frame"),
     [
-        (link.ETHERNET, ETHERNET + b"\x08\x06" + bytes(28)),
-        (link.ETHERNET, ETHERNET + b"\x81\x00\x00\x05"),
-        (link.ETHERNET, b""),
-        (link.LINUX_SLL2, b"\x86\xdd" + bytes(60)),
-        (link.NULL, b"\x1e\0\0\0" + bytes(60)),
+        (reader.ETHERNET, ETHERNET + b"\x08\x06" + bytes(28)),
+        (reader.ETHERNET, ETHERNET + b"\x81\x00\x00\x05"),
+        (reader.ETHERNET, b""),
+        (reader.LINUX_SLL2, b"\x86\xdd" + bytes(60)),
+        (reader.NULL, b"\x1e\0\0\0" + bytes(60)),
     ],
 )
 def test_frames_without_ipv4_are_left_out(link_type, frame):
-    assert link.ip_packet(link_type, frame) is None
+    assert reader.ip_packet(link_type, frame) is None
 
 
 def test_ethernet_padding_is_cut_off():

@@ -125,7 +125,7 @@ def test_a_wrong_file_names_file_key_and_fix(tmp_path):
     file.write_text("prot = 3795\n")
     done = run("--config", str(file))
     assert done.returncode == 1
-    assert f"{file}: is no configuration of a node manager" in done.stderr
+    assert f"{file}: is not a configuration of a node manager" in done.stderr
     assert "prot = 3795: there is no such key; known here are: address," in done.stderr
 
 
@@ -139,7 +139,7 @@ def test_the_status_of_the_running_one(node_manager, free_port, local_root):
 def test_no_status_where_none_runs(local_root):
     done = run("--status", "--local-root", str(local_root))
     assert done.returncode == 1
-    assert f"no node manager tells its status at {local_root}" in done.stderr
+    assert f"no node manager serves its status at {local_root}" in done.stderr
 
 
 def test_sighup_reads_the_file_again_and_a_bad_one_changes_nothing(free_port, local_root, tmp_path):

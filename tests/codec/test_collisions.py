@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 import jauspy
-from jauspy.codec.registry import Collision, Entry, Registry
+from jauspy.codec.registry import Collision, MessageEntry, Registry
 from jauspy.errors import ConfigError, DecodeError, SchemaError
 from jauspy.messages import registry
 
@@ -138,7 +138,7 @@ def test_a_misspelt_state_does_not_cost_the_messages(folder: Any) -> None:
 
 
 def test_files_of_generated_packages_are_their_modules() -> None:
-    one = Entry(1, "A", "urn:a:b:C", "1.0", "somewhere.c", "A")
+    one = MessageEntry(1, "A", "urn:a:b:C", "1.0", "somewhere.c", "A")
     assert Registry([one]).file_of(one) == "somewhere.c"
     assert registry.file_of(registry.entries[0]).endswith(".xml")
 

@@ -10,7 +10,7 @@ import pytest
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.codec.slow_path import MOST_DEVIATIONS
+from jauspy.codec.slow_path import MAX_DEVIATIONS
 from jauspy.errors import DecodeError
 from jauspy.messages import registry
 from jauspy.messages.core import (
@@ -92,7 +92,7 @@ def test_deviations_beyond_a_thousand_are_a_number(folder: Any) -> None:
     cls = registry.by_name("ReportDataDefinition")
     data = cls.CODE.to_bytes(2, "little") + b"\xff" * 3000
     message, deviations = cls.decode(data, strict=False)
-    assert len(deviations) == MOST_DEVIATIONS + 1
+    assert len(deviations) == MAX_DEVIATIONS + 1
     assert re.fullmatch(r"byte \d+: \d+ more deviations from here on", str(deviations[-1]))
     assert deviations[-2].offset <= deviations[-1].offset <= len(data)
     assert any(deviation.lost for deviation in deviations) or message.encode(strict=False) == data

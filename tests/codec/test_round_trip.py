@@ -1,4 +1,4 @@
-"""Random valid messages of every kind survive the way to bytes and back, on both roads, and in JSON."""
+"""Random valid messages of every kind survive the way to bytes and back, on both paths, and in JSON."""
 
 from __future__ import annotations
 

@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 import jauspy
+from jauspy.component import ComponentOptions
 from jauspy.errors import ConfigError, TransportError
 from jauspy.messages.core import (
     QueryHeartbeatPulse,
@@ -166,7 +167,7 @@ def test_every_does_not_drift_and_leaves_out_what_was_missed():
             self.ticks.append(self.host.now)
 
     clock = Clock()
-    host = component(LoopbackHub(), Driver(), clock, clock=lambda: 100.0).host
+    host = component(LoopbackHub(), Driver(), clock, options=ComponentOptions(clock=lambda: 100.0)).host
     for now in (100.4, 100.6, 101.0, 103.2, 103.4, 103.5):
         host.handle_timeout(now)
     assert clock.ticks == [100.6, 101.0, 103.2, 103.5]

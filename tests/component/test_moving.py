@@ -106,7 +106,7 @@ async def test_what_runs_is_ended_under_the_old_id_and_begun_anew_under_the_new_
         heard.extend((each.source, type(registry.decode(each.payload))) for each in unpack(datagram) if each.payload)
 
     async with me, client:
-        client._shell.transport.received = tap
+        client._transport.received = tap
         client.send(old, RequestControl(authority_code=200))
         client.send(old, CreateEvent(1, CreateEvent.EventType.PERIODIC, 50.0, QueryTime(1).encode()))
         await until(lambda: (old, Event) in heard)

@@ -40,7 +40,7 @@ from tests.conformance.mistakes import (
 
 from jauspy.messages import core, mobility
 from jauspy.services import messaging
-from jauspy.services.core import AccessControl, Events, ListManager, Management, event_reports
+from jauspy.services.core import AccessControl, Events, ListManager, Management, events as event_reports
 
 READY, STANDBY = "Controlled.Available.Ready", "Controlled.Available.Standby"
 EMERGENCY, FREE = "Controlled.NotAvailable.Emergency", "NotControlled.Available.Standby"

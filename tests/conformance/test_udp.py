@@ -14,7 +14,7 @@ import pytest
 from jauspy.conformance.wire import UdpWire
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
-from jauspy.node import binding
+from jauspy.node import network as binding
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
 from jauspy.transport import multicast
@@ -39,7 +39,7 @@ def need_network(wire: UdpWire) -> None:
 @pytest.fixture
 def node_manager(free_port: int) -> Iterator[socket.socket]:
     """Its socket, as it is bound on all addresses."""
-    sock = binding.bind(multicast.ANY, free_port, 65536)
+    sock = binding.bind_udp(multicast.ANY, free_port, 65536)
     multicast.share_group(sock)
     yield sock
     sock.close()
@@ -73,7 +73,7 @@ def test_what_is_sent_to_the_node_manager_stays_its_own(node_manager, free_port)
 
 def test_the_port_of_a_node_manager_is_not_shared(node_manager, free_port):
     with pytest.raises(TransportError, match=f"UDP port {free_port} is used by"):
-        binding.bind(multicast.ANY, free_port, 65536)
+        binding.bind_udp(multicast.ANY, free_port, 65536)
 
 
 def test_multicasts_are_heard_once_on_a_port_that_is_free(free_port):

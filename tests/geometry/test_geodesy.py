@@ -8,7 +8,7 @@ import pytest
 
 from jauspy.geometry.geodesy import Geodetic, from_ecef, from_ned, to_ecef, to_ned
 from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.global_frame import GlobalFrame, GlobalPose
+from jauspy.services.mobility.reference_frames import GlobalFrame, GlobalPose
 
 # Made with PROJ 9.5 (EPSG:4979 to EPSG:4978): latitude, longitude (degrees), height; x, y, z (m).
 PROJ = [
@@ -55,13 +55,13 @@ def test_a_nautical_mile_is_a_minute_of_latitude() -> None:
 def test_a_frame_shows_what_it_places(heading) -> None:
     frame = GlobalFrame(GlobalPose(38.6, -77.2, 20.0, heading))
     for x, y in ((0.0, 0.0), (100.0, 0.0), (-30.0, 400.0), (1000.0, 1000.0)):
-        shown = frame.show(Pose(x=x, y=y))
-        back = frame.place(shown.latitude, shown.longitude)
+        shown = frame.from_world(Pose(x=x, y=y))
+        back = frame.to_world(shown.latitude, shown.longitude)
         assert (back.x, back.y) == pytest.approx((x, y), abs=2e-4)
 
 
 def test_x_points_along_the_origin_s_heading() -> None:
-    east = GlobalFrame(GlobalPose(38.6, -77.2, 20.0, math.pi / 2)).show(Pose(x=50.0))
+    east = GlobalFrame(GlobalPose(38.6, -77.2, 20.0, math.pi / 2)).from_world(Pose(x=50.0))
     assert east.longitude > -77.2 + 5e-4
     assert east.latitude == pytest.approx(38.6, abs=1e-7)
     assert east.heading == pytest.approx(math.pi / 2, abs=1e-4)
@@ -69,7 +69,7 @@ def test_x_points_along_the_origin_s_heading() -> None:
 
 def test_reported_headings_allow_for_the_convergence_of_meridians() -> None:
     frame = GlobalFrame(GlobalPose(60.0, 25.0, 0.0, 0.0))
-    shown = frame.show(Pose(y=10_000.0))
+    shown = frame.from_world(Pose(y=10_000.0))
     assert shown.heading == pytest.approx(math.radians(shown.longitude - 25.0) * math.sin(math.radians(60.0)))
     assert math.degrees(shown.heading) == pytest.approx(0.155, abs=0.005)
 
@@ -78,8 +78,8 @@ def test_setting_moves_the_anchor() -> None:
     frame = GlobalFrame(GlobalPose(38.6, -77.2, 20.0, 0.0))
     here = Pose(x=5.0, y=6.0, z=-1.0, yaw=0.5)
     frame.set(here, GlobalPose(10.0, 20.0, 30.0, 1.5))
-    shown = frame.show(here)
+    shown = frame.from_world(here)
     assert (shown.latitude, shown.longitude, shown.altitude, shown.heading) == pytest.approx((10.0, 20.0, 30.0, 1.5))
-    assert frame.heading(1.5) == pytest.approx(0.5)
-    ahead = frame.show(Pose(x=5.0 + math.cos(0.5), y=6.0 + math.sin(0.5), z=-1.0))
+    assert frame.heading_to_world(1.5) == pytest.approx(0.5)
+    ahead = frame.from_world(Pose(x=5.0 + math.cos(0.5), y=6.0 + math.sin(0.5), z=-1.0))
     assert ahead.longitude > shown.longitude + 8e-6, "the robot looks almost east"

@@ -33,7 +33,7 @@ def test_bytes_to_message_to_bytes(row: Any, vectors: ModuleType) -> None:
         assert cls.from_dict(json.loads(json.dumps(message.to_dict()))) == message
 
 
-def test_careful_codec_agrees_with_straight_line_code(row: Any, vectors: ModuleType) -> None:
+def test_slow_path_agrees_with_straight_line_code(row: Any, vectors: ModuleType) -> None:
     cls = vectors.find(registry, row)
     message = cls._unpack(row.right, None)
     assert slow_path.decode(cls, row.right) == message

@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from jauspy.errors import ConfigError
-from jauspy.mapping.files import save
+from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 
 
@@ -23,7 +23,7 @@ def wall() -> OccupancyGrid:
 
 
 def test_a_picture_and_where_it_is(tmp_path: Path) -> None:
-    save(wall(), tmp_path / "yard")
+    save_map(wall(), tmp_path / "yard")
     notes = yaml.safe_load((tmp_path / "yard.yaml").read_text())
     picture = cv2.imread(str(tmp_path / notes["image"]), cv2.IMREAD_GRAYSCALE)
     assert notes["negate"] == 0
@@ -40,10 +40,10 @@ def test_a_picture_and_where_it_is(tmp_path: Path) -> None:
 
 
 def test_an_empty_map_is_a_map(tmp_path: Path) -> None:
-    picture, _ = save(OccupancyGrid(), tmp_path / "nothing")
+    picture, _ = save_map(OccupancyGrid(), tmp_path / "nothing")
     assert cv2.imread(str(picture), cv2.IMREAD_GRAYSCALE).tolist() == [[205]]
 
 
 def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match=r"nowhere/yard: the map cannot be written: No such file"):
-        save(OccupancyGrid(), tmp_path / "nowhere" / "yard")
+        save_map(OccupancyGrid(), tmp_path / "nowhere" / "yard")

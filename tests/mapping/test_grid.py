@@ -6,14 +6,14 @@ import numpy as np
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.mapping.grid import OccupancyGrid
-from jauspy.mapping.pose import PlanarPose
+from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.grid import OccupancyGrid, transformed
 
 START = np.zeros(2)
 
 
 def cell(grid: OccupancyGrid, x: float, y: float) -> int:
-    column, row = np.round(grid.at(np.array([[x, y]]))).astype(int)[0]
+    column, row = np.round(grid.cell_coordinates(np.array([[x, y]]))).astype(int)[0]
     return int(grid.occupancy()[row, column])
 
 
@@ -59,6 +59,7 @@ def test_sizes_have_bounds(size: float, resolution: float) -> None:
 
 def test_poses_of_poses() -> None:
     a, b = PlanarPose(1.0, 2.0, 0.5), PlanarPose(-0.3, 0.7, 3.0)
-    assert a.then(b).since(a) == pytest.approx(b)
-    assert a.then(a.inverse()) == pytest.approx((0.0, 0.0, 0.0))
-    assert a.apply(b.apply(np.array([[4.0, 5.0]])))[0] == pytest.approx(a.then(b).apply(np.array([[4.0, 5.0]]))[0])
+    assert (a @ b).relative_to(a) == pytest.approx(b)
+    assert a @ a.inverse() == pytest.approx((0.0, 0.0, 0.0))
+    point = np.array([[4.0, 5.0]])
+    assert transformed(a, transformed(b, point))[0] == pytest.approx(transformed(a @ b, point)[0])

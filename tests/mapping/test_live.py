@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from jauspy.errors import ConfigError, JausError
+from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid
-from jauspy.mapping.live import LiveMapping, _Seen, between
+from jauspy.mapping.live import LiveMapping, _StampedPose, interpolated
 from jauspy.mapping.mapper import Mapper
-from jauspy.mapping.pose import PlanarPose
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
@@ -87,8 +87,8 @@ async def test_a_robot_that_falls_silent_ends_it_with_one_error(robot: RobotRunn
 
 
 def test_between_two_poses_also_around_midnight() -> None:
-    before = _Seen(86399.9, PlanarPose(1.0, 0.0, math.pi - 0.1), is_level=True)
-    later = _Seen(0.1, PlanarPose(2.0, 0.0, -math.pi + 0.1), is_level=True)
-    middle = between(before, later, 0.0)
+    before = _StampedPose(86399.9, PlanarPose(1.0, 0.0, math.pi - 0.1), is_level=True)
+    later = _StampedPose(0.1, PlanarPose(2.0, 0.0, -math.pi + 0.1), is_level=True)
+    middle = interpolated(before, later, 0.0)
     assert middle.pose == pytest.approx((1.5, 0.0, math.pi), abs=1e-9)
     assert middle.is_level

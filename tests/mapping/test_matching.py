@@ -7,13 +7,12 @@ import math
 import numpy as np
 import pytest
 
-from jauspy.mapping.grid import OccupancyGrid
-from jauspy.mapping.mapper import Mapper
-from jauspy.mapping.matching import match
-from jauspy.mapping.pose import PlanarPose, Points
+from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.grid import OccupancyGrid, Points
+from jauspy.mapping.mapper import Mapper, match
 
 ANGLES = np.linspace(-math.pi, math.pi, 360, endpoint=False)
-TRUST = (0.1, 0.1)
+DEVIATION = (0.1, 0.1)
 
 
 def ranges(pose: PlanarPose, *, corridor: bool = False) -> list[float]:
@@ -44,14 +43,14 @@ def mapped(*, corridor: bool = False) -> OccupancyGrid:
 @pytest.mark.parametrize("off", [(0.1, 0.0, 0.0), (0.0, -0.1, 0.0), (0.0, 0.0, 0.06), (-0.08, 0.08, -0.05)])
 def test_finds_its_place_again(off: tuple[float, float, float]) -> None:
     pose = PlanarPose(0.7, 0.4, 0.3)
-    found = match(mapped(), ends(pose), pose.then(PlanarPose(*off)), TRUST)
+    found = match(mapped(), ends(pose), pose @ PlanarPose(*off), DEVIATION)
     assert math.hypot(found.x - pose.x, found.y - pose.y) < 0.05, "a cell: the walls lie between two"
     assert abs(found.yaw - pose.yaw) < 0.005
 
 
 def test_along_a_corridor_the_guess_counts() -> None:
     pose = PlanarPose(0.7, 0.2, 0.0)
-    found = match(mapped(corridor=True), ends(pose, corridor=True), PlanarPose(0.5, 0.28, 0.02), TRUST)
+    found = match(mapped(corridor=True), ends(pose, corridor=True), PlanarPose(0.5, 0.28, 0.02), DEVIATION)
     assert found.x == pytest.approx(0.5, abs=0.05)
     assert found.y == pytest.approx(0.2, abs=0.04)
     assert found.yaw == pytest.approx(0.0, abs=0.005)
@@ -59,12 +58,12 @@ def test_along_a_corridor_the_guess_counts() -> None:
 
 def test_a_scan_that_sees_next_to_nothing_is_not_matched() -> None:
     guess = PlanarPose(1.0, 2.0, 0.1)
-    assert match(mapped(), ends(PlanarPose())[:10], guess, TRUST) == guess
+    assert match(mapped(), ends(PlanarPose())[:10], guess, DEVIATION) == guess
 
 
 def test_an_empty_map_leaves_the_guess() -> None:
     guess = PlanarPose(1.0, 2.0, 0.1)
-    assert match(OccupancyGrid(30.0), ends(PlanarPose()), guess, TRUST) == pytest.approx(guess)
+    assert match(OccupancyGrid(30.0), ends(PlanarPose()), guess, DEVIATION) == pytest.approx(guess)
 
 
 def test_scans_go_into_the_map_only_after_some_driving() -> None:

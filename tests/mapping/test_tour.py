@@ -16,10 +16,10 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 import mujoco
 
-from jauspy.mapping.files import save
+from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
-from jauspy.mapping.pose import PlanarPose
 from jauspy.modules.robots import load, robot_model
 from jauspy_sim.assembly import COLLIDING, SEEN
 from jauspy_sim.robot import SimulatedRobot
@@ -59,10 +59,10 @@ class Odometry:
         self.pose = PlanarPose()
 
     def move(self, now: PlanarPose) -> PlanarPose:
-        step, self._before = now.since(self._before), now
+        step, self._before = now.relative_to(self._before), now
         way, noise = math.hypot(step.x, step.y), self._random.normal(0.0, 0.02, 4).tolist()
         yaw = step.yaw * (1.02 + noise[2]) + way * (math.radians(1.0) + noise[3])
-        self.pose = self.pose.then(PlanarPose(step.x * (1.03 + noise[0]), step.y + way * noise[1], yaw))
+        self.pose = self.pose @ PlanarPose(step.x * (1.03 + noise[0]), step.y + way * noise[1], yaw)
         return self.pose
 
 
@@ -133,7 +133,7 @@ def test_its_files_are_the_floor_plan(
     """As map_server reads them: the first row is the top, the origin is the lower left corner."""
     robot, mappers, _, _ = tour
     grid = mappers[True].grid
-    save(grid, tmp_path / "yard")
+    save_map(grid, tmp_path / "yard")
     notes = yaml.safe_load((tmp_path / "yard.yaml").read_text())
     picture = cv2.imread(str(tmp_path / notes["image"]), cv2.IMREAD_GRAYSCALE)[::-1]
     occupied = (255 - picture) / 255 > notes["occupied_thresh"]

@@ -307,7 +307,7 @@ def test_the_tool_moves_along_a_straight_line_and_stops(backend: str, robot: str
     assert arm.velocities() == pytest.approx([0.0] * len(STARTS[robot]), abs=0.02)
     driver = arm.host.service(EndEffectorVelocityStateDriver)
     assert driver is not None
-    assert not driver.moves, "the joints just hold"
+    assert not driver.is_moving, "the joints just hold"
 
 
 def test_commands_that_are_sent_again_and_again_keep_to_the_motion_profile(arm: Handler) -> None:

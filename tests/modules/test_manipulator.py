@@ -26,7 +26,7 @@ from jauspy.messages.core import (
     SetEmergency,
     Standby,
 )
-from jauspy.services.manipulator.values import percents
+from jauspy.services.manipulator.joints import percent_records
 
 GOAL = (0.4, 1.2, -0.9, 0.3, -0.5)
 
@@ -199,14 +199,14 @@ def test_moves_at_velocities_until_another_driver_commands(arm: Workcell) -> Non
 
 def test_efforts_push_and_zero_holds(arm: Workcell) -> None:
     before = arm.positions()
-    arm.tell(m.SetJointEffort(percents([8.0, 0.0, 0.0, 0.0, 0.0])))
+    arm.tell(m.SetJointEffort(percent_records([8.0, 0.0, 0.0, 0.0, 0.0])))
     arm.run(0.4)
     moved = arm.positions()
     assert moved[0] > before[0] + 0.005
     assert moved[1:] == pytest.approx(before[1:], abs=0.01)
     efforts = arm.ask(m.QueryJointForceTorques()).actuator_force_torque_list
     assert efforts[0].joint_force_torque.value == pytest.approx(0.08 * 60.0, abs=0.01)
-    arm.tell(m.SetJointEffort(percents([0.0] * 5)))
+    arm.tell(m.SetJointEffort(percent_records([0.0] * 5)))
     arm.run(0.5)
     assert arm.velocities() == pytest.approx([0.0] * 5, abs=0.02)
 
@@ -277,7 +277,7 @@ def test_does_not_move_without_control(arm: Workcell) -> None:
 def test_commands_that_do_not_fit_the_joints_are_counted(arm: Workcell) -> None:
     make, choice = m.JointPositionRec.JointPosition, m.JointPositionRec.JointPositionChoice
     metres = m.SetJointPositions([m.JointPositionRec(make(choice.METER, 0.1))] * 5)
-    arm.tell(metres, velocities(0.1), m.SetJointEffort(percents([5.0] * 6)))
+    arm.tell(metres, velocities(0.1), m.SetJointEffort(percent_records([5.0] * 6)))
     arm.tell(m.SetJointMotionProfile([m.SetJointMotionProfile.RevoluteJointMotionProfileRec(1.0, 1.0, 1.0)] * 4))
     before = arm.positions()
     arm.run(0.3)

@@ -6,7 +6,7 @@ import pytest
 from pydantic import BaseModel
 
 from jauspy.errors import ConfigError
-from jauspy.node import NodeConfig, config_file, policy
+from jauspy.node import NodeConfig, config as policy, config_file
 from jauspy.node.config import GatewayConfig, NetworkConfig, RuleConfig
 
 GATEWAY = """
@@ -51,7 +51,7 @@ def test_the_examples_in_comments_are_valid(written: Path) -> None:
     written.write_text("\n".join(plain).replace('"0.0.0.0"', '"10.0.0.1"'))
     config = config_file.load(written)
     assert config.gateway is not None
-    assert policy.gateway(config) is not None
+    assert policy.make_gateway(config) is not None
     assert config.metrics == "127.0.0.1:9794"
 
 
@@ -107,4 +107,4 @@ def test_a_file_that_is_not_there(written: Path) -> None:
 def test_a_message_that_nobody_knows_is_told_with_close_ones(written: Path) -> None:
     written.write_text('[gateway]\nsubsystem = 1\n[[gateway.rules]]\nmessages = ["QueryStatsu"]')
     with pytest.raises(ConfigError, match=r"gateway.rules\[0\].messages: .*QueryStatus.*write its id"):
-        policy.gateway(config_file.load(written))
+        policy.make_gateway(config_file.load(written))

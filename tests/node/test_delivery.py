@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.component import Shell
+from jauspy.component import Component, ComponentOptions
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportHeartbeatPulse
 from jauspy.node import NodeConfig, NodeManager
@@ -21,13 +21,15 @@ from jauspy.transport import LocalTransport, TcpTransport, Transport
 A, B = JausID.parse("101.1.1"), JausID.parse("101.1.2")
 
 
-def component(transport: Transport, arrived: "asyncio.Queue[Packet]") -> Shell:
+def component(transport: Transport, arrived: "asyncio.Queue[Packet]") -> Component:
     def take(packet: Packet) -> bool:
         arrived.put_nowait(packet)
         return True
 
     host = Host(transport.id, [Liveness()], utc_now=lambda: datetime.now(UTC), now=time.monotonic())
-    return Shell(host, transport, intercept=take, delivery=Delivery(max_message=16 << 20))
+    return Component.of_host(
+        host, transport, intercept=take, options=ComponentOptions(delivery=Delivery(max_message=16 << 20))
+    )
 
 
 @pytest.mark.parametrize("ack", [Ack.NONE, Ack.REQUIRED])

@@ -89,7 +89,7 @@ async def test_a_step_of_the_wall_clock_changes_nothing(
     node: NodeManager, introduce: Introduce, udp: Callable[[], socket.socket], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """An hour forward, and back to 1970: addresses stay known, what waits for an unknown id waits on."""
-    monkeypatch.setattr(pending, "PATIENCE", 60.0)
+    monkeypatch.setattr(pending, "PENDING_TIMEOUT", 60.0)
     (here,) = await introduced(introduce, HERE)
     peer, late = udp(), JausID.parse("43.1.1")
     peer.sendto(numbered(FAR, HERE, 1)[0], ("127.0.0.1", node.port))
@@ -105,7 +105,7 @@ async def test_a_step_of_the_wall_clock_changes_nothing(
     own = judp.pack(Packet(HERE, HERE, b"\0\0"))
     here.sendto(own, str(node.path))
     assert await receive(here) == own
-    assert node.state.core.pending_messages == 2
+    assert node.state.router.pending_messages == 2
     assert node.counters["dropped.unknown_destination"] == 0
 
 

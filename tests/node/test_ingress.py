@@ -74,8 +74,8 @@ async def test_a_flood_delays_an_urgent_packet_by_a_few_reads_and_drops_only_its
 
 
 async def test_among_too_many_the_lowest_go_first(counters: Counters) -> None:
-    high = [packet(n, Priority.HIGH) for n in range(ingress.MAX_WAITING)]
-    low = [packet(n, Priority.LOW) for n in range(ingress.MAX_WAITING)]
+    high = [packet(n, Priority.HIGH) for n in range(ingress.MAX_QUEUED)]
+    low = [packet(n, Priority.LOW) for n in range(ingress.MAX_QUEUED)]
     routed = await run(Socket(*low, *high), counters)
     assert [data for data in routed if judp.peek_priority(data) == Priority.HIGH] == high
 
@@ -87,7 +87,7 @@ async def test_the_kernel_drops_a_flood_until_what_was_read_is_routed(udp, count
     reader = Ingress(lambda data, _: routed.append(data), counters)
     low, urgent = packet(1, Priority.LOW), packet(2, Priority.SAFETY_CRITICAL)
     where = receiver.getsockname()
-    while not counters["held_back"]:
+    while not counters["kernel_filter.attached"]:
         for _ in range(ingress.READ_BURST):
             sender.sendto(low, where)
         reader._wake(receiver, "lan", 0, {}, lambda error: None)
@@ -111,7 +111,7 @@ async def test_while_the_urgent_fill_every_turn_the_least_urgent_are_late_but_no
     urgent = [packet(n, Priority.HIGH) for n in range(2000)]
     routed = await run(Socket(*low, *urgent), counters)
     assert routed.index(low[0]) < ingress.ROUTE_BURST
-    assert routed.index(low[-1]) < (40 / ingress.SHARE) * ingress.ROUTE_BURST
+    assert routed.index(low[-1]) < (40 / ingress.LOW_PRIORITY_SHARE) * ingress.ROUTE_BURST
     assert [data for data in routed if data in low] == low
     assert [data for data in routed if data not in low] == urgent
 
@@ -133,7 +133,7 @@ async def test_a_real_flood_never_starves_the_safety_critical(root: Path, introd
                     pass
 
 
-async def test_sealed_networks_talk_to_each_other_and_to_nobody_else(
+async def test_authenticated_networks_talk_to_each_other_and_to_nobody_else(
     root: Path, introduce, free_port: int, tmp_path: Path, udp
 ) -> None:
     key = tmp_path / "key"

@@ -20,8 +20,8 @@ NEAR, FAR = JausID.parse("101.1.1"), JausID.parse("102.1.1")
 DAEMON = """
 import asyncio, json, sys
 from jauspy.node import NodeConfig, NodeManager
-from jauspy.transport import memberships
-memberships.WATCH_INTERVAL = 0.1
+from jauspy.transport import multicast
+multicast.WATCH_INTERVAL = 0.1
 async def main(settings):
     async with NodeManager(NodeConfig.make(**json.loads(settings))) as manager:
         print("ready", flush=True)

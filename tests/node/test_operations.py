@@ -8,6 +8,7 @@ import logging
 import os
 import socket
 import stat
+import threading
 from pathlib import Path
 
 import dpkt
@@ -19,6 +20,8 @@ from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, metrics, mirror, status
 from jauspy.node.service_manager import ServiceManager
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import UdpPort
+from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Packet
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
@@ -62,7 +65,7 @@ async def test_the_status_tells_components_peers_queues_and_drops(root: Path, in
 
 
 async def test_no_node_manager_no_status(root: Path) -> None:
-    with pytest.raises(TransportError, match=r"no node manager tells its status at .*is this its --local-root"):
+    with pytest.raises(TransportError, match=r"no node manager serves its status at .*is this its --local-root"):
         await status.read(root)
 
 
@@ -98,7 +101,7 @@ async def test_metrics_for_prometheus(root: Path, introduce, udp, free_port: int
 async def test_readers_of_the_metrics_that_say_nothing_are_bounded(
     root: Path, free_port: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(metrics, "PATIENCE", 60.0)
+    monkeypatch.setattr(metrics, "REQUEST_TIMEOUT", 60.0)
     async with NodeManager(config(root, metrics=f"127.0.0.1:{free_port}")):
         with contextlib.ExitStack() as stack:
             for _ in range(metrics.MAX_READERS + 1):
@@ -210,7 +213,7 @@ async def test_a_packet_that_is_too_long_for_the_mirror_is_counted_and_it_goes_o
 async def test_a_pipe_as_mirror_needs_a_reader_and_one_that_stops_reading_holds_up_nothing(
     root: Path, tmp_path: Path, introduce, udp, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(mirror, "PATIENCE", 0.05)
+    monkeypatch.setattr(mirror, "STOP_TIMEOUT", 0.05)
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
     with pytest.raises(TransportError, match="a pipe that nobody reads yet"):
@@ -225,6 +228,29 @@ async def test_a_pipe_as_mirror_needs_a_reader_and_one_that_stops_reading_holds_
                 assert await receive(component) == large
     finally:
         os.close(reader)
+    writers = [thread for thread in threading.enumerate() if thread.name == "mirror"]
+    for thread in writers:  # writing to the closed pipe fails: the thread closes its file and ends
+        await asyncio.to_thread(thread.join, 20)
+    assert not any(thread.is_alive() for thread in writers)
+    assert str(pipe) not in {os.path.realpath(each) for each in Path("/proc/self/fd").iterdir()}
+
+
+async def test_the_mirror_closes_a_pipe_whose_reader_ends_while_it_writes(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(mirror, "STOP_TIMEOUT", 0.05)
+    pipe = tmp_path / "pipe"
+    os.mkfifo(pipe)
+    reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
+    counters = Counters(logging.getLogger(__name__))
+    with mirror.Mirror(str(pipe), 1 << 30, counters, lambda _: ("239.255.0.1", judp.PORT)) as writing:
+        (writer,) = (thread for thread in threading.enumerate() if thread.name == "mirror")
+        for _ in range(6):  # more than the pipe holds, and fewer than the queue
+            writing.add(UdpPort("10.0.0.2", judp.PORT), UdpPort("10.0.0.1", judp.PORT), bytes(30_000))
+            writing.flush()
+    os.close(reader)
+    await asyncio.to_thread(writer.join, 20)
+    assert not writer.is_alive()
 
 
 async def test_a_mirror_that_cannot_be_written_is_told_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:

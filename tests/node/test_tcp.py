@@ -11,7 +11,7 @@ import pytest
 
 from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
-from jauspy.node import NodeConfig, NodeManager, tcp
+from jauspy.node import NodeConfig, NodeManager, links
 from jauspy.protocol import judp
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Packet
@@ -213,7 +213,7 @@ SPEAKS = "02 001000 01 02016400 0101c800 1112 0100"
 
 
 async def test_connections_are_bounded(node: NodeManager, here: Inbox, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 1)
+    monkeypatch.setattr(links, "MAX_CONNECTIONS", 1)
     async with peer(node) as first:
         first.send(SPEAKS)
         await here.next()
@@ -225,7 +225,7 @@ async def test_connections_are_bounded(node: NodeManager, here: Inbox, monkeypat
 async def test_who_connects_and_says_nothing_gives_its_place_to_the_next(
     node: NodeManager, here: Inbox, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(tcp, "MAX_CONNECTIONS", 2)
+    monkeypatch.setattr(links, "MAX_CONNECTIONS", 2)
     async with peer(node) as silent:
         silent.send(SPEAKS[:-2])
         await until(lambda: node.counters["tcp.accepted"] == 1)

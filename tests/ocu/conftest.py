@@ -13,7 +13,7 @@ from tests.helpers.robot import FakeDrive
 
 from jauspy.codec.message import Message
 from jauspy.component import Component
-from jauspy.component.shell import loop_time
+from jauspy.component.component import loop_time
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.protocol.judp import unpack_all

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.component import Shell
+from jauspy.component import Component
 from jauspy.errors import TransportError
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.ids import JausID
@@ -52,7 +52,7 @@ class Site:
         self.drive = Drive()
         services = [Discovery(), Liveness(), AccessControl(timeout=2), PrimitiveDriver(Vehicle(self.drive))]
         host = Host(ROBOT, services, utc_now=lambda: datetime.now(UTC), now=time.monotonic())
-        self.robot = Shell(host, LocalTransport(ROBOT, root))
+        self.robot = Component.of_host(host, LocalTransport(ROBOT, root))
 
     def manager(self) -> NodeManager:
         return NodeManager(NodeConfig(address="127.0.0.1", port=self.port, local_root=self.root, tcp=True))

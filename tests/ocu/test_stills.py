@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 import pytest
 from tests.modules.cameras import FakeVideo
 
-from jauspy.component import Shell
+from jauspy.component import Component, ComponentOptions
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.geometry.poses import Transform
 from jauspy.ids import JausID
@@ -50,7 +50,9 @@ async def service(node_manager, video):
     services = [Discovery(), VisualSensor(cameras), StillImage(cameras)]
     host = Host(CAMERA, services, utc_now=lambda: datetime.now(UTC), now=node_manager.now())
     async with (
-        Shell(host, node_manager.transport(CAMERA), delivery=LARGE_IMAGE_DELIVERY),
+        Component.of_host(
+            host, node_manager.transport(CAMERA), options=ComponentOptions(delivery=LARGE_IMAGE_DELIVERY)
+        ),
         OCU("42.1.1", node_manager.udp, delivery=LARGE_IMAGE_DELIVERY) as ocu,
     ):
         robot = await ocu.discover(CAMERA.subsystem)

@@ -135,7 +135,7 @@ def test_an_unknown_destination_is_asked_for_at_a_bounded_rate(node: Router) -> 
     assert node.counters["dropped.unknown_destination"] + multicasts + pending.MAX_PENDING_PER_DESTINATION >= 1000
 
 
-def test_pending_messages_ask_again_and_expire(node: Router) -> None:
+def test_waiting_messages_ask_again_and_expire(node: Router) -> None:
     for sequence in range(1, 6):
         after(node, message(A, FAR, sequence), port(A), 0.0)
     asked = []

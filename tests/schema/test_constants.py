@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jauspy.schema.constants import MAX_LENGTH, ExpressionError, evaluate
+from jauspy.schema.library import MAX_LENGTH, ExpressionError, evaluate
 
 NAMES = {"PI": math.pi, "basic.PI": math.pi, "two": 2}
 

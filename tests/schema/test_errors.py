@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.errors import SchemaError
 from jauspy.schema import load_files
-from jauspy.schema.source import MAX_FILE_SIZE
+from jauspy.schema.loader import MAX_FILE_SIZE
 
 U8 = 'field_type_unsigned="unsigned byte"'
 HERE = "<!-- here -->"

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, settings, strategies as st
 
 from jauspy.errors import SchemaError
-from jauspy.schema.guards import And, Call, Not, Or, calls, compile_guard, parse
+from jauspy.schema.behavior import And, Call, Not, Or, calls, compile_guard, parse
 
 NAMES = ("a", "b", "c", "d")
 

@@ -165,7 +165,7 @@ def test_what_is_remembered_of_ended_commands_is_bounded(robot, drive) -> None:
     for number in range(100):
         effort = SetWrenchEffort(propulsive_linear_effort_x=number / 2)
         assert len(robot.tell(A, command(effort, request=number))) == 2
-    assert len(robot.host.service(Events).ended) == 64
+    assert len(robot.host.service(Events).completed) == 64
 
 
 def test_cancelling_ends_the_event_and_not_the_command(rig) -> None:

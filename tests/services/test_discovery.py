@@ -24,9 +24,8 @@ from jauspy.messages.core import (
 )
 from jauspy.protocol.header import MAX_PAYLOAD
 from jauspy.services.core import Discovery, Identity, Liveness, directory
-from jauspy.services.core.directory import MAX_COMPONENTS, Offer
-from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT
-from jauspy.services.core.listing import own_offers
+from jauspy.services.core.directory import MAX_COMPONENTS, OfferedService
+from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT, offered_services
 from jauspy.services.host import Host
 
 A = "42.1.1"
@@ -38,7 +37,7 @@ def services(*wanted: tuple[int, int]) -> QueryServices:
 
 
 def registration(host: Host) -> RegisterServices:
-    return RegisterServices([ServiceRec(*offer) for offer in own_offers(host)])
+    return RegisterServices([ServiceRec(*offer) for offer in offered_services(host)])
 
 
 def listed(report: ReportServices) -> dict[tuple[int, int], list[str]]:
@@ -205,7 +204,7 @@ def test_a_robot_of_usual_size_is_reported_whole(rig, robot) -> None:
 
 def test_the_own_services_are_reported_as_far_as_they_fit(rig) -> None:
     directory = rig.host.service(Discovery).directory
-    directory.register(rig.ID, [Offer(f"{number:02}".ljust(255, "x"), 1, 0) for number in range(60)])
+    directory.register(rig.ID, [OfferedService(f"{number:02}".ljust(255, "x"), 1, 0) for number in range(60)])
     report = rig.ask(A, services((255, 255)))
     assert len(listed(report)[1, 1]) == MAX_REPORT // 258
     assert len(report.encode()) <= MAX_PAYLOAD

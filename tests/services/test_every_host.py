@@ -11,7 +11,7 @@ from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
 from jauspy.fuzz.messages import Maker, Style, targets
 from jauspy.messages import registry
-from jauspy.schema import guards, load_builtin, model
+from jauspy.schema import behavior, load_builtin, model
 from jauspy.services.service import Service
 
 SCHEMA = load_builtin()
@@ -57,7 +57,7 @@ def named(definition: model.Service) -> Iterator[tuple[str, str]]:
         for each in transitions:
             if each.guard.strip():
                 yield from (
-                    (path, snake(call.name.rpartition(".")[2])) for call in guards.calls(guards.parse(each.guard))
+                    (path, snake(call.name.rpartition(".")[2])) for call in behavior.calls(behavior.parse(each.guard))
                 )
 
 

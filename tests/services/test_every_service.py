@@ -18,7 +18,7 @@ import pytest
 
 from jauspy.codec.names import snake
 from jauspy.protocol.counters import Counters
-from jauspy.schema import guards, load_builtin, model
+from jauspy.schema import behavior, load_builtin, model
 from jauspy.schema.state_tree import merge_machines, short_name
 from jauspy.services.binding import Binder
 from jauspy.services.definitions import definitions_of
@@ -150,15 +150,15 @@ def _fits(transition: model.Transition, message: str | None, event: str) -> bool
     return event != "Receive" or not transition.parameters or transition.parameters[0].type == message
 
 
-def _value(guard: guards.Guard, truth: Callable[[guards.Call], bool]) -> bool:
+def _value(guard: behavior.Guard, truth: Callable[[behavior.Call], bool]) -> bool:
     match guard:
-        case guards.Call():
+        case behavior.Call():
             return truth(guard)
-        case guards.Not(operand):
+        case behavior.Not(operand):
             return not _value(operand, truth)
-        case guards.And(operands):
+        case behavior.And(operands):
             return all(_value(each, truth) for each in operands)
-        case guards.Or(operands):
+        case behavior.Or(operands):
             return any(_value(each, truth) for each in operands)
 
 
@@ -226,7 +226,7 @@ class Pair:
     def truths(self, message: str | None, event: str) -> Iterator[dict[str, bool]]:
         """All that the predicates which this input may ask can say."""
         fitting = [each for each in self.plain.candidates() if each.guard.strip() and _fits(each, message, event)]
-        names = sorted({_predicate(call) for each in fitting for call in guards.calls(_parse(each.guard))})
+        names = sorted({_predicate(call) for each in fitting for call in behavior.calls(_parse(each.guard))})
         for values in product((False, True), repeat=len(names)):
             yield dict(zip(names, values, strict=True))
 
@@ -249,11 +249,11 @@ def _input(transition: model.Transition) -> tuple[str | None, str]:
 
 
 @cache
-def _parse(guard: str) -> guards.Guard:
-    return guards.parse(guard)
+def _parse(guard: str) -> behavior.Guard:
+    return behavior.parse(guard)
 
 
-def _predicate(call: guards.Call) -> str:
+def _predicate(call: behavior.Call) -> str:
     return snake(call.name.rpartition(".")[2])
 
 

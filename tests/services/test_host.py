@@ -27,7 +27,7 @@ from jauspy.messages.core import (
 from jauspy.messages.mobility import QueryWrenchEffort, ReportWrenchEffort, SetWrenchEffort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
-from jauspy.schema import Schema, load_builtin, load_files, needed
+from jauspy.schema import Schema, load_builtin, load_files, loader
 from jauspy.services.core import AccessControl, Liveness, Management
 from jauspy.services.messaging import Outgoing, OutputQueue
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
@@ -286,8 +286,8 @@ def test_only_the_definitions_that_are_needed_are_read(monkeypatch, request) -> 
         read.extend(paths)
         return load_files(paths)
 
-    needed.load_needed.cache_clear()
-    monkeypatch.setattr(needed, "load_files", count)
+    loader.load_needed.cache_clear()
+    monkeypatch.setattr(loader, "load_files", count)
     robot = request.getfixturevalue("robot")
     types = 2
     assert len(read) == len(robot.host.services) + types

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.errors import TransportError
-from jauspy.node.sweep import nobody_has
+from jauspy.node.liveness import is_unbound
 from jauspy.protocol.addressing import UdpPort
 from jauspy.transport import local as local_socket
 
@@ -119,7 +119,7 @@ def test_without_a_file_to_spare_nobody_is_taken_for_dead(tmp_path: Path) -> Non
         sock.bind(str(path))
         resource.setrlimit(resource.RLIMIT_NOFILE, (0, hard))
         try:
-            found = local_socket.is_dead(path), nobody_has(UdpPort("127.0.0.1", 1))
+            found = local_socket.is_dead(path), is_unbound(UdpPort("127.0.0.1", 1))
         finally:
             resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
     assert found == (False, False)

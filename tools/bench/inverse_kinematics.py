@@ -14,9 +14,8 @@ from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kine
 from jauspy.modules.robots import load, robot_model
 from jauspy.platform.kinematic import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.end_effector_velocity_state_driver import PERIOD
+from jauspy.services.manipulator.end_effector import CONTROL_PERIOD, STEPS_PER_TURN
 from jauspy.services.manipulator.tool_motion import ToolMotion
-from jauspy.services.manipulator.tool_pose_driver import STEPS_AT_ONCE
 
 
 def timed(search: InverseKinematics) -> tuple[Solution, list[float]]:
@@ -24,7 +23,7 @@ def timed(search: InverseKinematics) -> tuple[Solution, list[float]]:
     turns: list[float] = []
     while True:
         start = time.process_time()
-        found = search.advance(STEPS_AT_ONCE)
+        found = search.advance(STEPS_PER_TURN)
         turns.append(time.process_time() - start)
         if found is not None:
             return found, turns
@@ -46,7 +45,7 @@ def measure(robot: str, poses: int) -> None:
     motion.follow((0.0, 0.0, 0.0), (0.03, 0.0, 0.0))
     start = time.process_time()
     for _ in range(looks):
-        motion.rates(PERIOD)
+        motion.rates(CONTROL_PERIOD)
     look = (time.process_time() - start) / looks
     whole = [sum(each) for each in searches]
     longest = max(max(each) for each in searches)

@@ -1,1 +1,1 @@
-"""Recorded traffic: UDP datagrams out of capture files and hex text, and what JAUS says in them."""
+"""Recorded traffic: reading captures, writing pcapng, and the JAUS content of datagrams."""

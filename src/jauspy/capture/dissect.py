@@ -1,4 +1,4 @@
-"""What one UDP payload or message says: headers, fields, and whether the same bytes come back."""
+"""Dissection of one UDP payload or message: headers, fields, and whether it encodes to the same bytes."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.codec.message import Message, too_short
-from jauspy.codec.registry import NO_HINTS, Collision, Entry, Hints, Registry
+from jauspy.codec.registry import NO_HINTS, Collision, Hints, MessageEntry, Registry
 from jauspy.errors import DecodeError, EncodeError, ProtocolError
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
@@ -21,10 +21,10 @@ OLD_HEADER: Final = "AS5669 v1/OPC header, not decoded"
 
 @dataclass(frozen=True, slots=True)
 class Content:
-    """The message of a packet or of bare bytes, as far as it can be read.
+    """The message of a packet or of bare bytes, as far as it can be decoded.
 
     `message` is None when there is none (an acknowledgement, a later fragment), when its code is unknown, or when its
-    bytes are wrong; `problem` then says which. `others` is what the id means besides, unless it was said what is meant.
+    bytes are wrong; `problem` then says which. `others` are further meanings of the id, unless hints were given.
     """
 
     payload: bytes
@@ -32,7 +32,7 @@ class Content:
     deviations: tuple[str, ...] = ()
     problem: str = ""
     broken: bool = False
-    others: tuple[Entry, ...] = ()
+    others: tuple[MessageEntry, ...] = ()
 
     @property
     def code(self) -> int | None:
@@ -50,12 +50,12 @@ class Content:
 
     @property
     def exact(self) -> bool:
-        """True when a known message uses up the bytes, as its definition says."""
+        """True when the bytes are exactly one known message, without deviations."""
         return self.message is not None and not self.deviations and self.reencodes
 
     @property
     def reencodes(self) -> bool:
-        """True when encoding the decoded message gives exactly the bytes that came."""
+        """True when the decoded message encodes to exactly the original bytes."""
         return self.reencoded() == self.payload
 
 
@@ -69,9 +69,9 @@ class Part:
 
 @dataclass(frozen=True, slots=True)
 class Dissection:
-    """A datagram taken apart; `errors` are sentences about what could not be read.
+    """A dissected datagram; `errors` are sentences about what could not be read.
 
-    `note` says what it is when it is no AS5669A datagram and no error either.
+    `note` describes datagrams of another known format than AS5669A.
     """
 
     data: bytes
@@ -81,7 +81,7 @@ class Dissection:
 
     @property
     def reencodes(self) -> bool:
-        """True when headers and messages, encoded again, are the very bytes that came."""
+        """True when headers and messages encode to exactly the original bytes."""
         if not self.parts:
             return False
         again = b"".join(judp.pack(part.packet)[1:] for part in self.parts)
@@ -89,7 +89,7 @@ class Dissection:
 
 
 def dissect(data: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Dissection:
-    """Take a UDP payload apart; `wanted` as in `read_message`. Never raises: what is wrong is in `errors`."""
+    """Dissect a UDP payload; `wanted` as in `read_message`. Never raises; problems are in `errors`."""
     if is_old_header(data):
         return Dissection(data, note=OLD_HEADER)
     packets, problems = judp.unpack_all(data)
@@ -100,7 +100,7 @@ def dissect(data: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Dissec
 
 
 def local_control(data: bytes) -> Dissection | None:
-    """A Connect, Accept or Cancel of the Junior protocol on local sockets; on UDP the same bytes are an old packet."""
+    """A Connect, Accept or Cancel of the Junior protocol, or None. On UDP the same bytes are a legacy packet."""
     control = junior.parse(data)
     if control is None:
         return None
@@ -112,7 +112,7 @@ def local_control(data: bytes) -> Dissection | None:
 def read_message(payload: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Content:
     """Decode a bare message (message id first).
 
-    Where an id means several things, that of the service, version or name in `wanted` is taken, as far as there is one.
+    If an id has several meanings, that of the service, version or name in `wanted` is used, if there is one.
     """
     if len(payload) < 2:
         return Content(payload, problem=too_short(payload).reason, broken=True)
@@ -136,7 +136,7 @@ def _undecided(code: int, collision: Collision | None) -> str:
 
 
 def is_old_header(data: bytes) -> bool:
-    """True for the packet formats before AS5669A."""
+    """True for packet formats older than AS5669A."""
     return data.startswith(OPC_MARK) or (data[:1] == bytes([V1_MARK]) and len(data) >= 21)
 
 

@@ -1,24 +1,53 @@
-"""UDP datagrams of a pcap or pcapng file, one after the other, without reading the file into memory."""
+"""Reading recorded datagrams: UDP out of pcap and pcapng files, and bytes written as hexadecimal text."""
 
 from __future__ import annotations
 
+import re
+import socket
 import struct
-from collections import Counter
+from collections import Counter, OrderedDict
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from io import BufferedReader
 from typing import Final
 
 import dpkt
 
-from jauspy.capture import link
-from jauspy.capture.ip import Assembler
 from jauspy.errors import ConfigError
 
-JAUS_PORT: Final = 3794  # registered for JAUS; AS5669A puts JUDP there
+JAUS_PORT: Final = 3794  # registered for JAUS, used by JUDP
 
 _PCAPNG: Final = b"\x0a\x0d\x0d\x0a"
 _PCAP: Final = tuple(struct.pack(order + "I", magic) for magic in (0xA1B2C3D4, 0xA1B23C4D) for order in "<>")
+MAX_OPEN_PACKETS: Final = 64
+"""Incomplete IP packets of a capture; the oldest is dropped first."""
+MAX_PACKET: Final = 65535
+_Key = tuple[bytes, bytes, int]
+_SEPARATORS = re.compile(r"[\s:,_-]+|\b0[xX]")
+
+# Link types as the pcap formats number them (https://www.tcpdump.org/linktypes.html). Raw IP has three numbers:
+# the registered one, and two that some systems write instead.
+NULL: Final = 0
+ETHERNET: Final = 1
+RAW: Final = (12, 14, 101)
+LOOP: Final = 108
+LINUX_SLL: Final = 113
+IPV4: Final = 228
+LINUX_SLL2: Final = 276
+
+NAMES: Final = {
+    NULL: "null/loopback",
+    ETHERNET: "Ethernet",
+    LOOP: "OpenBSD loopback",
+    LINUX_SLL: "Linux cooked",
+    IPV4: "raw IPv4",
+    LINUX_SLL2: "Linux cooked v2",
+    **dict.fromkeys(RAW, "raw IP"),
+}
+
+_IPV4_TYPE: Final = 0x0800
+_VLAN_TYPES: Final = (0x8100, 0x88A8, 0x9100)
+_AF_INET: Final = (2).to_bytes(4, "big"), (2).to_bytes(4, "little")
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,10 +64,10 @@ class Datagram:
     payload: bytes
 
 
-class _Whole:
-    """A capture file for dpkt, which takes what is there for whole: a short read is an error, except between records.
+class _CheckedFile:
+    """A capture file for dpkt, which ignores short reads: here they are an error, except between records.
 
-    Both formats are read in pairs, a header and the rest of its record.
+    Both formats are read in pairs: a header, and the rest of its record.
     """
 
     def __init__(self, file: BufferedReader) -> None:
@@ -46,7 +75,7 @@ class _Whole:
         self._between = False
 
     def record_follows(self) -> None:
-        """The next read is of a header, or of the file's end."""
+        """The next read is that of a header, or the end of the file."""
         self._between = True
 
     def read(self, count: int) -> bytes:
@@ -67,7 +96,7 @@ class CaptureReader:
     """Iterates over the datagrams from or to `port` (None: any port) in an open capture file.
 
     `skipped` counts, by reason, the frames that held no such datagram; it is complete after the iteration.
-    Of a pcapng file the first interface's link type is taken for all.
+    In a pcapng file, the link type of the first interface applies to all.
 
     Raises:
         ConfigError: not a capture file, or a link type without IP in it; while iterating: damaged or cut off here.
@@ -77,11 +106,11 @@ class CaptureReader:
         self._name = name
         self._port = port
         self._assembler = Assembler()
-        self._file = _Whole(file)
+        self._file = _CheckedFile(file)
         self._frames = _open(file.peek(4)[:4], self._file, name)
         self._link_type: int = self._frames.datalink()
-        if self._link_type not in link.NAMES:
-            known = ", ".join(dict.fromkeys(link.NAMES.values()))
+        if self._link_type not in NAMES:
+            known = ", ".join(dict.fromkeys(NAMES.values()))
             raise ConfigError(f"{name}: link type {self._link_type} is not supported; these are: {known}")
 
     @property
@@ -91,7 +120,7 @@ class CaptureReader:
 
     def __iter__(self) -> Iterator[Datagram]:
         for number, (time, frame) in enumerate(self._each_frame(), 1):
-            packet = link.ip_packet(self._link_type, frame)
+            packet = ip_packet(self._link_type, frame)
             if packet is None:
                 self.skipped["not UDP over IPv4"] += 1
                 continue
@@ -114,9 +143,168 @@ class CaptureReader:
             raise ConfigError(f"{self._name} is damaged or cut off after frame {number}") from None
 
 
-def _open(head: bytes, file: _Whole, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
+def _open(head: bytes, file: _CheckedFile, name: str) -> dpkt.pcap.Reader | dpkt.pcapng.Reader:
     kind = dpkt.pcapng.Reader if head == _PCAPNG else dpkt.pcap.Reader
     try:
         return kind(file)
     except (dpkt.Error, struct.error, ValueError) as error:
         raise ConfigError(f"{name} is not a readable pcap or pcapng file ({error})") from None
+
+
+@dataclass(frozen=True, slots=True)
+class Udp:
+    """One UDP datagram: `source` and `destination` are (address, port)."""
+
+    source: tuple[str, int]
+    destination: tuple[str, int]
+    payload: bytes
+
+
+@dataclass(slots=True)
+class _Parts:
+    fragments: dict[int, bytes] = field(default_factory=dict)
+    size: int = 0
+    total: int | None = None
+
+    def add(self, offset: int, data: bytes, *, last: bool) -> None:
+        if offset not in self.fragments:
+            self.fragments[offset] = data
+            self.size += len(data)
+        if last:
+            self.total = offset + len(data)
+
+    def joined(self) -> bytes | None:
+        """All bytes in order, or None while some are missing; where fragments overlap, the lower offset wins."""
+        if self.total is None:
+            return None
+        data = bytearray()
+        for offset in sorted(self.fragments):
+            if offset > len(data):
+                return None
+            data += self.fragments[offset][len(data) - offset :]
+        return bytes(data[: self.total]) if len(data) >= self.total else None
+
+
+class Assembler:
+    """Reassembles UDP datagrams from IPv4 packets in the order of the capture; `skipped` counts packets left out."""
+
+    def __init__(self) -> None:
+        self.skipped: Counter[str] = Counter()
+        self._open: OrderedDict[_Key, _Parts] = OrderedDict()
+
+    def add(self, packet: bytes) -> Udp | None:
+        """The datagram that this packet contains or completes, or None."""
+        if not packet or packet[0] >> 4 != 4:
+            self.skipped["not UDP over IPv4"] += 1
+            return None
+        try:
+            header = dpkt.ip.IP(packet)
+        except dpkt.UnpackError:
+            self.skipped["malformed IP packet"] += 1
+            return None
+        if header.p != dpkt.ip.IP_PROTO_UDP:
+            self.skipped["not UDP over IPv4"] += 1
+            return None
+        data = packet[header.hl * 4 : header.len or len(packet)]
+        if header.mf or header.offset:
+            whole = self._collect(header, data)
+            if whole is None:
+                return None
+            data = whole
+        return self._udp(header, data)
+
+    def finish(self) -> None:
+        """Count the packets with missing fragments."""
+        if self._open:
+            self.skipped["IP packet with missing fragments"] += len(self._open)
+            self._open.clear()
+
+    def _collect(self, header: dpkt.ip.IP, data: bytes) -> bytes | None:
+        key = (header.src, header.dst, header.id)
+        offset = header.offset * 8
+        if offset + len(data) > MAX_PACKET:
+            self.skipped["malformed IP packet"] += 1
+            return None
+        parts = self._open.setdefault(key, _Parts())
+        parts.add(offset, data, last=not header.mf)
+        whole = parts.joined()
+        if whole is not None:
+            del self._open[key]
+        elif parts.size > 2 * MAX_PACKET:
+            del self._open[key]
+            self.skipped["malformed IP packet"] += 1
+        elif len(self._open) > MAX_OPEN_PACKETS:
+            self._open.popitem(last=False)
+            self.skipped["IP packet with missing fragments"] += 1
+        return whole
+
+    def _udp(self, header: dpkt.ip.IP, data: bytes) -> Udp | None:
+        try:
+            udp = dpkt.udp.UDP(data)
+        except dpkt.UnpackError:
+            self.skipped["malformed UDP datagram"] += 1
+            return None
+        length = udp.ulen or len(data)
+        if length < 8:
+            self.skipped["malformed UDP datagram"] += 1
+            return None
+        if length > len(data):
+            self.skipped["UDP datagram cut short by the capture"] += 1
+            return None
+        source, destination = socket.inet_ntoa(header.src), socket.inet_ntoa(header.dst)
+        return Udp((source, udp.sport), (destination, udp.dport), data[8:length])
+
+
+def ip_packet(link_type: int, frame: bytes) -> bytes | None:
+    """The IPv4 packet in a frame of this link type, with padding; None for any other protocol."""
+    if link_type == ETHERNET:
+        return _after_ethertype(frame, 12)
+    if link_type == LINUX_SLL:
+        return _after_ethertype(frame, 14)
+    if link_type == LINUX_SLL2:
+        return frame[20:] if frame[:2] == _IPV4_TYPE.to_bytes(2, "big") else None
+    if link_type in (NULL, LOOP):
+        return frame[4:] if frame[:4] in _AF_INET else None
+    return frame
+
+
+def _after_ethertype(frame: bytes, offset: int) -> bytes | None:
+    while len(frame) >= offset + 2:
+        (kind,) = struct.unpack_from(">H", frame, offset)
+        if kind == _IPV4_TYPE:
+            return frame[offset + 2 :]
+        if kind not in _VLAN_TYPES:
+            return None
+        offset += 4
+    return None
+
+
+def from_hex(text: str) -> bytes:
+    """The bytes of `"02 00:11"`, `"0x02, 0x00"` or `"020011"`; `ConfigError` says what is wrong."""
+    digits = _SEPARATORS.sub("", text)
+    wrong = re.search(r"[^0-9a-fA-F]", digits)
+    if wrong:
+        raise ConfigError(f"{wrong.group()!r} in {_short(text)!r} is not a hexadecimal digit")
+    if not digits:
+        raise ConfigError("there are no hexadecimal digits")
+    if len(digits) % 2:
+        raise ConfigError(f"{_short(text)!r} has an odd number of hexadecimal digits ({len(digits)}); a byte has two")
+    return bytes.fromhex(digits)
+
+
+def from_lines(text: str) -> list[tuple[int, bytes]]:
+    """Each line's number and bytes; empty lines and what follows a `#` are left out."""
+    found = []
+    for number, line in enumerate(text.splitlines(), 1):
+        content = line.partition("#")[0].strip()
+        if not content:
+            continue
+        try:
+            found.append((number, from_hex(content)))
+        except ConfigError as error:
+            raise ConfigError(f"line {number}: {error}") from None
+    return found
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 40 else text[:37] + "..."

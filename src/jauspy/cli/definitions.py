@@ -72,7 +72,7 @@ def definitions(sources: list[str] | None) -> Definitions:
 
         return Definitions(registry)
     from jauspy.codec.build import load_schema
-    from jauspy.schema.own import load_own
+    from jauspy.schema.loader import load_own
 
     own = load_own(sources)
     return Definitions(load_schema(own), own)

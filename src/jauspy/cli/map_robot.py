@@ -79,11 +79,11 @@ async def _map(ocu: OCU, which: tuple[int, int], grid: OccupancyGrid, output: Pa
 def _finish(live: LiveMapping, output: Path) -> None:
     """Write what there is, however the mapping ended."""
     from jauspy.cli import console
-    from jauspy.mapping.files import save
+    from jauspy.mapping.files import save_map
 
     used = live.counters.pop("scans", 0)
     lost = "".join(f"; {count} left out: {reason}" for reason, count in live.counters.items())
-    picture, notes = save(live.mapper.grid, output)
+    picture, notes = save_map(live.mapper.grid, output)
     print(f"{picture} and {notes}: {used} scans{lost}", flush=True)
     if live.mapper.grid.outside:
         console.note(f"{live.mapper.grid.outside} ends of rays were outside of the map; --size makes it larger")

@@ -10,8 +10,7 @@ from pathlib import Path
 from typing import Final, Literal, cast
 
 from jauspy.capture.dissect import Content, Dissection, dissect, is_old_header, local_control, read_message
-from jauspy.capture.hextext import from_hex, from_lines
-from jauspy.capture.reader import CaptureReader, is_capture
+from jauspy.capture.reader import CaptureReader, from_hex, from_lines, is_capture
 from jauspy.cli import console
 from jauspy.cli.traffic import Item
 from jauspy.codec.registry import NO_HINTS, Hints, Registry

@@ -16,7 +16,7 @@ from jauspy.cli.definitions import Definitions
 from jauspy.cli.explain import explanation
 from jauspy.cli.render import field_lines
 from jauspy.codec.message import Message
-from jauspy.codec.registry import Entry
+from jauspy.codec.registry import MessageEntry
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 
 
@@ -197,14 +197,14 @@ class HumanPrinter:
         console.stdout().print(Text(f"     as in {here}; it is {others}", style="dim"))
 
 
-def _option(entry: Entry, shown: Message) -> str:
+def _option(entry: MessageEntry, shown: Message) -> str:
     """What makes a message be read by another definition."""
     if entry.version != shown.VERSION:
         return f"--version {entry.version}"
     return f"--service {_service(entry.service)}"
 
 
-def _place(entry: Entry) -> str:
+def _place(entry: MessageEntry) -> str:
     return f"{_service(entry.service)} {entry.version}"
 
 

@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any, Final
 
-from jauspy.component import Shell
+from jauspy.component import Component
 from jauspy.modules.config import ModuleConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.platform.contract import Snapshot
@@ -104,7 +104,7 @@ class Lookout:
         (began, before), (ends, after) = self._before[0], self._before[-1]
         return (after.get(name, 0.0) - before.get(name, 0.0)) / (ends - began) if ends > began else 0.0
 
-    def _module(self, component: Shell, module: ModuleConfig) -> ModuleLook:
+    def _module(self, component: Component, module: ModuleConfig) -> ModuleLook:
         host, access, events = component.host, component.host.service(AccessControl), component.host.service(Events)
         subscriptions = events.subscriptions.all() if events else []
         return ModuleLook(

@@ -25,12 +25,12 @@ from jauspy.codec.items import ANY, Bit, Bits, Blob, Choice, Count, Formatted, I
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message, Struct
 from jauspy.codec.names import attribute, attributes, class_name, members, set_package, unique, version_package
-from jauspy.codec.registry import Entry, Registry
+from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.codec.wire import CODES, FLOATS, as_sent
 from jauspy.errors import SchemaError
 from jauspy.schema import model as m
+from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
-from jauspy.schema.own import load_own
 
 JAUS_MESSAGE: Final = "jaus message"
 """The format of bytes that are a message."""
@@ -73,7 +73,7 @@ def build(schema: m.Schema, package: str, base: Registry | None = None) -> Packa
     """
     planned = _planned(schema)
     entries = (
-        Entry(p.message.code, p.message.name, p.service.id, p.service.version, f"{package}.{p.module}", p.name)
+        MessageEntry(p.message.code, p.message.name, p.service.id, p.service.version, f"{package}.{p.module}", p.name)
         for p in planned
     )
     files = {service.key: service.where.file for service in schema.services if service.where}

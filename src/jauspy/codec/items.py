@@ -1,4 +1,7 @@
-"""All kinds of layout items, for those who walk over layouts."""
+"""Items of layouts that hold one value: numbers, bit fields, strings, bytes, messages inside messages.
+
+`Item` is what they and the containers in `jauspy.codec.layout` have in common.
+"""
 
 from __future__ import annotations
 
@@ -18,7 +21,7 @@ from jauspy.codec.slow_path import Reader, Writer, codec_of
 from jauspy.codec.wire import FLOATS, SIZES, Rounding, Scaling, exact_raw, limits
 from jauspy.errors import EncodeError
 
-MOST_SHOWN: Final = 100
+MAX_SHOWN: Final = 100
 """Characters of a wrong value that a message shows."""
 
 
@@ -65,7 +68,7 @@ def shown(value: object) -> str:
 
 def cut(text: str) -> str:
     """The beginning and the end of a long text."""
-    return text if len(text) <= MOST_SHOWN else f"{text[: MOST_SHOWN - 13]}...{text[-10:]}"
+    return text if len(text) <= MAX_SHOWN else f"{text[: MAX_SHOWN - 13]}...{text[-10:]}"
 
 
 def number_of(value: Any, path: str) -> float:
@@ -114,16 +117,16 @@ def check_keys(data: Any, required: list[str], optional: list[str], path: str) -
 Intervals = tuple[tuple[float, float], ...]
 
 
-MOST_NAMES = 12
-"""Names that an error lists. A message may have an error in every byte, so they must cost little."""
+MAX_NAMES = 12
+"""Names that an error lists; a message may have an error in every byte, so errors must be cheap."""
 
 
 @lru_cache(maxsize=1024)
 def describe(intervals: Intervals, enum: type[IntEnum] | None) -> str:
     """The allowed values, for messages."""
     named = list(enum or ())
-    parts = [f"{m.value} {m.name}" for m in named[:MOST_NAMES]]
-    parts += [f"{len(named) - MOST_NAMES} more names"] if len(named) > MOST_NAMES else []
+    parts = [f"{m.value} {m.name}" for m in named[:MAX_NAMES]]
+    parts += [f"{len(named) - MAX_NAMES} more names"] if len(named) > MAX_NAMES else []
     parts += [f"{lower}..{upper}" if lower != upper else f"{lower}" for lower, upper in intervals]
     return ", ".join(parts)
 
@@ -183,7 +186,7 @@ _NAN: Final = "nan:"
 
 
 def odd_to_json(value: float) -> str:
-    """What JSON has no numbers for: `inf`, `-inf`, `nan`, or `nan:` and the 64 bits of one with a sign or a payload."""
+    """A float that JSON has no number for: `inf`, `-inf`, `nan`, or `nan:` and 64 bits."""
     bits = struct.pack(">d", value).hex()
     return f"{_NAN}{bits}" if math.isnan(value) and bits != struct.pack(">d", math.nan).hex() else str(value)
 
@@ -594,7 +597,7 @@ class Formatted(Item):
 
 
 def inside(known: Source | None, nesting: Nesting | None) -> Nesting | None:
-    """What knows the messages inside a field: whoever reads it, else the registry its class is of."""
+    """What knows the messages inside a field: the registry that decodes, else the one that the class belongs to."""
     return (nesting or known.nesting) if known else None
 
 

@@ -31,7 +31,7 @@ class Slot:
 class Composite(Item):
     """A record or sequence: the attributes of `cls` one after the other, behind a presence vector if there is one.
 
-    `undefined` are the presence bits that stand for nothing.
+    `undefined` are the presence bits without a field.
     """
 
     cls: type[Struct]
@@ -269,4 +269,4 @@ def _shape(part: Any) -> Any:
         return tuple(map(_shape, part))
     if part is None or isinstance(part, (str, int, float, frozenset)):
         return part
-    return type(part).__name__  # a registry: the one of whoever made the layout
+    return type(part).__name__  # a registry; which one it is does not matter

@@ -10,27 +10,27 @@ from lxml.etree import _Element as Element
 from jauspy.codec.build import build
 from jauspy.codec.names import attribute, constant, snake
 from jauspy.errors import SchemaError
-from jauspy.schema.lint import Problem, Rule, World
+from jauspy.schema.document import location
+from jauspy.schema.lint import LintContext, LintRule, Problem
 from jauspy.schema.lint.fields import unbounded_list
-from jauspy.schema.lint.references import placed
-from jauspy.schema.own import load_own
-from jauspy.schema.reading import location
+from jauspy.schema.lint.messages import placed
+from jauspy.schema.loader import load_own
 
 _CONTAINERS: Final = ("record", "sequence", "variant", "bit_field")
 _NO_MEMBERS: Final = frozenset(("presence_vector", "vtag_field"))
 
 
-def colliding_names(world: World) -> Iterator[Problem]:
+def colliding_names(context: LintContext) -> Iterator[Problem]:
     """Names that differ in JAUS and are one in Python."""
-    for element, _ in world.elements(*_CONTAINERS):
+    for element, _ in context.elements(*_CONTAINERS):
         members = (part for part in element if part.tag not in _NO_MEMBERS)
         yield from _collisions(members, "name", attribute, f"in '{element.get('name')}'")
-    for element, _ in world.elements("value_set"):
+    for element, _ in context.elements("value_set"):
         holder = next((each.get("name") for each in (element, *element.iterancestors()) if each.get("name")), "")
         yield from _collisions(element.iterchildren("value_enum"), "enum_const", constant, f"in '{holder}'")
-    for service in world.services():
+    for service in context.services():
         seen: dict[str, Element] = {}
-        messages = (seen.setdefault(part.get("name", ""), part) for part in world.messages(service))
+        messages = (seen.setdefault(part.get("name", ""), part) for part in context.messages(service))
         yield from _collisions(messages, "name", snake, f"in service '{service.get('name')}'")
 
 
@@ -44,12 +44,12 @@ def _collisions(elements: Iterable[Element], key: str, made: Callable[[str], str
             yield location(element), f"{reason}; one gets a number, rename it"
 
 
-def without_code(world: World) -> Iterator[Problem]:
+def without_code(context: LintContext) -> Iterator[Problem]:
     """What loads, but no code can be made of; a rule of its own finds lists without bounds."""
-    if any(unbounded_list(world)):
+    if any(unbounded_list(context)):
         return
     try:
-        schema = load_own(world.paths)
+        schema = load_own(context.paths)
     except SchemaError:
         return  # other rules say so
     try:
@@ -59,6 +59,6 @@ def without_code(world: World) -> Iterator[Problem]:
 
 
 RULES: Final = (
-    Rule("python-name", "warning", "names that collide in Python", colliding_names),
-    Rule("no-code", "error", "what no message class can be made of", without_code),
+    LintRule("python-name", "warning", "names that collide in Python", colliding_names),
+    LintRule("no-code", "error", "what no message class can be made of", without_code),
 )

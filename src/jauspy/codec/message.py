@@ -43,7 +43,7 @@ FAST_ERRORS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Deviation:
-    """Something a tolerant decoder put up with; `offset` counts from the first byte of the message id.
+    """Something wrong that a tolerant decoder accepted; `offset` counts from the first byte of the message id.
 
     `lost` says that bytes were left out or missing: then the message does not encode to the same bytes again.
     """
@@ -118,7 +118,7 @@ def _is_silent(name: str, value: object) -> bool:
 
 
 class Message(Struct):
-    """A JAUS message: two id bytes, then its fields. Subclasses are generated dataclasses."""
+    """A JAUS message: two id bytes, then its fields. Subclasses are declared with `jauspy.codec.declare`."""
 
     __slots__ = ()
 
@@ -160,7 +160,7 @@ class Message(Struct):
                 return self._pack()
             except FAST_ERRORS:
                 pass
-        from jauspy.codec.slow_path import encode  # noqa: PLC0415 - off the fast road
+        from jauspy.codec.slow_path import encode  # noqa: PLC0415 - not on the fast path
 
         return encode(self, clamp=clamp, strict=strict)
 
@@ -182,8 +182,8 @@ class Message(Struct):
 
         With `strict=False`, read what can be read, and return it with a list of deviations; an empty one means that
         the bytes are valid. Values outside their set stay numbers, what is missing gets a default, bytes left over are
-        reported. Of more than 1000 deviations the rest is a number. Then only id bytes of another message raise
-        `DecodeError`.
+        reported. Beyond 1000 deviations the rest is counted. `DecodeError` is raised only for the id of another
+        message.
         """
         if type(data) is not bytes:
             data = as_bytes(data)
@@ -193,7 +193,7 @@ class Message(Struct):
             return cls._unpack(data, None), []
         except FAST_ERRORS:
             pass
-        from jauspy.codec import slow_path  # noqa: PLC0415 - off the fast road
+        from jauspy.codec import slow_path  # noqa: PLC0415 - not on the fast path
 
         return slow_path.decode(cls, data) if strict else slow_path.decode_tolerant(cls, data)
 
@@ -202,7 +202,7 @@ R_co = TypeVar("R_co", bound=Message, covariant=True)
 
 
 class Query(Protocol[R_co]):
-    """A message that has `REPORT`, the class of the report on it: so type checkers know what comes back."""
+    """A message with `REPORT`, the class of its report: type checkers infer what a query returns."""
 
     @property
     def REPORT(self) -> type[R_co]:  # noqa: N802 - a constant of the class
@@ -210,7 +210,7 @@ class Query(Protocol[R_co]):
 
 
 def as_bytes(data: object) -> bytes:
-    """A copy of anything that is bytes; `DecodeError` for all else, of which `bytes` would make some."""
+    """A copy of any bytes-like object; `DecodeError` for all else, as `bytes(5)` would make bytes of a number."""
     try:
         return memoryview(data).tobytes()  # type: ignore[arg-type]  # the check is what this is for
     except TypeError:
@@ -218,7 +218,7 @@ def as_bytes(data: object) -> bytes:
 
 
 def too_short(data: bytes) -> DecodeError:
-    """What is wrong with fewer than two bytes."""
+    """The error for fewer than two bytes."""
     return DecodeError(f"{counted(len(data), 'byte')}: too short for a message id")
 
 
@@ -237,7 +237,7 @@ def check_code(cls: type[Message], data: bytes) -> None:
 
 
 class Source(Protocol):
-    """What knows the messages: a registry."""
+    """What finds the class of a message inside a message: a registry."""
 
     @property
     def nesting(self) -> Nesting:
@@ -251,7 +251,7 @@ class Source(Protocol):
 
 
 class Nesting:
-    """What a message that is read knows about those inside it."""
+    """Decodes messages inside messages, down to `MAX_NESTING` levels."""
 
     __slots__ = ("_inner", "_source")
 
@@ -268,7 +268,7 @@ class Nesting:
             return data
         try:
             message = cls._unpack(data, self._inner)
-            return message if message._pack() == data else data  # noqa: SLF001 - the fast road
+            return message if message._pack() == data else data  # noqa: SLF001 - the fast path
         except FAST_ERRORS:
             return data
 

@@ -1,7 +1,7 @@
-"""The reference codec: a construct tree made of the same model, slow, simple, and aware of every offset.
+"""The reference codec: a construct tree made from the schema model, slow and simple, with the offset of every field.
 
-It explains bytes field by field, and it is the oracle of the differential tests. Nothing on the way of a message
-imports it. Values have the form of `Message.to_dict`, except that messages inside messages stay bytes.
+It explains bytes field by field, and differential tests compare the other codec with it. Neither encoding nor decoding
+uses it. Values have the form of `Message.to_dict`, except that messages inside messages stay bytes.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Finding message classes by name and by code; modules are imported when a message of theirs is first used."""
+"""Registries find message classes by name and by code; a module is imported when a message of it is first used."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ STANDARD: Final = "urn:jaus:jss:"
 
 
 @dataclass(frozen=True, slots=True)
-class Entry:
+class MessageEntry:
     """One message of one service version, and the module and class it lives in."""
 
     code: int
@@ -44,7 +44,7 @@ class Entry:
 
     @property
     def edition(self) -> str:
-        """What gets its versions as a whole: a set of the standard, of anybody else each service."""
+        """What has versions as a whole: a service set of the standard; elsewhere each service."""
         return self.service.rpartition(":")[0] if self.service.startswith(STANDARD) else self.service
 
     @property
@@ -53,21 +53,21 @@ class Entry:
         return tuple(int(part) for part in self.version.split(".") if part.isdigit())
 
 
-def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[Entry]:
+def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[MessageEntry]:
     """The entries of one module: for each message its code and name, and its class where that has another name."""
     for code, name, *cls in messages:
-        yield Entry(code, name, service, version, module, cls[0] if cls else name)
+        yield MessageEntry(code, name, service, version, module, cls[0] if cls else name)
 
 
 @dataclass(frozen=True, slots=True)
 class Hints:
-    """What narrows a search: the end of a service's URN, a version, a message's name; case does not matter."""
+    """Narrows a search: the end of a service's URN, a version, a message's name; case does not matter."""
 
     service: str | None = None
     version: str | None = None
     message: str | None = None
 
-    def fit(self, entry: Entry) -> bool:
+    def fit(self, entry: MessageEntry) -> bool:
         """True when the entry is one of those that are meant."""
         return (
             (self.service is None or is_called(entry.service, self.service))
@@ -88,7 +88,7 @@ class Collision:
     """A message id that means different things; `remedy` is what tells them apart."""
 
     code: int
-    entries: tuple[Entry, ...]
+    entries: tuple[MessageEntry, ...]
     """One for each meaning."""
     files: tuple[str, ...]
     """Where those are defined, in the same order."""
@@ -102,14 +102,14 @@ class Collision:
 
     @property
     def remedy(self) -> str:
-        """What `decode` has to be told: the service, or the message where one service gives one id to several."""
+        """The argument that `decode` needs: `service`, or `message` where one service gives one id to several."""
         services = {(entry.service, entry.version) for entry in self.entries}
         return "service" if len(services) == len(self.entries) else "message"
 
 
-def meanings(entries: Iterable[Entry]) -> tuple[Entry, ...]:
+def meanings(entries: Iterable[MessageEntry]) -> tuple[MessageEntry, ...]:
     """The first entry of each name and layout."""
-    names: dict[str, list[Entry]] = {}
+    names: dict[str, list[MessageEntry]] = {}
     for entry in entries:
         same_name = names.setdefault(entry.name, [])
         if not any(same_layout(other.load().layout(), entry.load().layout()) for other in same_name):
@@ -124,24 +124,27 @@ class Registry:
     """The known messages.
 
     One layered over another (`base`) finds its own first; a service that it has in the same version replaces that of
-    the base. Different services, and careless single ones, may use one message id for several messages: see
+    the base. Different services, and sometimes a single one, may use one message id for several messages: see
     `collisions`.
     """
 
     def __init__(
-        self, entries: Iterable[Entry], base: Registry | None = None, files: Mapping[tuple[str, str], str] | None = None
+        self,
+        entries: Iterable[MessageEntry],
+        base: Registry | None = None,
+        files: Mapping[tuple[str, str], str] | None = None,
     ) -> None:
         self._base = base
-        self._own: tuple[Entry, ...] = tuple(sorted(entries, key=lambda entry: entry.order, reverse=True))
+        self._own: tuple[MessageEntry, ...] = tuple(sorted(entries, key=lambda entry: entry.order, reverse=True))
         replaced = {(entry.service, entry.version) for entry in self._own}
         kept = (entry for entry in (base.entries if base else ()) if (entry.service, entry.version) not in replaced)
-        self._entries: tuple[Entry, ...] = (*self._own, *kept)
+        self._entries: tuple[MessageEntry, ...] = (*self._own, *kept)
         self.files = dict(files or {})
         """Which file defines a service (URN and version), as far as it is known; for reports only."""
         self.schema: Schema | None = None
         """The definitions that `jauspy.load` made these messages from: with it a component can run their services."""
-        self._codes: dict[int, tuple[Entry, ...]] = {}
-        self._names: dict[str, tuple[Entry, ...]] = {}
+        self._codes: dict[int, tuple[MessageEntry, ...]] = {}
+        self._names: dict[str, tuple[MessageEntry, ...]] = {}
         for entry in self._entries:
             self._codes[entry.code] = (*self._codes.get(entry.code, ()), entry)
             key = entry.name.casefold()
@@ -150,7 +153,7 @@ class Registry:
         """What messages that this registry decodes know about messages inside them: that they are of this one."""
         self._plain: dict[int, type[Message] | None] = {}
         self._found: dict[tuple[int, Hints], Collision | None] = {}
-        self._others: dict[type[Message], tuple[Entry, ...]] = {}
+        self._others: dict[type[Message], tuple[MessageEntry, ...]] = {}
         self._hinted: dict[Hints, dict[int, type[Message] | None]] = {}
 
     def __len__(self) -> int:
@@ -164,11 +167,11 @@ class Registry:
         return f"<Registry of {len(self)} messages>"
 
     @property
-    def entries(self) -> tuple[Entry, ...]:
+    def entries(self) -> tuple[MessageEntry, ...]:
         """What is known without importing a message: own layer first, newest version first."""
         return self._entries
 
-    def entries_of(self, code: int) -> tuple[Entry, ...]:
+    def entries_of(self, code: int) -> tuple[MessageEntry, ...]:
         """Those of one message id, in the same order."""
         return self._codes.get(code, ())
 
@@ -176,9 +179,9 @@ class Registry:
     def collisions(self) -> tuple[Collision, ...]:
         """The message ids that mean different things, lowest first.
 
-        `decode` refuses them unless it is told the service, or the message where one service has one id twice. A newer
-        version of a message, in its own service or in another one of the same set of the standard, replaces the older
-        one and collides with nothing.
+        `decode` raises `DecodeError` for them unless `service` is given, or `message` where one service uses an id
+        twice. A newer version of a message, in its own service or in another one of the same set of the standard,
+        replaces the older one and collides with nothing.
         """
         found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)
@@ -193,14 +196,14 @@ class Registry:
             self._found[code, hints] = Collision(code, several, files) if files else None
         return self._found[code, hints]
 
-    def _meanings(self, code: int, hints: Hints) -> tuple[Entry, ...]:
+    def _meanings(self, code: int, hints: Hints) -> tuple[MessageEntry, ...]:
         candidates = self._candidates(entry for entry in self.entries_of(code) if hints.fit(entry))
         return tuple(candidates) if len(candidates) < 2 else meanings(candidates)
 
-    def _candidates(self, entries: Iterable[Entry]) -> list[Entry]:
+    def _candidates(self, entries: Iterable[MessageEntry]) -> list[MessageEntry]:
         """Of each edition what counts: the entries of the same layer and version as its first one."""
         firsts: dict[str, tuple[bool, str]] = {}
-        found: list[Entry] = []
+        found: list[MessageEntry] = []
         for entry in entries:
             rank = (entry in self._own, entry.version)
             if firsts.setdefault(entry.edition, rank) == rank:
@@ -208,7 +211,7 @@ class Registry:
         return found
 
     def narrowed(self, code: int, wanted: Hints) -> Hints:
-        """As much of what is wanted as some message of this id has, the message's name first, then its service."""
+        """Those of the wanted hints that some message of this id fits: the message's name first, then its service."""
         entries = self.entries_of(code)
         kept = NO_HINTS
         for key in ("message", "service", "version"):
@@ -216,7 +219,7 @@ class Registry:
             kept = hints if any(map(hints.fit, entries)) else kept
         return kept
 
-    def others(self, kind: type[Message]) -> tuple[Entry, ...]:
+    def others(self, kind: type[Message]) -> tuple[MessageEntry, ...]:
         """What else the id of a message means: in other versions of its set, and where `collisions` has it."""
         code = kind.CODE
         if kind not in self._others:
@@ -226,7 +229,7 @@ class Registry:
             self._others[kind] = meanings([*first, *entries])[1:] if len(entries) > 1 else ()
         return self._others[kind]
 
-    def file_of(self, entry: Entry) -> str:
+    def file_of(self, entry: MessageEntry) -> str:
         """The file that defines a message; its Python module where that is not known."""
         known = self.files.get((entry.service, entry.version))
         if known is not None:
@@ -363,7 +366,7 @@ class Registry:
         return cls._from_json({} if fields is None else fields, join(path, "fields") if path else "", nesting)
 
 
-def _shipped_file(entry: Entry) -> str:
+def _shipped_file(entry: MessageEntry) -> str:
     """The file of a built-in message; empty when it is not built in."""
     if not entry.module.startswith("jauspy.messages."):
         return ""

@@ -1,4 +1,4 @@
-"""The careful road: field by field over a layout, with paths and offsets, strict or tolerant."""
+"""The slow path: encodes and decodes field by field over a layout, with paths and offsets, strict or tolerant."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from jauspy.errors import DecodeError, EncodeError
 if TYPE_CHECKING:
     from jauspy.codec.message import Nesting
 
-MOST_DEVIATIONS: Final = 1000
+MAX_DEVIATIONS: Final = 1000
 """Deviations of one message that are listed; a hostile one may have one in every byte."""
 
 
@@ -27,7 +27,7 @@ class Reader:
     """A position in the bytes of a message, and what was wrong so far.
 
     `stopped` is set when the rest cannot be read any more; all that follows gets defaults. `nesting` knows the messages
-    inside; None stands for those of the registry the class that is read is of.
+    inside; None stands for the registry that the class belongs to.
     """
 
     __slots__ = (
@@ -59,11 +59,11 @@ class Reader:
         return len(self.data) - self.at
 
     def report(self, reason: str, path: str, offset: int | None = None, *, lost: bool = False) -> None:
-        """Raise when strict, else remember."""
+        """Raise `DecodeError` when strict, else record a deviation."""
         where = self.at if offset is None else offset
         if self.strict:
             raise DecodeError(reason, offset=where, path=path)
-        if len(self._reported) < MOST_DEVIATIONS:
+        if len(self._reported) < MAX_DEVIATIONS:
             self._reported.append(Deviation(where, path, reason, lost))
             return
         self._first_omitted = self._first_omitted or where
@@ -71,7 +71,7 @@ class Reader:
         self._lost_omitted |= lost
 
     def deviations(self) -> list[Deviation]:
-        """What was put up with; beyond `MOST_DEVIATIONS` only how much."""
+        """The deviations so far; those beyond `MAX_DEVIATIONS` are counted."""
         if not self._omitted:
             return self._reported
         reason = f"{counted(self._omitted, 'more deviation')} from here on"
@@ -143,19 +143,19 @@ M = TypeVar("M", bound=Message)
 
 
 def decode(cls: type[M], data: bytes, nesting: Nesting | None = None) -> M:
-    """Strict: raises `DecodeError` at the first deviation."""
+    """The message; raises `DecodeError` at the first deviation."""
     return _read(cls, Reader(data, strict=True, nesting=nesting))
 
 
 def decode_tolerant(cls: type[M], data: bytes, nesting: Nesting | None = None) -> tuple[M, list[Deviation]]:
-    """Tolerant: collects deviations; only a wrong message id raises."""
+    """The message as far as it can be read, and all deviations; only a wrong message id raises `DecodeError`."""
     reader = Reader(data, strict=False, nesting=nesting)
     message = _read(cls, reader)
     return message, reader.deviations()
 
 
 def encode(message: Message, *, clamp: bool, strict: bool) -> bytes:
-    """Raises `EncodeError` at the first value that does not fit."""
+    """The bytes of a message; raises `EncodeError` at the first value that does not fit."""
     writer = Writer(clamp=clamp, strict=strict)
     writer.message(message, "")
     return bytes(writer.out)

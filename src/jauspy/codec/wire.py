@@ -1,4 +1,9 @@
-"""Number types on the wire: `struct` codes, sizes and limits. Everything in JAUS is little-endian."""
+"""Number types on the wire: `struct` codes, sizes, limits, and reals that are sent as integers (AS5684).
+
+Everything is little-endian. A real is lower + raw * (upper - lower) / top, with top the largest raw value. The fast
+path uses float arithmetic, which is right except within `NEAR_TIE` of a half step; there `exact_raw` decides with
+rational numbers.
+"""
 
 from __future__ import annotations
 
@@ -37,7 +42,7 @@ def limits(code: str) -> tuple[int, int]:
 
 
 def as_sent(number: float, code: str) -> float:
-    """The number as it is after a journey in this type: a limit written in decimals is meant for what can be sent."""
+    """The number rounded to this type, as it arrives: limits written in decimals apply to what can be sent."""
     rounded: float = struct.unpack(f"<{code}", struct.pack(f"<{code}", number))[0]
     return rounded
 

@@ -1,7 +1,5 @@
-"""The component runtime: asyncio around services."""
+"""Components: services on a transport, with asyncio."""
 
-from jauspy.component.component import Component
-from jauspy.component.program import run
-from jauspy.component.shell import Shell
+from jauspy.component.component import Component, ComponentOptions, run
 
-__all__ = ["Component", "Shell", "run"]
+__all__ = ["Component", "ComponentOptions", "run"]

@@ -1,47 +1,95 @@
-"""A component as its author sees it: an id, the services it offers, and the way to its node manager."""
+"""`Component` runs services on a transport with asyncio; `run` runs components as a program."""
 
 from __future__ import annotations
 
 import asyncio
+import logging
+import random
+import signal
 import time
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
-from typing import Final, Literal, Self, TypeVar
+from typing import Final, Literal, Self, TypeAlias, TypeVar
 
-from jauspy.arguments import check_text
+from jauspy.arguments import check_text, described
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.component.shell import Shell
-from jauspy.errors import ConfigError
+from jauspy.component.acknowledgements import Acknowledgements
+from jauspy.component.event_loop import ErrorGuard, LoopTimer
+from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id
 from jauspy.protocol.delivery import Delivery
-from jauspy.protocol.header import Broadcast, Priority
+from jauspy.protocol.endpoint import Endpoint
+from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.schema.model import Schema
-from jauspy.services.core.complete import with_core
+from jauspy.services.core.defaults import with_core_services
 from jauspy.services.host import Host
+from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
 S = TypeVar("S", bound=Service)
 
+Intercept: TypeAlias = Callable[[Packet], bool]
+"""Called with every received packet; when it returns True, the packet is not passed to the services."""
+
+MAX_PACKETS_PER_TURN: Final = 256
+"""Packets handled in one turn of the event loop; the rest, which is bounded, is handled in the next ones."""
+MAX_TRANSPORT_BACKLOG: Final = 64
+"""Datagrams that may be queued in the transport when further fragments of a large message are sent."""
 _NAME: Final = "jauspy component"
+_SIGNALS: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+_LOG: Final = logging.getLogger("jauspy.component")
+
+
+def loop_time() -> float:
+    """Seconds of the clock of the running event loop, which is virtual in some tests; without a loop, monotonic."""
+    try:
+        return asyncio.get_running_loop().time()
+    except RuntimeError:
+        return time.monotonic()
+
+
+def _utc_now() -> datetime:
+    return datetime.now(UTC)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ComponentOptions:
+    """Settings of a component that few programs need.
+
+    `delivery` has the settings of reliable delivery and large messages. `schema` and `registry` replace the definitions
+    and messages that are built in or that services bring. `clock` is monotonic, in seconds; `utc_now` the wall clock.
+    """
+
+    delivery: Delivery | None = None
+    schema: Schema | None = None
+    registry: Registry | None = None
+    clock: Callable[[], float] = loop_time
+    utc_now: Callable[[], datetime] = _utc_now
+    first_sequence: int | None = None
+    """Sequence number of the first message; None: random."""
 
 
 class Component:
     """`async with jauspy.Component("101.1.120", [Battery()]): ...`, or `jauspy.run(component)`.
 
-    The core services (Transport, Events, AccessControl, Management, Time, Liveness and Discovery) are there unless they
-    are given; with `core=False` only those that the others inherit from. `name` is what Discovery tells. `connect`
-    says where the node manager is: None (on this machine, its sockets in /tmp), or as for `OCU`, but by
-    "udp://HOST" nobody finds it who has not heard of it before; `transport` replaces it. An id with zeros, as in
-    `"0.0.101"`, waits to be given the rest, see `move`. A bug in a service is logged with the message that met it;
-    then the component stays as it is, or with `on_action_error="failure"` fails. `schema` and `registry` replace
-    the definitions and messages that are built in or that services bring along.
+    Core services (Transport, Events, AccessControl, Management, Time, Liveness and Discovery) are included by default;
+    with `core=False` only those that the given services inherit from. `name` is reported by Discovery. `connect` is the
+    address of the node manager: None (on this machine, its sockets in /tmp), or as for `OCU`; with "udp://HOST" the
+    component is found only by those that have heard of it. `transport` replaces the connection. An id with zeros, as in
+    `"0.0.101"`, is completed later, see `move`. An exception in a service is logged with the message that triggered it;
+    the component keeps its state, or goes to Failure with `on_action_error="failure"`.
 
-    Raises `ConfigError` that names every method which a service lacks.
+    While there is no connection, what is sent is dropped and counted by the transport. Nothing raises because of the
+    network or of exceptions in services.
+
+    Raises `ConfigError` that names every method which a service lacks, with its signature.
     """
 
     def __init__(
@@ -53,43 +101,79 @@ class Component:
         core: bool = True,
         connect: str | None = None,
         transport: Transport | None = None,
-        delivery: Delivery | None = None,
         on_action_error: Literal["stay", "failure"] = "stay",
-        schema: Schema | None = None,
-        registry: Registry | None = None,
-        clock: Callable[[], float] | None = None,
-        utc_now: Callable[[], datetime] = lambda: datetime.now(UTC),
+        options: ComponentOptions | None = None,
     ) -> None:
+        options = options or ComponentOptions()
         me = component_id(id)
         check_text(name, "a component's name")
         given = check_services(services)
-        self.host = Host(
+        host = Host(
             me,
-            with_core(given, name) if core else given,
-            utc_now=utc_now,
-            now=(clock or _loop_time)(),
+            with_core_services(given, name) if core else given,
+            utc_now=options.utc_now,
+            now=options.clock(),
             on_action_error=on_action_error,
-            schema=schema,
-            registry=registry,
+            schema=options.schema,
+            registry=options.registry,
         )
+        self._set_up(host, connect, transport, None, options)
+
+    @classmethod
+    def of_host(
+        cls,
+        host: Host,
+        transport: Transport,
+        *,
+        intercept: Intercept | None = None,
+        options: ComponentOptions | None = None,
+    ) -> Self:
+        """A component that runs a `Host` made before, with exactly its services."""
+        component = cls.__new__(cls)
+        component._set_up(host, None, transport, intercept, options or ComponentOptions())  # noqa: SLF001 - its own
+        return component
+
+    def _set_up(
+        self,
+        host: Host,
+        connect: str | None,
+        transport: Transport | None,
+        intercept: Intercept | None,
+        options: ComponentOptions,
+    ) -> None:
+        self.host = host
         self._connect = connect
+        self._given_transport = transport
+        self._intercept = intercept
+        self._options = options
+        self._clock = options.clock
         self._transport = transport
-        self._delivery = delivery
-        self._clock = clock or _loop_time
-        self._shell: Shell | None = None
+        host.on_timer_change = self._on_timer_change
+        self._errors: Counter[str] = Counter()
+        self._guard = ErrorGuard(f"component {host.id}", self._errors)
+        self._timer = LoopTimer(self._on_timeout, self._clock)
+        self._make_endpoint()
+        self._continuation: asyncio.Handle | None = None
+        self._loop: asyncio.AbstractEventLoop | None = None
         self._closed = asyncio.Event()
+
+    def _make_endpoint(self) -> None:
+        first = self._options.first_sequence
+        start = random.randrange(0x10000) if first is None else first  # noqa: S311 - not a secret
+        self._endpoint = Endpoint(self.host.id, first_sequence=start, delivery=self._options.delivery)
+        self._acknowledgements = Acknowledgements(self._endpoint, self._on_unreachable)
 
     def __repr__(self) -> str:
         return f"<component {self.id} with {', '.join(each.name for each in self.host.definitions.values())}>"
 
     @property
     def id(self) -> JausID:
-        """Its id now."""
+        """Its current id."""
         return self.host.id
 
     @property
     def state(self) -> str:
-        """The state that it is in, as a dotted path."""
+        """The state of the component, as a dotted path."""
         return self.host.state
 
     @property
@@ -100,17 +184,24 @@ class Component:
     @property
     def is_open(self) -> bool:
         """True between `open` and `close`."""
-        return self._shell is not None
+        return self._loop is not None
 
     @property
     def is_connected(self) -> bool:
         """True while its node manager answers."""
-        return self._shell is not None and self._shell.transport.connected
+        return self.is_open and self._transport is not None and self._transport.connected
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """Everything counted, as `host.received`; empty while it is closed."""
-        return self._shell.counters if self._shell else {}
+        """All counters, by part: `host.…`, `endpoint.…`, `transport.…` and `component.…`."""
+        parts: dict[str, Mapping[str, int]] = {
+            "component": self._errors,
+            "host": self.host.counters,
+            "endpoint": self._endpoint.counters,
+            "transport": self._transport.counters if self._transport else {},
+        }
+        copies = {part: dict(counts) for part, counts in parts.items()}  # other threads may read them, too
+        return {f"{part}.{name}": value for part, counts in copies.items() for name, value in counts.items()}
 
     def service(self, kind: type[S]) -> S:
         """The service of this class; `ConfigError` when the component has none."""
@@ -120,20 +211,31 @@ class Component:
         return found
 
     async def open(self) -> None:
-        """Connect and start; raises `TransportError` that says what to do. Twice is fine."""
-        if self._shell is not None:
+        """Connect and start; raises `TransportError` that says what to do. Calling it twice is fine."""
+        if self.is_open:
             return
-        transport = self._transport or await self._way()
-        shell = Shell(self.host, transport, clock=self._clock, delivery=self._delivery)
-        await shell.open()
-        self._shell = shell
+        transport = self._transport = self._given_transport or await self._make_transport()
+        transport.received = self._on_datagram
+        self._make_endpoint()
+        self._loop = asyncio.get_running_loop()
         self._closed.clear()
+        try:
+            await transport.open()
+        except BaseException:
+            self._stop()
+            await transport.close()
+            raise
+        self._flush()
 
     async def close(self) -> None:
-        """Stop what moves, send what waits, disconnect. Twice is fine."""
-        shell, self._shell = self._shell, None
-        if shell is not None:
-            await shell.close()
+        """Stop all motion, send what is queued and disconnect. Calling it twice is fine."""
+        if self.is_open:
+            with self._guard:
+                self.host.close(self._clock())
+            self._flush()
+            self._stop()
+        if self._transport is not None:
+            await self._transport.close()
         self._closed.set()
 
     async def run(self) -> None:
@@ -157,40 +259,218 @@ class Component:
         *,
         priority: Priority = Priority.STANDARD,
         broadcast: Broadcast = Broadcast.NONE,
+        ack: Ack = Ack.NONE,
     ) -> None:
-        """Send a message, now; raises `EncodeError` for a value that does not fit."""
-        self._open().send(JausID.of(destination), message, priority=priority, broadcast=broadcast)
+        """Send a message now; raises `EncodeError` for a value that does not fit, `ProtocolError` if it is too long.
 
-    async def deliver(self, destination: str | JausID, message: Message) -> None:
-        """Send, and wait until it was acknowledged; raises `ResponseTimeout` when it was not, after all resends."""
-        await self._open().deliver(JausID.of(destination), message)
+        With `Ack.REQUIRED` it is resent until it is acknowledged or given up, which is counted; `deliver` waits for it.
+        """
+        self._send(JausID.of(destination), message, priority, broadcast, ack)
+
+    async def deliver(
+        self, destination: str | JausID, message: Message, *, priority: Priority = Priority.STANDARD
+    ) -> None:
+        """Send, and wait for the acknowledgement; if there is none after all resends, `ResponseTimeout` is raised.
+
+        Raises `ProtocolError` for a wildcard destination, since broadcasts are not acknowledged.
+        """
+        to = JausID.of(destination)
+        if to.is_wildcard:
+            raise ProtocolError("not_acknowledged", f"{to} is a broadcast, which nobody acknowledges")
+        ticket = self._send(to, message, priority, Broadcast.NONE, Ack.REQUIRED)
+        await self._acknowledgements.wait(ticket, f"{to} did not acknowledge {message.NAME}")
 
     def move(self, id: str | JausID) -> None:
-        """Be another component from now on: registration and Discovery have the new id, events and control end.
+        """Change the id: registration and Discovery have the new one, events and control end.
 
-        Clients are told so under the old id. Raises `TransportError` when the new id is taken on this machine; the
-        component then keeps its id. An action asks for the same with `self.host.ask_for_id(id)`.
+        Clients are notified under the old id. Raises `TransportError` when the new id is taken on this machine; the
+        component then keeps its id. An action does the same with `self.host.ask_for_id(id)`.
         """
-        self._open().move(component_id(id))
+        transport = self._require_open()
+        self.host.ask_for_id(component_id(id))
+        self._send_queued(transport)
+        if (problem := self._change_id(transport)) is not None:
+            raise problem
+        self._flush()
 
     def wake(self) -> None:
-        """Call this after acting on services from outside: sends what they want to send, sets their timers."""
-        self._open().wake()
+        """Call this after using services from outside: sends what they queued, and sets their timers."""
+        self._require_open()
+        self._flush()
 
-    def _open(self) -> Shell:
-        if self._shell is None:
+    # --- sending --------------------------------------------------------------------------------------------------
+
+    def _require_open(self) -> Transport:
+        if self._transport is None or self._loop is None:
             raise ConfigError(f"{self} is not open; use `async with component:` first")
-        return self._shell
+        return self._transport
 
-    async def _way(self) -> Transport:
+    async def _make_transport(self) -> Transport:
         if self._connect is None:
             return LocalTransport(self.id, Path(DEFAULT_ROOT))
         return await transport_for(self.id, self._connect)
 
+    def _send(
+        self, destination: JausID, message: Message, priority: Priority, broadcast: Broadcast, ack: Ack
+    ) -> int | None:
+        transport = self._require_open()
+        payload, now = message.encode(), self._clock()
+        ticket = self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast, ack=ack)
+        self._transmit(transport)
+        self._set_timer()
+        return ticket
 
-def _loop_time() -> float:
-    """Seconds of the event loop's clock, also before there is a loop."""
+    def _flush(self) -> None:
+        """Send everything that is queued, and set the timer anew."""
+        if self._loop is None or self._transport is None:
+            return
+        with self._guard:
+            self._send_queued(self._transport)
+            if self.host.requested_id is not None and (problem := self._change_id(self._transport)) is not None:
+                _LOG.error("%s keeps its id: %s", self.id, problem)
+        self._set_timer()
+
+    def _send_queued(self, transport: Transport) -> None:
+        """Send what services have queued; what cannot be sent is counted, and logged the first time."""
+        now = self._clock()
+        for outgoing in self.host.poll_output(now):
+            self._pack(outgoing, now)
+        self._transmit(transport)
+
+    def _pack(self, outgoing: Outgoing, now: float) -> None:
+        destination, payload, priority, broadcast, on_acknowledged = outgoing
+        ack = Ack.NONE if on_acknowledged is None or self._acknowledgements.is_full else Ack.REQUIRED
+        try:
+            ticket = self._endpoint.send(destination, payload, now=now, priority=priority, broadcast=broadcast, ack=ack)
+        except ProtocolError as error:
+            reason = f"unsendable.{error.reason}"
+            if not self._errors[reason]:
+                code = int.from_bytes(payload[:2], "little")
+                _LOG.warning("%s: cannot send %04Xh to %s: %s", self.id, code, destination, error)
+            self._errors[reason] += 1
+        else:
+            if on_acknowledged is not None and ticket is not None:
+                self._acknowledgements.add_callback(ticket, on_acknowledged)
+
+    def _transmit(self, transport: Transport) -> None:
+        for datagram in self._endpoint.poll_output():
+            transport.send(datagram)
+        self._acknowledgements.process()
+
+    def _change_id(self, transport: Transport) -> TransportError | None:
+        """Take the id that the host requests, after it has left under the old one; returns why that is not possible."""
+        requested = self.host.requested_id
+        if requested is None:
+            return None
+        try:
+            transport.move(requested, self._leave)
+        except TransportError as error:
+            self.host.ask_for_id(self.id)
+            self._errors["move_failed"] += 1
+            return error
+        self._endpoint.change_id(requested)
+        self.host.take_id(requested, self._clock())
+        self._send_queued(transport)
+        return None
+
+    def _leave(self) -> None:
+        self.host.leave(self._clock())
+        if self._transport is not None:
+            self._send_queued(self._transport)
+
+    # --- events of the loop ---------------------------------------------------------------------------------------
+
+    def _on_datagram(self, datagram: bytes) -> None:
+        if self._loop is None:
+            return
+        with self._guard:
+            self._endpoint.receive(datagram, self._clock())
+        if self._continuation is None:
+            self._handle_packets(self._loop)
+
+    def _continue(self) -> None:
+        self._continuation = None
+        if self._loop is not None:
+            self._handle_packets(self._loop)
+
+    def _handle_packets(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Handle what was received, up to `MAX_PACKETS_PER_TURN`."""
+        for _ in range(MAX_PACKETS_PER_TURN):
+            packet = self._endpoint.next_event()
+            if packet is None:
+                break
+            with self._guard:
+                if self._intercept is None or not self._intercept(packet):
+                    self.host.receive(packet.payload, packet.source, self._clock())
+        else:
+            self._continuation = loop.call_soon(self._continue)
+        self._flush()
+
+    def _on_unreachable(self, client: JausID) -> None:
+        """A client did not acknowledge: its events and control end; what services send then goes out next turn."""
+        self.host.unreachable(client, self._clock())
+        if self._loop is not None:
+            self._loop.call_soon(self._flush)
+
+    def _set_timer(self) -> None:
+        """Set the timer anew; most datagrams do not change it."""
+        if self._loop is not None:
+            services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
+            at = services if delivery is None or (services is not None and services < delivery) else delivery
+            self._timer.set(self._loop, at)
+
+    def _on_timer_change(self) -> None:
+        self._set_timer()
+
+    def _on_timeout(self) -> None:
+        with self._guard:
+            room = self._transport is not None and self._transport.waiting < MAX_TRANSPORT_BACKLOG
+            self._endpoint.handle_timeout(self._clock(), room=room)
+            self.host.handle_timeout(self._clock())
+        self._flush()
+
+    def _stop(self) -> None:
+        self._loop = None
+        self._acknowledgements.fail(TransportError(f"component {self.id} was closed before this was acknowledged"))
+        if self._continuation is not None:
+            self._continuation.cancel()
+            self._continuation = None
+        self._timer.cancel()
+
+
+def run(*components: Component) -> None:
+    """Run components until Ctrl-C or SIGTERM, or until all are closed.
+
+    Raises `TransportError` when one cannot start. In a program with an event loop of its own use `component.run()`.
+    """
+    for each in components:
+        if not isinstance(each, Component):
+            raise TypeError(
+                f"run() takes components, as in jauspy.Component('101.1.120', [...]), not {described(each)}"
+            )
     try:
-        return asyncio.get_running_loop().time()
-    except RuntimeError:
-        return time.monotonic()
+        asyncio.run(_serve(components))
+    except TransportError as error:
+        raise error.with_traceback(None) from None  # its last line says what to do; the traceback does not help
+
+
+async def _serve(components: tuple[Component, ...]) -> None:
+    loop = asyncio.get_running_loop()
+    serving = asyncio.gather(*(component.run() for component in components))
+    stopped = False
+
+    def stop() -> None:
+        nonlocal stopped
+        stopped = True
+        serving.cancel()
+
+    for number in _SIGNALS:
+        loop.add_signal_handler(number, stop)
+    try:
+        await serving
+    except asyncio.CancelledError:
+        if not stopped:
+            raise
+    finally:
+        for number in _SIGNALS:
+            loop.remove_signal_handler(number)

@@ -10,9 +10,9 @@ from importlib.resources import files
 from typing import Any, Final
 from xml.etree import ElementTree as ET
 
+from jauspy.capture import writer
 from jauspy.conformance.results import Looked, Report, Result, Verdict, transitions_sum
 from jauspy.conformance.trace import Direction, Entry
-from jauspy.node import pcapng
 from jauspy.protocol import judp
 
 _QUIET: Final = (Verdict.PASS, Verdict.SKIPPED)
@@ -250,10 +250,10 @@ TARGET: Final = ("192.0.2.1", judp.PORT)
 
 def capture(report: Report) -> bytes:
     """The file."""
-    blocks = [pcapng.preamble()]
+    blocks = [writer.preamble()]
     for entry in report.entries:
         tester = STRANGE if entry.strange_port else TESTER
         source, destination = (tester, TARGET) if entry.direction is Direction.SENT else (TARGET, tester)
         nanoseconds = int((report.began + entry.at) * 1e9)
-        blocks.append(pcapng.packet(source, destination, entry.data, nanoseconds))
+        blocks.append(writer.packet(source, destination, entry.data, nanoseconds))
     return b"".join(blocks)

@@ -20,8 +20,8 @@ from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
 from jauspy.fuzz.offsets import spots_of
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
+from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
-from jauspy.schema.own import load_own
 
 SLOW_TRIES: Final = 60
 """Tries to minimise what takes long by its nature."""

@@ -9,8 +9,7 @@ from random import Random
 from typing import Final
 
 from jauspy.capture.dissect import dissect
-from jauspy.capture.hextext import from_lines
-from jauspy.capture.reader import CaptureReader, is_capture
+from jauspy.capture.reader import CaptureReader, from_lines, is_capture
 from jauspy.codec.items import Choice, Formatted, Number
 from jauspy.codec.layout import Composite, Repeat, Union
 from jauspy.codec.wire import FLOATS

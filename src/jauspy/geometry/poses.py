@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from jauspy.geometry.vectors import (
     Rotation,
@@ -101,6 +101,40 @@ class Transform:
         else:
             roll, yaw = math.atan2(zy, zz), math.atan2(yx, xx)
         return Pose(*self.position, roll, math.atan2(-zx, across), yaw)
+
+
+@dataclass(frozen=True, slots=True)
+class PlanarPoint:
+    """A point on the ground, metres."""
+
+    x: float
+    y: float
+
+    def to(self, other: PlanarPoint) -> tuple[float, float]:
+        """Distance (m) and direction (rad, from x towards y) of another point."""
+        return math.hypot(other.x - self.x, other.y - self.y), math.atan2(other.y - self.y, other.x - self.x)
+
+
+class PlanarPose(NamedTuple):
+    """A pose on a plane: metres, and radians counterclockwise from x."""
+
+    x: float = 0.0
+    y: float = 0.0
+    yaw: float = 0.0
+
+    def __matmul__(self, inner: PlanarPose) -> PlanarPose:
+        c, s = math.cos(self.yaw), math.sin(self.yaw)
+        yaw = math.remainder(self.yaw + inner.yaw, math.tau)
+        return PlanarPose(self.x + c * inner.x - s * inner.y, self.y + s * inner.x + c * inner.y, yaw)
+
+    def inverse(self) -> PlanarPose:
+        """The outer frame in this one."""
+        c, s = math.cos(self.yaw), math.sin(self.yaw)
+        return PlanarPose(-c * self.x - s * self.y, s * self.x - c * self.y, -self.yaw)
+
+    def relative_to(self, other: PlanarPose) -> PlanarPose:
+        """The same pose in the frame of another."""
+        return other.inverse() @ self
 
 
 def rotation_vector(start: Rotation, end: Rotation) -> Vector:

@@ -1,4 +1,4 @@
-"""Maps in files as ROS's map_server writes and reads them: a PGM picture, and YAML that says where it is."""
+"""Map files in the format of ROS's map_server: a PGM image, and YAML with resolution and origin."""
 
 from __future__ import annotations
 
@@ -10,42 +10,44 @@ import yaml
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.mapping.grid import FREE, OCCUPIED, OccupancyGrid
+from jauspy.mapping.grid import FREE_THRESHOLD, OCCUPIED_THRESHOLD, OccupancyGrid
 
-SHADES: Final = {100: 0, 0: 254, -1: 205}
-"""Grey of cells that are occupied, free and unknown."""
+GREY_LEVELS: Final = {100: 0, 0: 254, -1: 205}
+"""Grey levels of occupied, free and unknown cells."""
 
 
-def save(grid: OccupancyGrid, path: Path) -> tuple[Path, Path]:
-    """Write PATH.pgm and PATH.yaml, without what lies around the known part; returns both paths."""
+def save_map(grid: OccupancyGrid, path: Path) -> tuple[Path, Path]:
+    """Write PATH.pgm and PATH.yaml, cropped to the known cells. Returns both paths; raises `ConfigError`."""
     cells = grid.occupancy()
     rows, columns = (np.flatnonzero((cells != -1).any(axis=axis)) for axis in (1, 0))
     top, bottom = (rows[0], rows[-1] + 1) if len(rows) else (0, 1)
     left, right = (columns[0], columns[-1] + 1) if len(columns) else (0, 1)
-    picture, notes = path.with_suffix(".pgm"), path.with_suffix(".yaml")
+    image, metadata = path.with_suffix(".pgm"), path.with_suffix(".yaml")
     low = [round(float(grid.low + first * grid.resolution), 9) for first in (left, top)]
     try:
-        picture.write_bytes(_pgm(cells[top:bottom, left:right]))
-        notes.write_text(yaml.safe_dump(_notes(picture.name, grid.resolution, low), sort_keys=False), encoding="utf-8")
+        image.write_bytes(_pgm(cells[top:bottom, left:right]))
+        metadata.write_text(
+            yaml.safe_dump(_metadata(image.name, grid.resolution, low), sort_keys=False), encoding="utf-8"
+        )
     except OSError as error:
         raise ConfigError(f"{path}: the map cannot be written: {error.strerror}") from error
-    return picture, notes
+    return image, metadata
 
 
-def _notes(image: str, resolution: float, low: list[float]) -> dict[str, Any]:
+def _metadata(image: str, resolution: float, low: list[float]) -> dict[str, Any]:
     return {
         "image": image,
         "resolution": resolution,
         "origin": [*low, 0.0],
         "negate": 0,
-        "occupied_thresh": OCCUPIED,
-        "free_thresh": FREE,
+        "occupied_thresh": OCCUPIED_THRESHOLD,
+        "free_thresh": FREE_THRESHOLD,
     }
 
 
 def _pgm(cells: NDArray[np.int8]) -> bytes:
-    shades = np.full(cells.shape, SHADES[-1], np.uint8)
-    for value, shade in SHADES.items():
+    shades = np.full(cells.shape, GREY_LEVELS[-1], np.uint8)
+    for value, shade in GREY_LEVELS.items():
         shades[cells == value] = shade
     height, width = cells.shape
     return b"P5\n%d %d\n255\n" % (width, height) + shades[::-1].tobytes()  # the first row of a picture is its top

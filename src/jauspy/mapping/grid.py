@@ -1,79 +1,83 @@
-"""An occupancy grid: how likely it is that something stands in each cell of the floor."""
+"""An occupancy grid: the probability, for each cell of the floor, that it is occupied."""
 
 from __future__ import annotations
 
-from typing import Final
+import math
+from typing import Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.mapping.pose import Points
+from jauspy.geometry.poses import PlanarPose
 
-HIT: Final = 0.9
-MISS: Final = -0.4
-"""Log odds that a ray which ends in a cell, or crosses it, adds: ends are rarer and surer."""
-MARGIN: Final = 1.5
-"""Cells before the end of a ray that do not count as crossed: distances have errors, and walls lie between cells."""
-SURE: Final = 5.0
-"""Most log odds either way, so that a map can still change."""
-OCCUPIED: Final = 0.65
-FREE: Final = 0.196
-"""Probabilities above and below which a cell is said to be so: map_server's own thresholds."""
-MOST_CELLS: Final = 4000
+Points: TypeAlias = NDArray[np.float64]
+"""Shape (n, 2): rows of x, y in metres."""
+
+HIT_LOG_ODDS: Final = 0.9
+MISS_LOG_ODDS: Final = -0.4
+"""Added to the log odds of a cell in which a ray ends, or which it crosses; ends are rarer and more certain."""
+HIT_MARGIN: Final = 1.5
+"""Cells before the end of a ray that do not count as crossed, since distances have errors."""
+MAX_LOG_ODDS: Final = 5.0
+"""Log odds are limited to plus and minus this, so that a map can still change."""
+OCCUPIED_THRESHOLD: Final = 0.65
+FREE_THRESHOLD: Final = 0.196
+"""Probabilities above and below which a cell is occupied or free: the thresholds of ROS's map_server."""
+MAX_CELLS: Final = 4000
 """Along a side."""
 
 
 class OccupancyGrid:
-    """A square of `size` metres around the origin, in cells of `resolution` metres; what is outside is left out.
+    """A square of `size` metres around the origin, in cells of `resolution` metres.
 
-    Rows are y and columns x, from the least on.
+    Arrays have the shape (cells, cells): rows along y, columns along x, both ascending.
     """
 
     def __init__(self, size: float = 40.0, resolution: float = 0.05) -> None:
         cells = round(size / resolution)
-        if not 2 <= cells <= MOST_CELLS:
+        if not 2 <= cells <= MAX_CELLS:
             many = f"{size:g} m in cells of {resolution:g} m are {cells} cells along a side"
-            raise ConfigError(f"{many}; a map has 2..{MOST_CELLS}, so choose other sizes")
+            raise ConfigError(f"{many}; a map has 2..{MAX_CELLS}, so choose other sizes")
         self.resolution = resolution
         self.cells = cells
         self.low = -cells * resolution / 2.0
-        """The least x and y."""
+        """x and y of the lower left corner, metres."""
         self.log_odds: NDArray[np.float64] = np.zeros((cells, cells))
         self.outside = 0
-        """Ends of rays that were outside of the map."""
+        """Number of echoes outside of the map, which were ignored."""
 
     def add(self, start: Points, ends: Points, echoes: NDArray[np.bool_]) -> None:
-        """Rays from one point; those with an echo end at something."""
+        """Add rays from a point, shape (2,), to `ends`, shape (n, 2); `echoes`, shape (n,), end at an obstacle."""
         hits = self._flat(ends[echoes])
         self.outside += int(np.count_nonzero(echoes)) - len(hits)
-        way = _shortened(start, ends, echoes * np.float64(MARGIN * self.resolution))
-        crossed = np.setdiff1d(self._flat(_along(start, way, self.resolution / 2.0)), hits)
+        shortened = _shortened(start, ends, echoes * np.float64(HIT_MARGIN * self.resolution))
+        crossed = np.setdiff1d(self._flat(_sampled(start, shortened, self.resolution / 2.0)), hits)
         odds = self.log_odds.reshape(-1)
-        odds[crossed] = np.maximum(-SURE, odds[crossed] + MISS)
+        odds[crossed] = np.maximum(-MAX_LOG_ODDS, odds[crossed] + MISS_LOG_ODDS)
         once = np.unique(hits)
-        odds[once] = np.minimum(SURE, odds[once] + HIT)
+        odds[once] = np.minimum(MAX_LOG_ODDS, odds[once] + HIT_LOG_ODDS)
 
     def probabilities(self) -> NDArray[np.float64]:
-        """Of each cell that something is there; 0.5 where nothing is known."""
+        """Shape (cells, cells); 0.5 where nothing is known."""
         found: NDArray[np.float64] = 1.0 / (1.0 + np.exp(-self.log_odds))
         return found
 
     def occupancy(self) -> NDArray[np.int8]:
-        """ROS's terms: 100 for occupied, 0 for free, -1 for unknown."""
+        """Shape (cells, cells), as in ROS: 100 occupied, 0 free, -1 unknown."""
         found = np.full(self.log_odds.shape, -1, np.int8)
         probable = self.probabilities()
-        found[probable > OCCUPIED] = 100
-        found[probable < FREE] = 0
+        found[probable > OCCUPIED_THRESHOLD] = 100
+        found[probable < FREE_THRESHOLD] = 0
         return found
 
-    def at(self, points: Points) -> NDArray[np.float64]:
-        """Column and row of points, as fractions: whole numbers are middles of cells."""
+    def cell_coordinates(self, points: Points) -> NDArray[np.float64]:
+        """Column and row of points, shape (n, 2), as fractions: whole numbers are centres of cells."""
         place: NDArray[np.float64] = (points - self.low) / self.resolution - 0.5
         return place
 
     def _flat(self, points: Points) -> NDArray[np.intp]:
-        """Indices of the cells that points are in; points outside are left out."""
+        """Flat indices of the cells of points; points outside are dropped."""
         cells = np.floor((points - self.low) / self.resolution).astype(np.intp)
         inside = ((cells >= 0) & (cells < self.cells)).all(axis=1)
         found: NDArray[np.intp] = cells[inside, 1] * self.cells + cells[inside, 0]
@@ -87,11 +91,18 @@ def _shortened(start: Points, ends: Points, by: NDArray[np.float64]) -> Points:
     return left
 
 
-def _along(start: Points, ends: Points, step: float) -> Points:
-    """Points on the way from the start to each end, at most `step` apart; the ends are not among them."""
+def _sampled(start: Points, ends: Points, step: float) -> Points:
+    """Points from the start to each end, at most `step` apart, without the ends."""
     rays = ends - start
     counts = np.maximum(1, np.ceil(np.hypot(rays[:, 0], rays[:, 1]) / step)).astype(np.intp)
     which = np.repeat(np.arange(len(rays)), counts)
     number = np.arange(len(which)) - np.repeat(np.cumsum(counts) - counts, counts)
-    way: Points = start + rays[which] * (number / counts[which])[:, None]
-    return way
+    sampled: Points = start + rays[which] * (number / counts[which])[:, None]
+    return sampled
+
+
+def transformed(pose: PlanarPose, points: Points) -> Points:
+    """Points of the pose's frame in the outer one."""
+    c, s = math.cos(pose.yaw), math.sin(pose.yaw)
+    moved: Points = points @ np.array([[c, s], [-s, c]]) + (pose.x, pose.y)
+    return moved

@@ -1,4 +1,4 @@
-"""A map while a robot drives: its scans and poses over JAUS."""
+"""Maps a running robot: its scans and poses are read over JAUS."""
 
 from __future__ import annotations
 
@@ -10,8 +10,8 @@ from dataclasses import dataclass
 from typing import Any, Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.mapper import Mapper
-from jauspy.mapping.pose import PlanarPose
 from jauspy.messages.environment_sensing.v1_0.types import SensorIDQueryRec, StaticGeometricPropertiesRec
 from jauspy.messages.environment_sensing.v2_0.range_sensor import (
     QueryRangeSensorData,
@@ -23,23 +23,23 @@ from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.service import ServiceClient
 
-VALIDITY: Final = 1 << 1
-"""Of a point's optional fields: tells rays without echo, which show what is free."""
-RATE: Final = 25.0
-"""Hz of the poses between which scans are placed."""
-MEMORY: Final = 128
-"""Poses that are remembered."""
-PATIENCE: Final = 1.0
-"""Seconds in which a pose must come that is later than a scan."""
-SILENCE: Final = 5.0
-"""Seconds without a scan, or a pose, after which the sensor counts as gone."""
-LEVEL: Final = math.radians(2.0)
-"""Roll and pitch beyond which a scan is left out: on a ramp it shows the ground as a wall."""
+VALIDITY_FIELD: Final = 1 << 1
+"""Presence vector of a point: its validity, which marks rays without an echo; they show free space."""
+POSE_RATE: Final = 25.0
+"""Rate of pose reports, Hz; the pose of a scan is interpolated between them."""
+MAX_POSES: Final = 128
+"""Poses kept for interpolation."""
+POSE_TIMEOUT: Final = 1.0
+"""Seconds to wait for a pose later than a scan."""
+SILENCE_TIMEOUT: Final = 5.0
+"""Seconds without a scan or a pose after which `ResponseTimeout` is raised."""
+MAX_TILT: Final = math.radians(2.0)
+"""Roll and pitch, rad, above which a scan is skipped: on a ramp the ground looks like a wall."""
 DAY: Final = 86400.0
 
 
 @dataclass(frozen=True, slots=True)
-class _Seen:
+class _StampedPose:
     time: float
     pose: PlanarPose
     is_level: bool
@@ -48,7 +48,7 @@ class _Seen:
 class LiveMapping:
     """Maps with sensor `sensor` of a robot's RangeSensor, by its LocalPoseSensor as odometry.
 
-    A scan takes some 30 ms of work. `threaded` does it in a thread, for programs that have other things to do in time.
+    A scan takes about 30 ms of CPU time; with `threaded` it is processed in a thread, so that the event loop runs on.
     """
 
     def __init__(self, robot: Robot, mapper: Mapper, sensor: int = 1, *, threaded: bool = False) -> None:
@@ -57,14 +57,14 @@ class LiveMapping:
         self._threaded = threaded
         self.mapper = mapper
         self.counters: Counter[str] = Counter()
-        """`scans` used; and of others why not: `tilted`, `no pose in time`, `sensor not active`."""
-        self._poses: deque[_Seen] = deque(maxlen=MEMORY)
-        self._news = asyncio.Condition()
+        """`scans` used, and those skipped by reason: `tilted`, `no pose in time`, `sensor not active`."""
+        self._poses: deque[_StampedPose] = deque(maxlen=MAX_POSES)
+        self._updated = asyncio.Condition()
 
     async def run(self) -> None:
-        """Until cancelled; raises `ResponseTimeout` when the robot falls silent, `ConfigError` for what it lacks."""
+        """Map until cancelled. Raises `ResponseTimeout` without reports, `ConfigError` without a fixed sensor."""
         ranging = self._robot.service("environmentSensing:RangeSensor")
-        lidar = await self._mounting(ranging)
+        lidar = await self._lidar_pose(ranging)
         try:
             async with asyncio.TaskGroup() as tasks:
                 tasks.create_task(self._follow())
@@ -73,12 +73,12 @@ class LiveMapping:
             raise group.exceptions[0] from group
 
     async def _scan(self, ranging: ServiceClient, lidar: PlanarPose) -> None:
-        record = QueryRangeSensorData.QueryRangeSensorDataRec(self._sensor, 0, VALIDITY)
+        record = QueryRangeSensorData.QueryRangeSensorDataRec(self._sensor, 0, VALIDITY_FIELD)
         query = QueryRangeSensorData([record])
-        async for report in ranging.subscribe(query, expects=ReportRangeSensorData, silence=SILENCE):
-            await self._take(report, lidar)
+        async for report in ranging.subscribe(query, expects=ReportRangeSensorData, silence=SILENCE_TIMEOUT):
+            await self._add_report(report, lidar)
 
-    async def _mounting(self, ranging: ServiceClient) -> PlanarPose:
+    async def _lidar_pose(self, ranging: ServiceClient) -> PlanarPose:
         query = QuerySensorGeometricProperties([SensorIDQueryRec(self._sensor)])
         report = await ranging.query(query, expects=ReportSensorGeometricProperties)
         for found in report.geometric_properties_list:
@@ -94,30 +94,30 @@ class LiveMapping:
     async def _follow(self) -> None:
         sensor = self._robot.service("mobility:LocalPoseSensor")
         async for report in sensor.subscribe(
-            QueryLocalPose(0x1FF), rate=RATE, silence=SILENCE, expects=ReportLocalPose
+            QueryLocalPose(0x1FF), rate=POSE_RATE, silence=SILENCE_TIMEOUT, expects=ReportLocalPose
         ):
             tilt = max(abs(report.roll or 0.0), abs(report.pitch or 0.0))
             pose = PlanarPose(report.x or 0.0, -(report.y or 0.0), -(report.yaw or 0.0))
-            async with self._news:
-                self._poses.append(_Seen(_seconds(report.time_stamp), pose, tilt < LEVEL))
-                self._news.notify_all()
+            async with self._updated:
+                self._poses.append(_StampedPose(_seconds(report.time_stamp), pose, tilt < MAX_TILT))
+                self._updated.notify_all()
 
-    async def _take(self, report: ReportRangeSensorData, lidar: PlanarPose) -> None:
+    async def _add_report(self, report: ReportRangeSensorData, lidar: PlanarPose) -> None:
         for found in report.range_sensor_data_list:
             if not isinstance(found, ReportRangeSensorData.RangeSensorDataSeq):
                 self.counters["sensor not active"] += 1
                 continue
-            seen = await self._at(_seconds(found.range_sensor_data_rec.time_stamp))
-            if seen is None or not seen.is_level:
-                self.counters["no pose in time" if seen is None else "tilted"] += 1
+            stamped = await self._at(_seconds(found.range_sensor_data_rec.time_stamp))
+            if stamped is None or not stamped.is_level:
+                self.counters["no pose in time" if stamped is None else "tilted"] += 1
                 continue
             points = found.range_sensor_data_point_list
             ranges = [point.range if point.range_validity else math.inf for point in points]
-            await self._add(seen.pose, lidar, [-point.bearing for point in points], ranges)
+            await self._add(stamped.pose, lidar, [-point.bearing for point in points], ranges)
             self.counters["scans"] += 1
 
     async def _add(self, pose: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]) -> None:
-        """Who cancels this finds the map whole."""
+        """When cancelled, waits until the scan is in the map."""
         if not self._threaded:
             self.mapper.add(pose, lidar, angles, ranges)
             return
@@ -128,32 +128,32 @@ class LiveMapping:
             await adding
             raise
 
-    async def _at(self, time: float) -> _Seen | None:
-        """Where the robot was at that time of the day; None when no poses around it come."""
+    async def _at(self, time: float) -> _StampedPose | None:
+        """The pose at a time of day, s; None if there is none before or after it."""
         try:
-            async with asyncio.timeout(PATIENCE), self._news:
-                await self._news.wait_for(lambda: self._poses and _after(self._poses[-1].time, time) >= 0.0)
+            async with asyncio.timeout(POSE_TIMEOUT), self._updated:
+                await self._updated.wait_for(lambda: self._poses and _after(self._poses[-1].time, time) >= 0.0)
         except TimeoutError:
             return None
         earlier = [each for each in self._poses if _after(each.time, time) <= 0.0]
         later = next(each for each in self._poses if _after(each.time, time) >= 0.0)
-        return between(earlier[-1], later, time) if earlier else None
+        return interpolated(earlier[-1], later, time) if earlier else None
 
 
-def between(before: _Seen, later: _Seen, time: float) -> _Seen:
-    """The pose at a time between those of two others."""
+def interpolated(before: _StampedPose, later: _StampedPose, time: float) -> _StampedPose:
+    """The pose at a time between two others, linearly."""
     whole = _after(later.time, before.time)
     part = _after(time, before.time) / whole if whole else 0.0
-    step = later.pose.since(before.pose)
-    moved = before.pose.then(PlanarPose(step.x * part, step.y * part, step.yaw * part))
-    return _Seen(time, moved, before.is_level and later.is_level)
+    step = later.pose.relative_to(before.pose)
+    moved = before.pose @ PlanarPose(step.x * part, step.y * part, step.yaw * part)
+    return _StampedPose(time, moved, before.is_level and later.is_level)
 
 
 def _seconds(stamp: Any) -> float:
-    """Of the day."""
+    """Seconds since midnight."""
     return float(stamp.hour * 3600.0 + stamp.minutes * 60.0 + stamp.seconds + stamp.milliseconds / 1000.0)
 
 
 def _after(time: float, other: float) -> float:
-    """How much later one time of the day is than another, also past midnight."""
+    """Seconds from one time of day to another, also across midnight."""
     return math.remainder(time - other, DAY)

@@ -1,66 +1,183 @@
-"""Makes a map out of scans and odometry, and says where the robot is on it."""
+"""Makes a map from scans and odometry, and corrects the odometry by scan matching.
+
+Matching is a Gauss-Newton search for the pose at which the ends of the rays fit the map, coarse to fine, similar to
+Hector SLAM (Kohlbrecher et al., 2011). Where the map does not constrain the pose, as along a corridor, odometry does.
+"""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Final
+from typing import Final, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.mapping.grid import OccupancyGrid
-from jauspy.mapping.matching import match
-from jauspy.mapping.pose import PlanarPose, Points
+from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.grid import OccupancyGrid, Points, transformed
 
-REACH: Final = 15.0
-"""Metres that are mapped of a ray; farther away a small tilt of the robot counts for too much."""
-STRIDE: Final = 0.1
-TURN: Final = math.radians(5.0)
-"""Metres and radians of driving after which a scan goes into the map."""
-TRUST: Final = (0.05, math.radians(2.0))
-"""How far odometry may be off from one of those scans to the next, in metres and radians (standard deviations)."""
+Array: TypeAlias = NDArray[np.float64]
+
+MAX_RANGE: Final = 15.0
+"""Metres of a ray that are mapped; beyond, a small tilt of the robot has too much effect."""
+MIN_DISTANCE: Final = 0.1
+MIN_TURN: Final = math.radians(5.0)
+"""Metres and radians of motion after which a scan is added."""
+ODOMETRY_DEVIATION: Final = (0.05, math.radians(2.0))
+"""Standard deviations of odometry between two such scans, metres and radians."""
+ATTRACTION_WIDTHS: Final = (6, 2)
+"""Cells around an occupied cell that attract the ends of rays; coarse first."""
+MAX_ITERATIONS: Final = 12
+MIN_POINTS: Final = 30
+"""Echoes below which a scan is not matched."""
+POINT_WEIGHT: Final = 4.0
+"""Weight of an echo: one far from any obstacle counts as much as a guess that is two deviations off."""
+MAX_STEP: Final = 0.05
+"""Metres and radians of one iteration at most."""
+MIN_STRAIGHTNESS: Final = 0.9
+"""Cosine of the angle between neighbouring segments above which their ends lie on one wall."""
+MIN_STEP: Final = 1e-5
+"""Metres and radians of an iteration below which the search has converged."""
 
 
 class Mapper:
-    """Feed it scans; `grid` is the map, in the frame of the first odometry's origin."""
+    """Adds scans to `grid`, whose frame is the odometry's when the first scan is added."""
 
-    def __init__(self, grid: OccupancyGrid | None = None, *, matching: bool = True, reach: float = REACH) -> None:
+    def __init__(
+        self, grid: OccupancyGrid | None = None, *, matching: bool = True, max_range: float = MAX_RANGE
+    ) -> None:
         self.grid = grid or OccupancyGrid()
         self.path: list[PlanarPose] = []
-        """Where the robot was when scans went into the map."""
+        """The corrected pose of each scan in the map."""
         self._matching = matching
-        self._reach = reach
+        self._max_range = max_range
         self._correction = PlanarPose()
 
     def add(
         self, odometry: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
     ) -> PlanarPose:
-        """A scan of a lidar that sits at `lidar` on the robot: radians and metres; inf is no echo, -inf too close.
+        """Add a scan of a lidar at the pose `lidar` on the robot; `odometry` is the robot's pose, which may drift.
 
-        Returns where the robot is on the map. `odometry`: where it thinks it is, which may drift.
+        `angles` in radians and `ranges` in metres, inf for no echo, -inf for one too close. Returns the corrected pose.
         """
-        guess = self._correction.then(odometry)
-        if self.path and not _moved(guess.since(self.path[-1])):
+        guess = self._correction @ odometry
+        if self.path and not _moved(guess.relative_to(self.path[-1])):
             return guess
         ends, echoes = self._ends(lidar, angles, ranges)
-        pose = match(self.grid, ends[echoes], guess, TRUST) if self.path and self._matching else guess
-        self.grid.add(np.array(pose.then(lidar)[:2]), pose.apply(ends), echoes)
+        pose = match(self.grid, ends[echoes], guess, ODOMETRY_DEVIATION) if self.path and self._matching else guess
+        self.grid.add(np.array((pose @ lidar)[:2]), transformed(pose, ends), echoes)
         self.path.append(pose)
-        self._correction = pose.then(odometry.inverse())
+        self._correction = pose @ odometry.inverse()
         return pose
 
     def _ends(
         self, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
     ) -> tuple[Points, NDArray[np.bool_]]:
-        """Where rays end, in the robot's frame, and which of them at something."""
+        """Ends of the rays in the robot's frame, shape (n, 2), and which are echoes, shape (n,)."""
         at, far = np.asarray(angles), np.asarray(ranges)
         used = far > 0.0
         at, far = at[used], far[used]
-        echoes = far <= self._reach
-        far = np.minimum(far, self._reach)
-        return lidar.apply(np.column_stack([far * np.cos(at), far * np.sin(at)])), echoes
+        echoes = far <= self._max_range
+        far = np.minimum(far, self._max_range)
+        return transformed(lidar, np.column_stack([far * np.cos(at), far * np.sin(at)])), echoes
 
 
 def _moved(step: PlanarPose) -> bool:
-    return math.hypot(step.x, step.y) >= STRIDE or abs(step.yaw) >= TURN
+    return math.hypot(step.x, step.y) >= MIN_DISTANCE or abs(step.yaw) >= MIN_TURN
+
+
+def match(grid: OccupancyGrid, points: Points, guess: PlanarPose, deviation: tuple[float, float]) -> PlanarPose:
+    """The pose near `guess` at which the echoes of a scan, shape (n, 2) in the robot's frame, fit the map best.
+
+    `deviation`: standard deviations of the guess, metres and radians.
+    """
+    if len(points) < MIN_POINTS:
+        return guess
+    normals = _normal_projections(points)
+    occupied = grid.log_odds > 0.0
+    prior = 1.0 / np.array([deviation[0], deviation[0], deviation[1]]) ** 2
+    pose = expected = np.array(guess)
+    for cells in ATTRACTION_WIDTHS:
+        near = _attraction(occupied, cells)
+        for _ in range(MAX_ITERATIONS):
+            step = _step(*_slopes(grid, near, (points, normals), pose), prior, expected - pose)
+            pose = pose + np.clip(step, -MAX_STEP, MAX_STEP)
+            if np.abs(step).max() < MIN_STEP:
+                break
+    return PlanarPose(*pose.tolist())
+
+
+def _step(residuals: Array, slopes: Array, prior: Array, offset: Array) -> Array:
+    """The Gauss-Newton step, shape (3,), for residuals (n,), their slopes (n, 3), and the offset (3,) to the guess."""
+    hessian = POINT_WEIGHT * slopes.T @ slopes + np.diag(prior)
+    return np.asarray(np.linalg.solve(hessian, POINT_WEIGHT * slopes.T @ residuals + prior * offset), np.float64)
+
+
+def _slopes(grid: OccupancyGrid, near: Array, scan: tuple[Points, Array], pose: Array) -> tuple[Array, Array]:
+    """Residuals (n,): the attraction that each end lacks; and its slopes (n, 3) along x, y (1/m) and yaw (1/rad)."""
+    points, normals = scan
+    there = transformed(PlanarPose(*pose.tolist()), points)
+    value, slope = _sample(grid, near, there)
+    c, s = np.cos(pose[2]), np.sin(pose[2])
+    turn = np.array([[c, -s], [s, c]])
+    slope = np.einsum("nij,nj->ni", turn @ normals @ turn.T, slope)
+    around = there - pose[:2]
+    return 1.0 - value, np.column_stack([slope, slope[:, 1] * around[:, 0] - slope[:, 0] * around[:, 1]])
+
+
+def _normal_projections(points: Points) -> Array:
+    """Shape (n, 2, 2): for each end the projection on the normal of its wall; zero at corners and edges of walls.
+
+    Without it, ends would be attracted along the wall to the part that the map already has.
+    """
+    before, after = (np.roll(points, shift, axis=0) for shift in (1, -1))
+    to, on = points - before, after - points
+    lengths = np.maximum(np.hypot(*to.T) * np.hypot(*on.T), 1e-9)
+    straight = (to * on).sum(axis=1) / lengths > MIN_STRAIGHTNESS
+    along = after - before
+    normal = np.column_stack([-along[:, 1], along[:, 0]]) / np.maximum(np.hypot(*along.T), 1e-9)[:, None]
+    projections: Array = normal[:, :, None] * normal[:, None, :] * straight[:, None, None]
+    return projections
+
+
+def _sample(grid: OccupancyGrid, near: Array, points: Points) -> tuple[Array, Array]:
+    """Value (n,) and slope (n, 2), 1/m, interpolated between centres of cells; beyond the map, those of its edge."""
+    place = np.clip(grid.cell_coordinates(points), 0.0, grid.cells - 1.000001)
+    column, row = np.floor(place).astype(np.intp).T
+    u, v = (place - np.floor(place)).T
+    a, b = near[row, column], near[row, column + 1]
+    c, d = near[row + 1, column], near[row + 1, column + 1]
+    value = (1.0 - v) * ((1.0 - u) * a + u * b) + v * ((1.0 - u) * c + u * d)
+    slope = np.column_stack([(1.0 - v) * (b - a) + v * (d - c), (1.0 - u) * (c - a) + u * (d - b)])
+    return value, slope / grid.resolution
+
+
+_NEIGHBOURS: Final = (
+    (np.s_[1:, :], np.s_[:-1, :]),
+    (np.s_[:-1, :], np.s_[1:, :]),
+    (np.s_[:, 1:], np.s_[:, :-1]),
+    (np.s_[:, :-1], np.s_[:, 1:]),
+)
+
+
+def _attraction(occupied: NDArray[np.bool_], cells: int) -> Array:
+    """Shape (cells, cells): 1 at occupied cells, falling linearly to 0 at a distance of `cells` cells.
+
+    It does not depend on the number of hits: otherwise a scan would slide along a wall to where it was hit most.
+    """
+    near = np.zeros(occupied.shape)
+    rows, columns = np.flatnonzero(occupied.any(axis=1)), np.flatnonzero(occupied.any(axis=0))
+    if not len(rows):
+        return near
+    window = np.s_[_around(rows, cells), _around(columns, cells)]
+    part = occupied[window].astype(np.float64)
+    for _ in range(cells):
+        before = part - 1.0 / cells
+        for there, here in _NEIGHBOURS:
+            np.maximum(part[there], before[here], out=part[there])
+    near[window] = part
+    return near
+
+
+def _around(used: NDArray[np.intp], margin: int) -> slice:
+    return slice(max(0, int(used[0]) - margin), int(used[-1]) + margin + 1)

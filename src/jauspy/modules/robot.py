@@ -9,8 +9,7 @@ from datetime import UTC, datetime
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.component import Shell
-from jauspy.component.shell import Intercept, loop_time
+from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
@@ -25,7 +24,7 @@ from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
-from jauspy.services.core.identity import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
@@ -62,12 +61,12 @@ class RobotRunner:
         self._transports = transports
         self._in_time = realtime
         self._realtime: RealTime | None = None
-        self._components: tuple[Shell, ...] = ()
+        self._components: tuple[Component, ...] = ()
         self._videos: Mapping[str, CameraProcess] = {}
         self._stack = AsyncExitStack()
 
     @property
-    def components(self) -> tuple[Shell, ...]:
+    def components(self) -> tuple[Component, ...]:
         """The components, one per module, in the order of the configuration; empty when not open."""
         return self._components
 
@@ -115,7 +114,12 @@ class RobotRunner:
             _acquaint(hosts)
             for host, module in zip(hosts, self.config.modules, strict=True):
                 delivery = Delivery(max_message=MAX_REPORT) if module.camera else None
-                component = Shell(host, self._transports(host.id), intercept=announced(host, module), delivery=delivery)
+                component = Component.of_host(
+                    host,
+                    self._transports(host.id),
+                    intercept=announced(host, module),
+                    options=ComponentOptions(delivery=delivery),
+                )
                 components.append(await stack.enter_async_context(component))
             self._realtime, self._components, self._videos = realtime, tuple(components), videos
             self._stack = stack.pop_all()
@@ -186,7 +190,7 @@ def _acquaint(hosts: Sequence[Host]) -> None:
     """Whichever of them is asked knows the whole robot."""
     for host in hosts:
         if (discovery := host.service(Discovery)) is not None:
-            discovery.about(each for each in hosts if each is not host)
+            discovery.add_local(each for each in hosts if each is not host)
 
 
 def announced(host: Host, module: ModuleConfig) -> Intercept | None:

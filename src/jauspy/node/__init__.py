@@ -1,4 +1,4 @@
-"""The node manager: an asyncio shell around `protocol.node.NodeCore`."""
+"""The node manager: an asyncio shell around `protocol.routing.Router`."""
 
 from __future__ import annotations
 

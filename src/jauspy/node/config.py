@@ -1,68 +1,172 @@
-"""The settings of a node manager, with their defaults.
+"""The settings of a node manager, with their defaults, and the gateway, limits and keys that they describe.
 
-The docstring under each setting is its comment in what `jauspy node-manager --print-config` prints.
+The docstring of each setting is its comment in the output of `jauspy node-manager --print-config`.
 """
 
 from __future__ import annotations
 
+import ipaddress
+import re
+import secrets
+import stat
 from collections import Counter
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any, Literal, Self
+from typing import Annotated, Any, Final, Literal, Self
 
-from pydantic import Field, ValidationError, model_validator
+from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
 
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
-from jauspy.node.addresses import Entries, entries, load
-from jauspy.node.settings import (
-    Addresses,
-    Group,
-    Group6,
-    HostPort,
-    IdPattern,
-    Interface,
-    IPv4,
-    IPv6,
-    MessageName,
-    Mirror,
-    Mode,
-    Name,
-    Settings,
-)
-from jauspy.protocol import judp
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.node.address_books import AddressEntries, load_address_book, parse_entries
+from jauspy.protocol import authentication, judp
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import DEFAULT_NETWORK
+from jauspy.protocol.authentication import Authenticator
+from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
+from jauspy.protocol.sources import SourceLimits
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
 
+_RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))?")
 
-class NetworkConfig(Settings):
+
+class NodeSettings(BaseModel):
+    """Frozen, without unknown keys; the docstring of each field is its comment in the configuration file."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", use_attribute_docstrings=True)
+
+
+def _ipv4(text: str) -> str:
+    try:
+        return str(ipaddress.IPv4Address(text))
+    except ValueError:
+        raise ValueError("write an IPv4 address, as in 192.168.1.10") from None
+
+
+def _group(text: str) -> str:
+    if not ipaddress.IPv4Address(_ipv4(text)).is_multicast:
+        raise ValueError("write an IPv4 multicast address, as in 239.255.0.1")
+    return text
+
+
+def _ipv6(text: str) -> str:
+    try:
+        return str(ipaddress.IPv6Address(text))
+    except ValueError:
+        raise ValueError("write an IPv6 address, as in fd00::1, or :: for all") from None
+
+
+def _group6(text: str) -> str:
+    if not ipaddress.IPv6Address(_ipv6(text)).is_multicast:
+        raise ValueError("write an IPv6 multicast address, as in ff15::6a61:7573")
+    return _ipv6(text)
+
+
+def _interface(text: str) -> str:
+    if ":" in text:
+        return _ipv6(text)
+    return text if text and not text[0].isdigit() else _ipv4(text)
+
+
+def _addresses(table: Mapping[str, Any]) -> Mapping[str, Any]:
+    try:
+        parse_entries(table)
+    except ConfigError as error:
+        raise ValueError(str(error)) from None
+    return table
+
+
+def _host_port(text: str) -> str:
+    host, colon, port = text.rpartition(":")
+    if not colon or not port.isdecimal() or not 0 <= int(port) <= 65535:
+        raise ValueError("write ADDRESS:PORT, as in 127.0.0.1:9794")
+    return f"{_ipv4(host)}:{int(port)}"
+
+
+def _mode(number: int) -> int:
+    if not 0 <= number <= 0o777:
+        raise ValueError("write three octal digits, as in 0o660")
+    return number
+
+
+def _mirror(text: str) -> str:
+    return f"udp:{_host_port(text[4:])}" if text.startswith("udp:") else text
+
+
+def _id_pattern(text: str) -> str:
+    parse_pattern(text)
+    return text
+
+
+def _message(value: object) -> object:
+    """Accept a number in place of its hexadecimal form."""
+    return f"0x{value:04X}" if isinstance(value, int) and 0 <= value <= 0xFFFF else value
+
+
+def parse_pattern(text: str) -> JausID:
+    """The id with wildcards for a pattern such as `42.*.*`; raises `ValueError`."""
+    parts = text.split(".")
+    if len(parts) == 3:
+        parts = [top if part == "*" else part for part, top in zip(parts, ("65535", "255", "255"), strict=True)]
+    try:
+        return JausID.parse(".".join(parts))
+    except ConfigError:
+        raise ValueError("write SUBSYSTEM.NODE.COMPONENT with * for any, as in 42.*.*") from None
+
+
+def parse_codes(text: str) -> range | None:
+    """The message ids of `0x0405` or `0x2000-0x2FFF`; None for any other text, such as a name."""
+    found = _RANGE.fullmatch(text)
+    if found is None:
+        return None
+    first = int(found[1], 16)
+    return range(first, int(found[2] or found[1], 16) + 1)
+
+
+IPv4 = Annotated[str, AfterValidator(_ipv4)]
+IPv6 = Annotated[str, AfterValidator(_ipv6)]
+Interface = Annotated[str, AfterValidator(_interface)]
+Addresses = Annotated[Mapping[str, str | list[str]], AfterValidator(_addresses)]
+Group = Annotated[str, AfterValidator(_group)]
+Group6 = Annotated[str, AfterValidator(_group6)]
+HostPort = Annotated[str, AfterValidator(_host_port)]
+Mirror = Annotated[str, AfterValidator(_mirror)]
+Name = Annotated[str, Field(pattern=r"^[A-Za-z0-9_-]{1,32}$")]
+IdPattern = Annotated[str, AfterValidator(_id_pattern)]
+MessageName = Annotated[str, BeforeValidator(_message)]
+Mode = Annotated[int, AfterValidator(_mode), Field(json_schema_extra={"octal": True})]
+
+
+class NetworkConfig(NodeSettings):
     """A network that the node manager is on."""
 
     name: Name = DEFAULT_NETWORK
-    """What rules, counters and the status call this network."""
+    """Name of this network in rules, counters and the status."""
     address: IPv4 = ANY
-    """Local address to receive on; 0.0.0.0 is all. With several networks each needs an address of its own."""
+    """Local address to receive on; 0.0.0.0 is all addresses. With several networks, each needs its own address."""
     port: int = Field(default=judp.PORT, ge=0, le=65535)
-    """UDP port, here and of the others on this network; 3794 is registered for JAUS. 0 takes any free port."""
+    """UDP port of all node managers on this network; 3794 is registered for JAUS. 0 selects any free port."""
     multicast_group: Group = judp.MULTICAST_GROUP
-    """Group that broadcasts, and questions for unknown ids, are sent to."""
+    """Multicast group for broadcasts, and for probes for unknown ids."""
     multicast_ttl: int = Field(default=judp.MULTICAST_TTL, ge=0, le=255)
-    """How many routers a multicast may pass."""
+    """Maximum number of routers that a multicast may pass."""
     multicast_interfaces: tuple[Interface, ...] = ()
-    """Interfaces to join on and send by: addresses, names, or "all"; they may come and go. Empty: the one of `address`,
-    or the kernel's choice."""
+    """Interfaces on which the group is joined and multicasts are sent: addresses, names, or "all"; they may
+    be absent at times. Empty: the interface of `address`, or the kernel's choice."""
     address6: IPv6 | None = Field(default=None, examples=["::"])
-    """IPv6 address to speak JUDP on as well, on the same port."""
+    """IPv6 address for JUDP, in addition to `address`, on the same port."""
     multicast_group6: Group6 | None = Field(default=None, examples=["ff15::6a61:7573"])
-    """Group for IPv6 multicasts, beside `multicast_group`; needs `address6`. None is registered for JAUS."""
+    """Group for IPv6 multicasts, in addition to `multicast_group`; needs `address6`. None is registered for JAUS."""
     key_file: Path | None = Field(default=None, examples=["/etc/jauspy/lan.key"])
-    """File with a key of at least 16 bytes that all node managers of this network share. With it every packet is
-    authenticated, and packets of others are dropped: only jauspy speaks this. See docs/security.md."""
+    """File with a key of at least 16 bytes that all node managers of this network share. Every packet is then
+    authenticated, and other packets are dropped. Only jauspy supports this. See docs/security.md."""
 
     @property
     def interfaces(self) -> tuple[str, ...]:
-        """Where multicasts leave and arrive."""
+        """The interfaces for multicasts."""
         return self.multicast_interfaces or (self.address,)
 
     @model_validator(mode="after")
@@ -72,133 +176,134 @@ class NetworkConfig(Settings):
         return self
 
 
-class RuleConfig(Settings):
-    """One rule of a gateway; it goes for packets that match all of it."""
+class RuleConfig(NodeSettings):
+    """One rule of a gateway; it applies to packets that match all of its conditions."""
 
     action: Literal["allow", "deny"] = "allow"
-    """What becomes of a packet that matches."""
+    """Whether matching packets are forwarded."""
     source: IdPattern = "*.*.*"
-    """Ids that it comes from; * is any."""
+    """Source ids; * is any."""
     destination: IdPattern = "*.*.*"
-    """Ids that it is for; broadcasts match only *.*.*, or the same wildcards."""
+    """Destination ids; broadcasts match only *.*.*, or the same wildcards."""
     network: Name | None = Field(default=None, examples=["lan"])
-    """Network that it comes from; left out: every network outside."""
+    """Network of origin; omitted: every network outside."""
     messages: tuple[MessageName, ...] | None = Field(
         default=None, examples=[["SetWrenchEffort", "0x0405", "0x2000-0x2FFF"]]
     )
-    """Messages by name, id or range of ids; left out: all. Acknowledgements match any of them."""
+    """Messages by name, id or range of ids; omitted: all. Acknowledgements match any of them."""
     rate: float | None = Field(default=None, gt=0, examples=[100.0])
-    """Messages per second from each source that it allows; what is more is dropped."""
+    """Messages per second allowed from each source; further ones are dropped."""
 
 
-class GatewayConfig(Settings):
-    """What crosses between the networks of this node manager."""
+class GatewayConfig(NodeSettings):
+    """Forwarding between the networks of this node manager."""
 
     subsystem: int = Field(ge=1, le=65534, examples=[101])
     """The subsystem whose ids are forwarded."""
     inside: tuple[Name, ...] = Field(default=(), examples=[["vehicle"]])
-    """The networks inside the subsystem; all others are outside. The components of this machine are inside, too."""
+    """The networks inside the subsystem; all others are outside. The components of this machine are inside."""
     rules: tuple[RuleConfig, ...] = ()
-    """The first that matches decides. With rules, what comes from outside and matches none is dropped; without any,
-    everything addressed to the subsystem may enter. What is not addressed to it never does."""
+    """The first matching rule decides. With rules, packets from outside that match none are dropped; without rules, all
+    packets addressed to the subsystem may enter. Packets that are not addressed to it never enter."""
 
 
-class SerialConfig(Settings):
+class SerialConfig(NodeSettings):
     """A serial line, with 8 data bits."""
 
     device: str = Field(examples=["/dev/ttyUSB0"])
-    """The device."""
+    """Path of the device."""
     baud_rate: int = Field(default=19200, gt=0)
     """Bits per second."""
     parity: Literal["N", "E", "O"] = "N"
-    """None, even or odd."""
+    """Parity: none, even or odd."""
     stop_bits: Literal[1, 2] = 1
-    """Stop bits."""
+    """Number of stop bits."""
     hardware_flow_control: bool = False
-    """RTS and CTS."""
+    """Flow control by RTS and CTS."""
     software_flow_control: bool = False
-    """XON and XOFF."""
+    """Flow control by XON and XOFF."""
 
     @property
     def line(self) -> SerialLine:
-        """What the transport wants to know."""
+        """The settings as the transport takes them."""
         return SerialLine(**self.model_dump())
 
 
 class NodeConfig(NetworkConfig):
-    """What a node manager binds, joins, allows and tells. The settings of its first network stand at the top."""
+    """The configuration of a node manager. The settings of its first network are at the top level."""
 
     local_root: Path = Path("/tmp")  # noqa: S108  # where the standard's components look for it
-    """Folder of the local sockets. The JAUS Toolset's components know only /tmp."""
+    """Directory of the local sockets. Components of the JAUS Toolset use /tmp only."""
     local_mode: Mode = 0o660
-    """Who may connect as a component: permissions of the local socket. 0o660: the same user and group."""
+    """Permissions of the local socket: who may connect as a component. 0o660: the same user and group."""
     local_group: str | None = Field(default=None, examples=["jaus"])
-    """Group that owns the local sockets; left out: the one that the node manager runs with."""
+    """Group that owns the local sockets; omitted: that of the node manager's process."""
     networks: tuple[NetworkConfig, ...] = Field(
         default=(), examples=[NetworkConfig(name="vehicle", address="192.168.50.1")]
     )
-    """Further networks. Without [gateway] nothing crosses between networks."""
+    """Further networks. Without [gateway], nothing is forwarded between networks."""
     gateway: GatewayConfig | None = Field(
         default=None,
         examples=[
             GatewayConfig(subsystem=101, inside=("vehicle",), rules=(RuleConfig(source="42.*.*", rate=500.0),)),
         ],
     )
-    """Makes the node manager a gateway between the networks inside and outside of a subsystem, and a filter before
-    its own components."""
+    """Makes the node manager a gateway between the networks inside and outside of a subsystem, and a filter for its own
+    components."""
     source_check: bool = True
     """Drop packets whose source id was heard from another host or network in the last 30 s."""
     rate_limit: float = Field(default=0.0, ge=0)
-    """Messages per second that each source id may send; 0 is no limit. Safety-critical ones have the same once more."""
+    """Messages per second that each source id may send; 0 is no limit. Safety-critical messages have a separate budget
+    of the same size."""
     rate_burst: float = Field(default=1000.0, ge=1)
     """Messages that a source may send at once under `rate_limit`."""
     local_udp: bool = True
-    """Let components of this machine connect by UDP, as those of ROS/IOP do."""
+    """Allow components of this machine to connect by UDP, as those of ROS/IOP do."""
     header_compression: Literal["off", "accept", "propose"] = "accept"
-    """Compressed headers on UDP. accept: take what peers propose, and compress for those that do. propose: ask all
-    peers, with an empty packet that those who know nothing of it misread and drop. off: read past proposals."""
+    """Header compression on UDP. accept: accept proposals, and compress for peers that propose. propose: probe all
+    peers with an empty packet, which peers without compression drop as malformed. off: ignore proposals."""
     tcp: bool = False
-    """Take JTCP connections. TCP peers among the addresses are connected to in any case."""
+    """Accept JTCP connections. TCP peers among the addresses are connected to in any case."""
     tcp_port: int | None = Field(default=None, ge=0, le=65535, examples=[3794])
-    """TCP port on `address` and `address6`; left out: the same as `port`."""
+    """TCP port on `address` and `address6`; omitted: the same as `port`."""
     serial: tuple[SerialConfig, ...] = Field(default=(), examples=[SerialConfig(device="/dev/ttyUSB0")])
-    """Serial lines that speak JSerial; needs the extra `serial`. They and JTCP belong to the first network."""
+    """Serial lines with JSerial; needs the extra `serial`. They and JTCP belong to the first network."""
     addresses: Addresses = Field(default_factory=dict)
-    """Where ids are that multicast does not find, as in "101.1.255" = "udp://10.0.0.5:3794"; 65535 and 255 are
-    wildcards, tcp:// and serial: are other ways, and a list is several. They get copies of broadcasts, too."""
+    """Addresses of ids that multicast does not reach, as in "101.1.255" = "udp://10.0.0.5:3794", or with tcp:// or
+    serial:, or a list of these; 65535 and 255 are wildcards. Broadcasts are sent to them as well."""
     address_books: tuple[Path, ...] = Field(default=(), examples=[("/etc/jauspy/nm.cfg",)])
-    """Files with more addresses: TOML with a table [addresses], nm.cfg of the JAUS Toolset, or FKIE's YAML."""
+    """Files with further addresses: TOML with a table [addresses], nm.cfg of the JAUS Toolset, or YAML of FKIE."""
     address_lifetime: float = Field(default=ADDRESS_LIFETIME, gt=0)
-    """Seconds of silence after which a learned address is forgotten, and asked for again."""
+    """Seconds without a packet after which a learned address expires."""
     receive_buffer: int = Field(default=RECEIVE_BUFFER, ge=4096, le=1 << 30)
-    """Bytes of each UDP receive buffer; the kernel gives at most net.core.rmem_max."""
+    """Bytes of each UDP receive buffer; the kernel grants at most net.core.rmem_max."""
     status: bool = True
-    """Answer `jauspy node-manager --status` on the local socket JuniorRTE.status."""
+    """Serve `jauspy node-manager --status` on the local socket JuniorRTE.status."""
     metrics: HostPort | None = Field(default=None, examples=["127.0.0.1:9794"])
-    """Address where Prometheus gets metrics by HTTP."""
+    """Address of the HTTP server for Prometheus metrics."""
     mirror: Mirror | None = Field(default=None, examples=["/var/log/jauspy/all.pcapng"])
     """Copy all routed packets to a pcapng file, or as pcapng datagrams to udp:ADDRESS:PORT."""
     mirror_limit: int = Field(default=1 << 30, ge=4096)
-    """Bytes after which the mirror's file ends."""
+    """Maximum size of the mirror's file in bytes."""
     log: Literal["text", "json"] = "text"
-    """Form of the log on stderr."""
+    """Format of the log on stderr."""
     log_level: Literal["debug", "info", "warning", "error"] = "warning"
-    """How much is logged; debug tells the first drop of each reason."""
+    """Log level; debug includes the first drop of each reason."""
 
     @classmethod
     def make(cls, **settings: Any) -> NodeConfig:
-        """Check settings from outside; raises `ConfigError` with one sentence per mistake."""
+        """The configuration with these settings; raises `ConfigError` with one sentence per mistake."""
         try:
             return cls(**settings)
         except ValidationError as error:
-            told = (explain(problem, cls) for problem in error.errors(include_url=False))
-            raise ConfigError(f"node manager setting {'; '.join(told)}") from None
+            problems = (explain(problem, cls) for problem in error.errors(include_url=False))
+            raise ConfigError(f"node manager setting {'; '.join(problems)}") from None
 
-    def known_addresses(self) -> Entries:
-        """All entries of `addresses` and `address_books`; raises `ConfigError` that names the file."""
-        found = {id: list(ports) for id, ports in entries(self.addresses).items()}
+    def known_addresses(self) -> AddressEntries:
+        """All static addresses, those of `addresses` and `address_books`; raises `ConfigError` that names the file."""
+        found = {id: list(ports) for id, ports in parse_entries(self.addresses).items()}
         for path in self.address_books:
-            for id, ports in load(path).items():
+            for id, ports in load_address_book(path).items():
                 found.setdefault(id, []).extend(ports)
         return {
             id: tuple(dict.fromkeys(port._replace(network=self.name) for port in ports)) for id, ports in found.items()
@@ -230,3 +335,63 @@ class NodeConfig(NetworkConfig):
                 f"gateway: there is no network {sorted(named - known)[0]!r}; known are: {', '.join(sorted(known))}"
             )
         return self
+
+
+def load_key(path: Path | None) -> Authenticator | None:
+    """An authenticator with the key in this file, without surrounding white space; None without a file.
+
+    Raises `ConfigError` when the key is too short, or readable for all users.
+    """
+    if path is None:
+        return None
+    try:
+        mode = path.stat().st_mode
+        key = path.read_bytes().strip()
+    except OSError as error:
+        raise ConfigError(f"key_file {path}: {error.strerror}") from error
+    if mode & stat.S_IROTH:
+        raise ConfigError(f"key_file {path}: all users may read it; do: chmod o-rwx {path}")
+    if len(key) < authentication.MIN_KEY_LENGTH:
+        raise ConfigError(
+            f"key_file {path}: has {len(key)} bytes, needs {authentication.MIN_KEY_LENGTH}; "
+            "make one with: openssl rand -hex 32"
+        )
+    return Authenticator(key, secrets.randbits(64))
+
+
+def source_limits(config: NodeConfig) -> SourceLimits:
+    """The limits of sources."""
+    return SourceLimits(check_address=config.source_check, rate=config.rate_limit, burst=config.rate_burst)
+
+
+def make_gateway(config: NodeConfig) -> Gateway | None:
+    """The gateway, or None without one; raises `ConfigError` for an unknown message."""
+    settings = config.gateway
+    if settings is None:
+        return None
+    rules = GatewayRules(
+        [_make_rule(number, rule) for number, rule in enumerate(settings.rules)], inside=settings.inside
+    )
+    return Gateway(settings.subsystem, [network.name for network in config.all_networks], settings.inside, rules)
+
+
+def _make_rule(number: int, config: RuleConfig) -> GatewayRule:
+    return GatewayRule(
+        allow=config.action == "allow",
+        source=parse_pattern(config.source),
+        destination=parse_pattern(config.destination),
+        network=config.network,
+        messages=None if config.messages is None else tuple(_message_ids(number, each) for each in config.messages),
+        rate=config.rate,
+    )
+
+
+def _message_ids(number: int, text: str) -> range:
+    codes = parse_codes(text)
+    if codes is not None:
+        return codes
+    try:
+        code = registry.by_name(text).CODE
+    except ConfigError as error:
+        raise ConfigError(f"gateway.rules[{number}].messages: {error}; or write its id, as in 0x2301") from None
+    return range(code, code + 1)

@@ -1,4 +1,4 @@
-"""Reading the configuration file of a node manager, and writing one with every setting and its comment."""
+"""The configuration file of a node manager: reading TOML, and writing it with all settings and their comments."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ _WIDTH: Final = 100
 
 
 def load(path: Path | None, overrides: Mapping[str, Any] | None = None) -> NodeConfig:
-    """The settings of a TOML file, and over them those of the command line that are not None.
+    """The settings of a TOML file; `overrides` that are not None, as of the command line, take precedence.
 
-    Raises `ConfigError` that names the file, the key and what it may be.
+    Raises `ConfigError` that names the file, the key and its permitted values.
     """
     given = {key: value for key, value in (overrides or {}).items() if value is not None}
     if path is None:
@@ -36,20 +36,20 @@ def load(path: Path | None, overrides: Mapping[str, Any] | None = None) -> NodeC
     try:
         return NodeConfig.model_validate(data | given)
     except ValidationError as error:
-        told = "".join(f"\n  {explain(problem, NodeConfig)}" for problem in error.errors(include_url=False))
-        raise ConfigError(f"{path}: is no configuration of a node manager:{told}") from None
+        problems = "".join(f"\n  {explain(problem, NodeConfig)}" for problem in error.errors(include_url=False))
+        raise ConfigError(f"{path}: is not a configuration of a node manager:{problems}") from None
 
 
 def to_toml(config: NodeConfig) -> str:
-    """All settings as a TOML file that `load` understands; what is not set is there as a comment."""
-    head = "# Configuration of jauspy node-manager. What is left out has its default; command line options go first."
+    """All settings as a TOML file for `load`; those without a value are comments."""
+    head = "# Configuration of jauspy node-manager. Omitted keys have defaults; command line options take precedence."
     return "\n".join([head, *_table(config, "")]).rstrip() + "\n"
 
 
 def _table(model: BaseModel, prefix: str) -> Iterator[str]:
     """The lines of a table: its own values first, then its tables."""
     fields = type(model).model_fields
-    tables = [name for name, field in fields.items() if any(models_in(field.annotation)) or _is_map(field)]
+    tables = [name for name, field in fields.items() if any(models_in(field.annotation)) or _is_mapping(field)]
     for name, field in fields.items():
         if name not in tables:
             yield from ["", *_comment(field), _line(name, getattr(model, name), field)]
@@ -73,7 +73,7 @@ def _tables(value: object, name: str, field: FieldInfo) -> Iterator[str]:
             yield from ("#" if not line else line if line[0] == "#" else f"# {line}" for line in lines)
 
 
-def _is_map(field: FieldInfo) -> bool:
+def _is_mapping(field: FieldInfo) -> bool:
     return getattr(field.annotation, "__origin__", None) in (dict, Mapping)
 
 

@@ -1,4 +1,4 @@
-"""Reading the network faster than it is routed, so that what is urgent overtakes a flood."""
+"""Ingress: datagrams of networks are read faster than they are routed, so that urgent ones overtake a flood."""
 
 from __future__ import annotations
 
@@ -8,71 +8,70 @@ from collections import deque
 from collections.abc import Callable, Iterable
 from typing import Any, Final
 
-from jauspy.node import sieve
+from jauspy.node import kernel_filter
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Priority
 
 READ_BURST: Final = 384
-"""Datagrams read from one socket per wake-up: three times what is routed, so that a flood piles up here, where the
-urgent is found in it, and not in the kernel, which drops whatever comes last."""
+"""Datagrams read from one socket per wake-up: three times as many as are routed, so that a flood is queued here by
+priority, and not in the kernel, which drops whatever arrives last."""
 ROUTE_BURST: Final = 128
 """Datagrams routed before the event loop gets its turn: a few milliseconds at most."""
-SHARE: Final = 8
-"""Of these, for the least urgent: while more urgent ones fill every turn, they are late, but not starved."""
-MAX_WAITING: Final = 4096
-"""Datagrams that wait in all; what comes beyond drops the oldest of the lowest priority."""
-CROWDED: Final = 1024
-"""With more than this waiting, the kernel is asked to drop what most of it is."""
-CALM: Final = 256
-"""With no more than this waiting, everything may come again."""
+LOW_PRIORITY_SHARE: Final = 8
+"""Of these, for the lowest priorities, so that they are late, but not starved, while urgent ones fill every turn."""
+MAX_QUEUED: Final = 4096
+"""Queued datagrams; beyond that the oldest of the lowest priority is dropped."""
+FILTER_ABOVE: Final = 1024
+"""With more queued datagrams, the kernel filter is attached for the priorities of most of them."""
+UNFILTER_BELOW: Final = 256
+"""With no more queued datagrams, the kernel filter is detached."""
 _BUFFER: Final = 65536
 _PRIORITIES: Final = 4
 
-Take = Callable[[bytes, UdpPort], None]
+Receive = Callable[[bytes, UdpPort], None]
 _Queue = deque[tuple[bytes, UdpPort]]
 
 
 class Ingress:
-    """`take(datagram, port)` gets the datagrams of all attached sockets, the most urgent of those that wait first.
+    """Calls `receive(datagram, port)` for the datagrams of all attached sockets, by priority, in order within each.
 
-    Within one priority they keep their order. In a flood the kernel drops what is no more urgent than most of it is;
-    what is safety-critical is always read.
+    In a flood the kernel drops the priorities that most of it has; safety-critical packets are always read.
     """
 
-    def __init__(self, take: Take, counters: Counters) -> None:
+    def __init__(self, receive: Receive, counters: Counters) -> None:
         self._loop = asyncio.get_running_loop()
-        self._take = take
+        self._receive = receive
         self._counters = counters
         self._queues: tuple[_Queue, ...] = tuple(deque() for _ in range(_PRIORITIES))
-        self._waiting = 0
+        self._queued = 0
         self._scheduled = False
         self._attached: list[socket.socket] = []
-        self._held_back: list[socket.socket] = []
+        self._filtered: list[socket.socket] = []
 
     def __len__(self) -> int:
-        return self._waiting
+        return self._queued
 
     def attach(self, sock: socket.socket, network: str, failed: Callable[[OSError], None], *, skip: int = 0) -> None:
-        """Read a non-blocking socket until `close`. `skip` bytes come before the packet's version byte.
+        """Read a non-blocking socket until `close`. `skip` bytes precede the packet's version byte.
 
-        `failed` is told what became of sent datagrams that came back.
+        `failed(error)` is called with the errors of earlier sent datagrams.
         """
         ports: dict[Any, UdpPort] = {}
         self._loop.add_reader(sock, self._wake, sock, network, skip, ports, failed)
         self._attached.append(sock)
 
     def close(self) -> None:
-        """Read no more, and forget what waits; the sockets belong to the caller."""
+        """Stop reading, and drop queued datagrams; the sockets belong to the caller."""
         for sock in self._attached:
             self._loop.remove_reader(sock)
         self._attached.clear()
-        self._held_back.clear()
+        self._filtered.clear()
         for queue in self._queues:
             queue.clear()
-        self._counters["dropped.closed"] += self._waiting
-        self._waiting = 0
+        self._counters["dropped.closed"] += self._queued
+        self._queued = 0
 
     def _wake(
         self,
@@ -88,7 +87,7 @@ class Ingress:
                 data, sender = sock.recvfrom(_BUFFER)
                 port = ports.get(sender)
                 if port is None:
-                    if len(ports) > MAX_WAITING:
+                    if len(ports) > MAX_QUEUED:
                         ports.clear()
                     port = ports[sender] = _port(sender, network)
                 self._queues[judp.peek_priority(data, skip)].append((data, port))
@@ -98,30 +97,30 @@ class Ingress:
                 failed(error)
         except OSError as error:
             failed(error)
-        self._waiting += count
-        if self._waiting > CROWDED and count == READ_BURST and sock not in self._held_back:
-            self._hold_back(sock, skip)
-        if self._waiting > MAX_WAITING:
-            self._drop(self._waiting - MAX_WAITING)
+        self._queued += count
+        if self._queued > FILTER_ABOVE and count == READ_BURST and sock not in self._filtered:
+            self._attach_filter(sock, skip)
+        if self._queued > MAX_QUEUED:
+            self._drop(self._queued - MAX_QUEUED)
         if not self._scheduled:
             self._route()
 
-    def _hold_back(self, sock: socket.socket, skip: int) -> None:
+    def _attach_filter(self, sock: socket.socket, skip: int) -> None:
         below = 0
         for priority in (Priority.LOW, Priority.STANDARD, Priority.HIGH):
             below += len(self._queues[priority])
-            if 2 * below > self._waiting and sieve.hold_back(sock, priority, skip):
-                self._held_back.append(sock)
-                self._counters["held_back"] += 1
+            if 2 * below > self._queued and kernel_filter.attach(sock, priority, skip):
+                self._filtered.append(sock)
+                self._counters["kernel_filter.attached"] += 1
                 return
 
-    def _let_through(self) -> None:
-        for sock in self._held_back:
-            sieve.let_through(sock)
-        self._held_back.clear()
+    def _detach_filters(self) -> None:
+        for sock in self._filtered:
+            kernel_filter.detach(sock)
+        self._filtered.clear()
 
     def _drop(self, count: int) -> None:
-        self._waiting -= count
+        self._queued -= count
         self._counters.drop("overload", "more arrives than can be routed")
         self._counters["dropped.overload"] += count - 1
         for queue in self._queues:
@@ -131,27 +130,27 @@ class Ingress:
 
     def _route(self) -> None:
         self._scheduled = False
-        left = self._route_from(reversed(self._queues), ROUTE_BURST - SHARE) + SHARE
+        left = self._route_from(reversed(self._queues), ROUTE_BURST - LOW_PRIORITY_SHARE) + LOW_PRIORITY_SHARE
         left = self._route_from(self._queues, left)
-        self._waiting -= ROUTE_BURST - left
-        if self._held_back and self._waiting <= CALM:
-            self._let_through()
-        if self._waiting:
+        self._queued -= ROUTE_BURST - left
+        if self._filtered and self._queued <= UNFILTER_BELOW:
+            self._detach_filters()
+        if self._queued:
             self._scheduled = True
             self._loop.call_soon(self._route)
 
     def _route_from(self, queues: Iterable[_Queue], left: int) -> int:
-        """Route up to `left` datagrams; returns how many more it might have been."""
-        take = self._take
+        """Route up to `left` datagrams; returns how many of them were not needed."""
+        receive = self._receive
         for queue in queues:
             count = min(left, len(queue))
             for _ in range(count):
-                take(*queue.popleft())
+                receive(*queue.popleft())
             left -= count
         return left
 
 
 def _port(sender: tuple[Any, ...], network: str) -> UdpPort:
-    """A link-local IPv6 address means something only together with its interface."""
+    """The port of a sender; a link-local IPv6 address is only valid with its interface."""
     host, port, *rest = sender
     return UdpPort(f"{host}%{rest[1]}" if len(rest) == 2 and rest[1] else host, port, network)

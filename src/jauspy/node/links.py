@@ -1,31 +1,150 @@
-"""What a node manager speaks beside UDP and local sockets: JTCP connections and serial lines."""
+"""JTCP connections and serial lines of a node manager."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import asyncio
+import errno
+import logging
+import os
+from collections.abc import Callable, Iterable, Sequence
+from typing import Final
 
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, TransportError
 from jauspy.node.config import NodeConfig
-from jauspy.node.tcp import TcpPeers
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
 from jauspy.transport.serial import SerialLine, SerialLink
+from jauspy.transport.tcp import Dialer, StreamLink
+
+_LOGGER = logging.getLogger(__name__)
+
+MAX_CONNECTIONS: Final = 64
+"""Accepted connections; another one replaces the oldest that never sent a packet, or is closed at once."""
 
 
-class Links:
-    """They belong to `network`. `took(datagram, port)` gets every packet, `gone(port)` is told of ended connections."""
+class TcpPeers:
+    """JTCP connections: accepted ones, and those to peers of the address book.
+
+    `received(datagram, port)` is called for each packet, `disconnected(port)` when a connection has ended.
+    """
 
     def __init__(
         self,
         counters: Counters,
         network: str,
-        took: Callable[[bytes, NetworkPort], None],
-        gone: Callable[[NetworkPort], None],
+        received: Callable[[bytes, TcpPort], None],
+        disconnected: Callable[[TcpPort], None],
     ) -> None:
-        self._took = took
         self._counters = counters
         self._network = network
-        self._tcp = TcpPeers(counters, network, took, gone)
+        self._received = received
+        self._disconnected = disconnected
+        self._server: asyncio.Server | None = None
+        self._links: dict[TcpPort, StreamLink] = {}
+        self._dialers: dict[TcpPort, Dialer] = {}
+
+    @property
+    def port(self) -> int | None:
+        """The TCP port in use; if the configuration says 0, that of the first address."""
+        return self._server.sockets[0].getsockname()[1] if self._server and self._server.sockets else None
+
+    async def open(self, hosts: Sequence[str], number: int, peers: Iterable[TcpPort]) -> None:
+        """Listen on these addresses, and start connecting to `peers`; raises `TransportError`."""
+        if hosts:
+            try:
+                self._server = await asyncio.get_running_loop().create_server(self._make_link, hosts, number)
+            except OSError as error:
+                if error.errno == errno.EADDRINUSE:
+                    why = "another process uses it"
+                else:
+                    why = os.strerror(error.errno) if error.errno else str(error)
+                raise TransportError(
+                    f"cannot listen on TCP {hosts[0]}:{number}: {why}; choose another tcp_port"
+                ) from error
+        for port in peers:
+            self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receiver_for(port))
+
+    async def close(self) -> None:
+        """Close all connections; a second call does nothing."""
+        server, self._server = self._server, None
+        if server is not None:
+            server.close()
+        for link in list(self._links.values()):
+            link.close()
+        dialers, self._dialers = list(self._dialers.values()), {}
+        for dialer in dialers:
+            await dialer.close()
+
+    def send(self, port: TcpPort, datagram: bytes) -> None:
+        """Send to one peer; counted when dropped."""
+        link = self._links.get(port) or self._dialers.get(port)
+        if link is None:
+            self._counters.drop("tcp_unconnected", port)
+        else:
+            link.send(datagram)
+
+    def broadcast(self, datagram: bytes) -> None:
+        """Send on all connections, because JTCP has no multicast."""
+        for link in list(self._links.values()):
+            link.send(datagram)
+        for dialer in self._dialers.values():
+            if dialer.link is not None:
+                dialer.link.send(datagram)
+
+    def _make_link(self) -> StreamLink:
+        return StreamLink(
+            self._counters,
+            lambda link, datagram: self._received(datagram, self._port(link)),
+            self._ended,
+            self._accepted,
+        )
+
+    def _accepted(self, link: StreamLink) -> None:
+        if len(self._links) >= MAX_CONNECTIONS:
+            refused = next((each for each in self._links.values() if not each.has_received), link)
+            self._counters["tcp.refused"] += 1
+            _LOGGER.info("JTCP connection from %s closed: there are %d already", refused.peer, MAX_CONNECTIONS)
+            refused.close()
+            if refused is link:
+                return
+            self._forget(refused)
+        self._links[self._port(link)] = link
+        self._counters["tcp.accepted"] += 1
+
+    def _ended(self, link: StreamLink) -> None:
+        if self._links.get(self._port(link)) is link:
+            self._forget(link)
+
+    def _forget(self, link: StreamLink) -> None:
+        port = self._port(link)
+        del self._links[port]
+        self._counters["tcp.closed"] += 1
+        self._disconnected(port)
+
+    def _port(self, link: StreamLink) -> TcpPort:
+        return TcpPort(*link.peer, self._network)
+
+    def _receiver_for(self, port: TcpPort) -> Callable[[StreamLink, bytes], None]:
+        return lambda _, datagram: self._received(datagram, port)
+
+
+class Links:
+    """JTCP connections and serial lines, as ports of `network`.
+
+    `received(datagram, port)` is called for each packet, `disconnected(port)` when a connection has ended.
+    """
+
+    def __init__(
+        self,
+        counters: Counters,
+        network: str,
+        received: Callable[[bytes, NetworkPort], None],
+        disconnected: Callable[[NetworkPort], None],
+    ) -> None:
+        self._received = received
+        self._counters = counters
+        self._network = network
+        self._tcp = TcpPeers(counters, network, received, disconnected)
         self._serial: dict[SerialPort, SerialLink] = {}
 
     @property
@@ -34,9 +153,9 @@ class Links:
         return self._tcp.port
 
     async def open(self, config: NodeConfig, udp_port: int, known: Iterable[NetworkPort]) -> None:
-        """Open what the configuration says, and connect to the TCP peers of the address book; all or nothing.
+        """Open the configured lines and ports, and connect to the TCP peers of the address book; all or nothing.
 
-        Raises `TransportError` when a port or a device cannot be used, `ConfigError` when they would go round a key.
+        Raises `TransportError` when a port or device cannot be used, `ConfigError` when the network has a key.
         """
         peers = {port for port in known if isinstance(port, TcpPort)}
         if config.key_file is not None and (config.tcp or config.serial or peers):
@@ -51,14 +170,14 @@ class Links:
             raise
 
     async def close(self) -> None:
-        """Give everything back; a second call does nothing."""
+        """Close everything; a second call does nothing."""
         for line in self._serial.values():
             line.close()
         self._serial.clear()
         await self._tcp.close()
 
     def send(self, port: TcpPort | SerialPort, datagram: bytes) -> None:
-        """Send to one peer, or drop and count."""
+        """Send to one peer; counted when dropped."""
         if isinstance(port, TcpPort):
             self._tcp.send(port, datagram)
         elif port in self._serial:
@@ -74,6 +193,6 @@ class Links:
 
     def _open_line(self, line: SerialLine) -> None:
         port = SerialPort(line.device, network=self._network)
-        link = SerialLink(line, self._counters, lambda datagram: self._took(datagram, port))
+        link = SerialLink(line, self._counters, lambda datagram: self._received(datagram, port))
         link.open()
         self._serial[port] = link

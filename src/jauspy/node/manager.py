@@ -1,4 +1,4 @@
-"""The node manager as an asyncio service: it only moves bytes between sockets and the core."""
+"""The node manager as an asyncio service: moves datagrams between sockets and the router."""
 
 from __future__ import annotations
 
@@ -12,34 +12,34 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
-from jauspy.node import keys, operations, policy, sweep
-from jauspy.node.config import NodeConfig
+from jauspy.node import liveness, status
+from jauspy.node.component_senders import ComponentSenders
+from jauspy.node.config import NodeConfig, load_key, make_gateway, source_limits
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
-from jauspy.node.mailboxes import Mailboxes, is_dead
+from jauspy.node.liveness import LivenessCheck
 from jauspy.node.network import Network
-from jauspy.node.shortcuts import Send, Shortcuts
-from jauspy.node.state import NodeState
-from jauspy.node.sweep import Sweep
+from jauspy.node.routing_cache import RoutingCache, Send
+from jauspy.node.status import NodeState, StatusServer
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
-from jauspy.transport import base, local as local_socket, multicast as memberships
+from jauspy.transport import base, local, multicast
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
 
 MAX_SENDERS: Final = 4096
-"""Names of local sockets that are remembered."""
+"""Names of local sockets that are cached."""
 RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst", "addresses", "address_books")
-"""Settings that `NodeManager.reload` takes over."""
+"""Settings that `NodeManager.reload` applies."""
 
 
 class NodeManager:
     """Owns UDP 3794 and the multicast group on each network, and the local socket `<local_root>/JuniorRTE`.
 
-    Use it as a context manager, or `open` and `close` it. `TransportError` when another one is running.
+    Use it as an async context manager, or call `open` and `close`. Raises `TransportError` when another one is running.
     """
 
     _loop: asyncio.AbstractEventLoop
@@ -47,8 +47,8 @@ class NodeManager:
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
-        dead = partial(is_dead, self.config.local_root)
-        self._core = Router(
+        dead = partial(liveness.is_dead, self.config.local_root)
+        self._router = Router(
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
@@ -56,24 +56,24 @@ class NodeManager:
             compression=self.config.header_compression,
             is_dead=dead,
             networks=[network.name for network in self.config.all_networks],
-            gateway=policy.gateway(self.config),
-            sources=SourceChecks(policy.limits(self.config)),
-            changed=self._changed,
+            gateway=make_gateway(self.config),
+            sources=SourceChecks(source_limits(self.config)),
+            changed=self._invalidate,
         )
-        self._shortcuts = Shortcuts(self._core, self._way_to)
+        self._cache = RoutingCache(self._router, self._sender_for)
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._mailboxes = Mailboxes(self.config.local_root, self._core)
-        self._senders: dict[str | bytes | None, LocalPort] = {}
+        self._component_senders = ComponentSenders(self.config.local_root, self._router)
+        self._local_ports: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
-        self._mirrored: Port = LocalPort("")
-        self._links = Links(self._core.counters, self.config.name, self._take, self._core.disconnected)
+        self._mirror_source: Port = LocalPort("")
+        self._links = Links(self._router.counters, self.config.name, self._receive, self._router.disconnected)
         self._timer: asyncio.TimerHandle | None = None
-        self._watch: asyncio.TimerHandle | None = None
-        self._sweep = Sweep(self._core.components, dead, self._mailboxes.buried)
-        self._sweeping: asyncio.TimerHandle | None = None
-        self._extras = AsyncExitStack()
+        self._membership_timer: asyncio.TimerHandle | None = None
+        self._liveness = LivenessCheck(self._router.components, dead, self._component_senders.remove_dead)
+        self._liveness_timer: asyncio.TimerHandle | None = None
+        self._services = AsyncExitStack()
         self._closed = asyncio.Event()
 
     async def __aenter__(self) -> Self:
@@ -92,7 +92,7 @@ class NodeManager:
 
     @property
     def port(self) -> int:
-        """The UDP port in use on the first network; also when the configuration said 0."""
+        """The UDP port in use on the first network, also when the configuration says 0."""
         return self.port_of(self.config.name)
 
     def port_of(self, network: str) -> int:
@@ -109,132 +109,157 @@ class NodeManager:
     @property
     def components(self) -> tuple[JausID, ...]:
         """The ids of the components that are registered here."""
-        return tuple(sorted(JausID.from_int(id) for id, _ in self._core.components))
+        return tuple(sorted(JausID.from_int(id) for id, _ in self._router.components))
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was received, routed and dropped, by reason."""
-        return self._core.counters
+        """Counters of received, routed and dropped packets, by reason."""
+        return self._router.counters
 
     @property
     def state(self) -> NodeState:
-        """What the status and the metrics are made from."""
+        """The current state, for the status and the metrics."""
         ingress = len(self._ingress or ())
-        return NodeState(self.config, self._core, self._networks, self._mailboxes.waiting, ingress, self._loop.time())
+        return NodeState(
+            self.config, self._router, self._networks, self._component_senders.queued, ingress, self._loop.time()
+        )
 
     async def open(self) -> None:
-        """Bind everything, or nothing."""
+        """Open all sockets; raises `TransportError` or `ConfigError`, and then none stays open."""
         self._loop = asyncio.get_running_loop()
         config = self.config
-        self._local = local_socket.bind(self.path, owner="a node manager", mode=config.local_mode)
+        self._local = local.bind(self.path, owner="a node manager", mode=config.local_mode)
         try:
-            local_socket.give_to_group(self.path, config.local_group)
+            local.give_to_group(self.path, config.local_group)
             for each in config.all_networks:
-                seal = keys.load(each.key_file)
+                authenticator = load_key(each.key_file)
                 self._networks[each.name] = Network(
-                    each, self._core.counters, config.receive_buffer, seal, self._core.remove_dead
+                    each, self._router.counters, config.receive_buffer, authenticator, self._router.remove_dead
                 )
             await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
-            self._mirror = await operations.open_all(self._extras, config, lambda: self.state)
+            self._mirror = await self._open_services()
         except BaseException:
             await self.close()
             raise
         self._closed.clear()
         base.start_reading(self._loop, self._local, self._from_component, self._socket_error)
-        sealed = any(network.seal for network in self._networks.values())
-        self._ingress = Ingress(self._from_network if sealed else self._take, self._core.counters)
+        authenticated = any(network.authenticator for network in self._networks.values())
+        self._ingress = Ingress(self._from_network if authenticated else self._receive, self._router.counters)
         for name, network in self._networks.items():
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
-        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
-        self._sweeping = self._loop.call_later(sweep.INTERVAL, self._sweep_components)
+        self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
+        self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)
+
+    async def _open_services(self) -> Mirror | None:
+        """Open status, metrics and mirror as configured; modules that are not needed are not imported."""
+        config = self.config
+        if config.status:
+            path = config.local_root / status.SOCKET_NAME
+            server = StatusServer(path, config.local_mode, config.local_group, lambda: self.state)
+            await self._services.enter_async_context(server)
+        if config.metrics is not None:
+            from jauspy.node.metrics import MetricsServer  # noqa: PLC0415 - prometheus_client is slow to import
+
+            host, _, port = config.metrics.rpartition(":")
+            await self._services.enter_async_context(MetricsServer(host, int(port), lambda: self.state))
+        if config.mirror is None:
+            return None
+        from jauspy.node.mirror import Mirror  # noqa: PLC0415 - needed only here
+
+        mirror = Mirror(config.mirror, config.mirror_limit, self._router.counters, self._group_address)
+        return self._services.enter_context(mirror)
+
+    def _group_address(self, name: str) -> tuple[str, int]:
+        network = self._networks[name]
+        return network.config.multicast_group, network.port
 
     async def close(self) -> None:
-        """Give everything back; a second call does nothing."""
-        local, self._local = self._local, None
-        if local is None:
+        """Close everything; a second call does nothing."""
+        local_socket, self._local = self._local, None
+        if local_socket is None:
             return
-        for timer in (self._timer, self._watch, self._sweeping):
+        for timer in (self._timer, self._membership_timer, self._liveness_timer):
             if timer is not None:
                 timer.cancel()
-        self._timer = self._watch = self._sweeping = None
-        base.stop_reading(self._loop, local)
+        self._timer = self._membership_timer = self._liveness_timer = None
+        base.stop_reading(self._loop, local_socket)
         if self._ingress is not None:
             self._ingress.close()
         await self._links.close()
-        self._mailboxes.close()
-        self._shortcuts.clear()
+        self._component_senders.close()
+        self._cache.clear()
         for network in self._networks.values():
             network.close()
         self._networks.clear()
         self._mirror = None
-        await self._extras.aclose()
-        local_socket.clean_up(self.path)
+        await self._services.aclose()
+        local.clean_up(self.path)
         self._closed.set()
 
     def reload(self, config: NodeConfig) -> list[str]:
-        """Take over rules, limits and addresses; returns the settings that differ and need a restart.
+        """Apply rules, limits and addresses; returns the changed settings that need a restart.
 
-        Raises `ConfigError`, and then nothing has changed. New TCP peers are connected to after a restart.
+        Raises `ConfigError`, and then nothing is changed. New TCP peers are connected to after a restart.
         """
-        gateway, known = policy.gateway(config), config.known_addresses()
-        self._core.gateway = gateway
-        self._core.address_book.set_static({int(id): ports for id, ports in known.items()})
-        self._core.sources.set_limits(policy.limits(config))
-        self._shortcuts.clear()
+        gateway, known = make_gateway(config), config.known_addresses()
+        self._router.gateway = gateway
+        self._router.address_book.set_static({int(id): ports for id, ports in known.items()})
+        self._router.sources.set_limits(source_limits(config))
+        self._cache.clear()
         names = type(config).model_fields
         changed = [name for name in names if getattr(config, name) != getattr(self.config, name)]
-        taken = {name: getattr(config, name) for name in changed if name in RELOADABLE}
-        self.config = self.config.model_copy(update=taken)
+        applied = {name: getattr(config, name) for name in changed if name in RELOADABLE}
+        self.config = self.config.model_copy(update=applied)
         return [name for name in changed if name not in RELOADABLE]
 
     async def run(self) -> None:
-        """Wait until somebody closes it."""
+        """Wait until `close` is called."""
         await self._closed.wait()
 
-    # --- in ------------------------------------------------------------------------------------------------------
+    # --- receiving ------------------------------------------------------------------------------------------------
 
     def _from_component(self, datagram: bytes, sender: str | bytes | None) -> None:
-        port = self._senders.get(sender)
+        port = self._local_ports.get(sender)
         if port is None:
-            if len(self._senders) > MAX_SENDERS:
-                self._senders.clear()
-            port = self._senders[sender] = LocalPort(_path(sender))
-        self._take(datagram, port)
+            if len(self._local_ports) > MAX_SENDERS:
+                self._local_ports.clear()
+            port = self._local_ports[sender] = LocalPort(_path(sender))
+        self._receive(datagram, port)
 
     def _from_network(self, data: bytes, port: UdpPort) -> None:
         network = self._networks.get(port.network)
-        datagram = None if network is None else network.open_seal(data)
+        datagram = None if network is None else network.authenticate(data)
         if datagram is not None:
-            self._take(datagram, port)
+            self._receive(datagram, port)
 
-    def _take(self, datagram: bytes, port: Port) -> None:
-        if not self._shortcuts.take(datagram, port):
-            self._core.receive(datagram, port, self._loop.time())
-            self._mirrored = port
+    def _receive(self, datagram: bytes, port: Port) -> None:
+        if not self._cache.forward(datagram, port):
+            self._router.receive(datagram, port, self._loop.time())
+            self._mirror_source = port
             self._flush()
 
-    def _changed(self, id: int | None) -> None:
-        self._shortcuts.forget(id)
+    def _invalidate(self, id: int | None) -> None:
+        self._cache.invalidate(id)
 
     def _socket_error(self, error: OSError) -> None:
-        self._core.counters.drop("socket_error", error)
+        self._router.counters.drop("socket_error", error)
 
     def _udp_error(self, error: OSError) -> None:
-        """A wake-up without a datagram, too, is for datagrams that have come back."""
+        """A wake-up without a datagram, too, signals that ports are unreachable."""
         if not isinstance(error, BlockingIOError):
-            self._core.counters.drop("udp_unreachable", error)
+            self._router.counters.drop("udp_unreachable", error)
         for network in self._networks.values():
-            network.take_back()
+            network.report_unreachable()
 
-    # --- out -----------------------------------------------------------------------------------------------------
+    # --- sending -------------------------------------------------------------------------------------------------
 
     def _flush(self) -> None:
-        for port, datagram in self._core.poll_output():
+        for port, datagram in self._router.poll_output():
             if isinstance(port, LocalPort):
-                self._mailboxes.send(port.path, datagram)
+                self._component_senders.send(port.path, datagram)
             elif (network := self._networks.get(port.network)) is None:
-                self._core.counters.drop("closed")
+                self._router.counters.drop("closed")
             elif isinstance(port, GroupPort):
                 network.multicast(datagram)
                 if port.network == self.config.name:
@@ -244,39 +269,39 @@ class NodeManager:
             else:
                 network.send(datagram, port.host, port.port)
             if self._mirror is not None:
-                self._mirror.add(self._mirrored, port, datagram)
+                self._mirror.add(self._mirror_source, port, datagram)
         self._arm()
 
-    def _way_to(self, port: LocalPort | UdpPort) -> Send | None:
-        """For the shortcuts; a mirror wants to see each datagram."""
+    def _sender_for(self, port: LocalPort | UdpPort) -> Send | None:
+        """The sender of a cached route; None with a mirror, which needs to see each datagram."""
         if self._mirror is not None:
             return None
         if isinstance(port, LocalPort):
-            return self._mailboxes.of(port.path).send
+            return self._component_senders.sender_for(port.path).send
         network = self._networks.get(port.network)
-        return None if network is None else network.way_to(port.host, port.port)
+        return None if network is None else network.sender_for(port.host, port.port)
 
-    def _watch_interfaces(self) -> None:
-        self._watch = self._loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
+    def _refresh_memberships(self) -> None:
+        self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
         for network in self._networks.values():
-            network.watch_interfaces()
+            network.refresh_memberships()
 
-    def _sweep_components(self) -> None:
-        self._sweeping = self._loop.call_later(sweep.INTERVAL, self._sweep_components)
-        self._sweep.turn()
+    def _check_liveness(self) -> None:
+        self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)
+        self._liveness.check_next()
 
     # --- time ----------------------------------------------------------------------------------------------------
 
     def _arm(self) -> None:
-        if self._timer is None and self._local is not None and (when := self._core.next_timeout()) is not None:
+        if self._timer is None and self._local is not None and (when := self._router.next_timeout()) is not None:
             self._timer = self._loop.call_at(when, self._timeout)
 
     def _timeout(self) -> None:
         self._timer = None
-        self._core.handle_timeout(self._loop.time())
+        self._router.handle_timeout(self._loop.time())
         self._flush()
 
 
 def _path(sender: str | bytes | None) -> str:
-    """A component's socket as the kernel names it; empty when it has no name in the file system to answer to."""
+    """The path of a component's socket; empty when it has no name in the file system."""
     return sender if isinstance(sender, str) and sender.startswith("/") else ""

@@ -1,4 +1,4 @@
-"""Metrics for Prometheus by HTTP, in the event loop of the node manager."""
+"""Metrics for Prometheus, by HTTP in the event loop of the node manager."""
 
 from __future__ import annotations
 
@@ -14,41 +14,41 @@ from prometheus_client.registry import Collector
 
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
-from jauspy.node.state import NodeState
+from jauspy.node.status import NodeState
 from jauspy.protocol.addressing import format_port
 
-PATIENCE: Final = 5.0
+REQUEST_TIMEOUT: Final = 5.0
 """Seconds for a request and its answer."""
 MAX_REQUEST: Final = 8192
 MAX_READERS: Final = 16
-"""One more is not answered: each has a file of the process, and components need these."""
+"""Further readers are refused: each needs a file descriptor, and so do components."""
 
 
 class NodeCollector(Collector):
-    """Makes metrics from the state of the moment."""
+    """Metrics of the current state."""
 
     def __init__(self, state: Callable[[], NodeState]) -> None:
         self._state = state
 
     def collect(self) -> Iterator[Metric]:
-        """As Prometheus's client wants it."""
+        """Called by prometheus_client for each request."""
         state = self._state()
-        events = CounterMetricFamily("jauspy_node_events", "What the node manager counted.", labels=["event"])
+        events = CounterMetricFamily("jauspy_node_events", "Events counted by the node manager.", labels=["event"])
         dropped = CounterMetricFamily("jauspy_node_dropped", "Packets dropped, by reason.", labels=["reason"])
-        for name, count in sorted(state.core.counters.items()):
+        for name, count in sorted(state.router.counters.items()):
             family, label = (dropped, name[8:]) if name.startswith("dropped.") else (events, name)
             family.add_metric([label], count)
         yield from (events, dropped)
-        yield GaugeMetricFamily("jauspy_node_components", "Local components.", value=len(state.core.components))
-        yield GaugeMetricFamily("jauspy_node_peers", "Known network addresses.", value=len(state.core.address_book))
+        yield GaugeMetricFamily("jauspy_node_components", "Local components.", value=len(state.router.components))
+        yield GaugeMetricFamily("jauspy_node_peers", "Known network addresses.", value=len(state.router.address_book))
         queue = GaugeMetricFamily("jauspy_node_queue", "Packets waiting for a component.", labels=["component"])
-        for id, port in state.core.components:
-            queue.add_metric([str(JausID.from_int(id))], state.waiting.get(format_port(port), 0))
+        for id, port in state.router.components:
+            queue.add_metric([str(JausID.from_int(id))], state.queued.get(format_port(port), 0))
         yield queue
-        yield GaugeMetricFamily("jauspy_node_ingress", "Packets read and not yet routed.", value=state.ingress)
-        kernel = CounterMetricFamily("jauspy_node_kernel_dropped", "Packets the kernel dropped.", labels=["network"])
+        yield GaugeMetricFamily("jauspy_node_ingress", "Packets read and not routed yet.", value=state.ingress)
+        kernel = CounterMetricFamily("jauspy_node_kernel_dropped", "Packets dropped by the kernel.", labels=["network"])
         for name, network in state.networks.items():
-            kernel.add_metric([name], network.buffered.dropped)
+            kernel.add_metric([name], network.receive_buffer.dropped)
         yield kernel
 
 
@@ -67,9 +67,9 @@ class MetricsServer:
         try:
             self._server = await asyncio.start_server(self._serve, *self._where, limit=MAX_REQUEST)
         except OSError as error:
-            why = os.strerror(error.errno) if error.errno else str(error)  # asyncio says the address once more
-            told = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {why}"
-            raise TransportError(f"{told}; choose another with --metrics") from error
+            why = os.strerror(error.errno) if error.errno else str(error)  # asyncio would repeat the address
+            problem = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {why}"
+            raise TransportError(f"{problem}; choose another with --metrics") from error
 
     async def __aexit__(self, *error: object) -> None:
         if self._server is not None:
@@ -81,7 +81,7 @@ class MetricsServer:
             return
         self._readers += 1
         try:
-            async with asyncio.timeout(PATIENCE):
+            async with asyncio.timeout(REQUEST_TIMEOUT):
                 request = await reader.readuntil(b"\r\n\r\n")
                 writer.write(self._answer(request))
                 await writer.drain()

@@ -1,6 +1,6 @@
-"""A copy of everything that is routed, as pcapng, for Wireshark. It may lose packets; routing never waits for it.
+"""Mirror: a copy of all routed packets as pcapng, for Wireshark. It may lose packets; routing never waits for it.
 
-Components of this machine appear as 127.S.N.C, with the last byte of their subsystem, their node and component.
+Components of this machine appear as 127.S.N.C: the low byte of their subsystem, their node and their component.
 """
 
 from __future__ import annotations
@@ -18,38 +18,41 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Final, Self
 
+from jauspy.capture import writer
 from jauspy.errors import TransportError
-from jauspy.node import pcapng
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port
 from jauspy.protocol.counters import Counters
 
 _LOGGER = logging.getLogger(__name__)
 
-CHUNK: Final = 32768
-"""Bytes that are handed over to be written at once; with `FLUSH` after the first of them, whichever is earlier."""
-DATAGRAM: Final = 1400
+MAX_CHUNK_SIZE: Final = 32768
+"""Bytes that are written at once, at the latest `FLUSH_INTERVAL` seconds after the first packet."""
+MAX_DATAGRAM_SIZE: Final = 1400
 MAX_CHUNKS: Final = 128
-FLUSH: Final = 0.2
-"""Seconds."""
-PATIENCE: Final = 1.0
-"""Seconds that a reader has at the end, for what it was too slow to take."""
+FLUSH_INTERVAL: Final = 0.2
+STOP_TIMEOUT: Final = 1.0
+"""Seconds that a slow reader has at the end to read what is queued."""
 
 
 class Mirror:
-    """`group` gives the multicast address and port of a network. Writing is done by a thread of its own."""
+    """Writes in a thread of its own. `group(network)` returns the multicast address and port of a network."""
 
-    def __init__(self, target: str, limit: int, counters: Counters, group: Callable[[str], pcapng.Endpoint]) -> None:
+    def __init__(self, target: str, limit: int, counters: Counters, group: Callable[[str], writer.Endpoint]) -> None:
         self._counters = counters
         self._group = group
-        self._names: dict[Port, pcapng.Endpoint] = {}
+        self._endpoints: dict[Port, writer.Endpoint] = {}
         self._blocks: list[bytes] = []
         self._size = 0
         self._loop = asyncio.get_running_loop()
         self._timer: asyncio.TimerHandle | None = None
         self._chunks: queue.Queue[tuple[bytes, int] | None] = queue.Queue(MAX_CHUNKS)
-        self._chunk = DATAGRAM if target.startswith("udp:") else CHUNK
-        self._write, self._end = _to_udp(target[4:]) if target.startswith("udp:") else _to_file(Path(target), limit)
+        if target.startswith("udp:"):
+            self._max_chunk = MAX_DATAGRAM_SIZE
+            self._write, self._close = _open_udp(target[4:])
+        else:
+            self._max_chunk = MAX_CHUNK_SIZE
+            self._write, self._close = _open_file(Path(target), limit)
         self._thread = threading.Thread(target=self._work, name="mirror", daemon=True)
 
     def __enter__(self) -> Self:
@@ -58,26 +61,29 @@ class Mirror:
 
     def __exit__(self, *error: object) -> None:
         self.flush()
-        with suppress(queue.Full):
-            self._chunks.put(None, timeout=PATIENCE)
-        self._thread.join(PATIENCE)
-        if self._thread.is_alive():  # as when nobody reads a pipe; it ends with the process
+        try:
+            self._chunks.put(None, timeout=STOP_TIMEOUT)
+        except queue.Full:  # the reader of a pipe is too slow: the thread ends with the chunk that it is writing
+            with suppress(queue.Empty):
+                while (chunk := self._chunks.get_nowait()) is not None:
+                    self._count_lost(chunk[1])
+            self._chunks.put_nowait(None)
+        self._thread.join(STOP_TIMEOUT)
+        if self._thread.is_alive():
             _LOGGER.warning("the mirror was not read to its end")
-        else:
-            self._end()
 
     def add(self, source: Port, destination: Port, datagram: bytes) -> None:
-        """Note a routed packet."""
-        block = pcapng.packet(self._name(source), self._name(destination), datagram, time.time_ns())
-        if self._size + len(block) > self._chunk:
+        """Add a routed packet."""
+        block = writer.packet(self._endpoint(source), self._endpoint(destination), datagram, time.time_ns())
+        if self._size + len(block) > self._max_chunk:
             self.flush()
         if self._timer is None:
-            self._timer = self._loop.call_later(FLUSH, self.flush)
+            self._timer = self._loop.call_later(FLUSH_INTERVAL, self.flush)
         self._blocks.append(block)
         self._size += len(block)
 
     def flush(self) -> None:
-        """Hand over what is there; what the thread has no room for is lost and counted."""
+        """Queue the collected packets for the thread; they are lost and counted when the queue is full."""
         if self._timer is not None:
             self._timer.cancel()
             self._timer = None
@@ -86,34 +92,41 @@ class Mirror:
         try:
             self._chunks.put_nowait((b"".join(self._blocks), len(self._blocks)))
         except queue.Full:
-            self._lost(len(self._blocks))
+            self._count_lost(len(self._blocks))
         self._blocks.clear()
         self._size = 0
 
-    def _lost(self, packets: int) -> None:
+    def _count_lost(self, packets: int) -> None:
         self._counters["mirror.lost"] += packets
 
     def _work(self) -> None:
+        """Write until the end; the thread closes the file, because only it knows when the last write is over."""
+        try:
+            self._write_chunks()
+        finally:
+            self._close()
+
+    def _write_chunks(self) -> None:
         while (chunk := self._chunks.get()) is not None:
             data, packets = chunk
             try:
                 self._write(data)
             except _NotSentError:
-                with suppress(RuntimeError):  # the event loop is closed: nobody counts any more
-                    self._loop.call_soon_threadsafe(self._lost, packets)
+                with suppress(RuntimeError):  # the event loop is closed
+                    self._loop.call_soon_threadsafe(self._count_lost, packets)
             except OSError as error:
                 _LOGGER.warning("the mirror ends: %s", error)
-                self._write = _nowhere
+                self._write = _discard
 
-    def _name(self, port: Port) -> pcapng.Endpoint:
-        name = self._names.get(port)
+    def _endpoint(self, port: Port) -> writer.Endpoint:
+        name = self._endpoints.get(port)
         if name is None:
-            if len(self._names) > 4096:
-                self._names.clear()
-            name = self._names[port] = self._make_name(port)
+            if len(self._endpoints) > 4096:
+                self._endpoints.clear()
+            name = self._endpoints[port] = self._make_endpoint(port)
         return name
 
-    def _make_name(self, port: Port) -> pcapng.Endpoint:
+    def _make_endpoint(self, port: Port) -> writer.Endpoint:
         if isinstance(port, LocalPort):
             number = port.path.rpartition("/")[2]
             id = int(number) if number.isdecimal() else 1
@@ -128,31 +141,31 @@ class Mirror:
 
 
 class _NotSentError(Exception):
-    """A datagram is lost; the next may find its way."""
+    """One datagram is lost; the next may be sent."""
 
 
-def _to_udp(target: str) -> tuple[Callable[[bytes], object], Callable[[], None]]:
-    """Each datagram is a pcapng file of its own, and so is a row of them."""
+def _open_udp(target: str) -> tuple[Callable[[bytes], object], Callable[[], None]]:
+    """Each datagram is a complete pcapng file; so are several in a row."""
     host, _, port = target.rpartition(":")
     sock = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
     address = (host, int(port))
 
     def write(chunk: bytes) -> None:
         try:
-            sock.sendto(pcapng.preamble() + chunk, address)
-        except OSError as error:  # too long, or no way there just now
+            sock.sendto(writer.preamble() + chunk, address)
+        except OSError as error:  # too long, or unreachable for now
             raise _NotSentError from error
 
     return write, sock.close
 
 
-def _to_file(path: Path, limit: int) -> tuple[Callable[[bytes], object], Callable[[], None]]:
+def _open_file(path: Path, limit: int) -> tuple[Callable[[bytes], object], Callable[[], None]]:
     try:
-        file = os.fdopen(_begun(path), "wb", buffering=0)
+        file = os.fdopen(_create(path), "wb", buffering=0)
     except OSError as error:
         why = "it is a pipe that nobody reads yet" if error.errno == errno.ENXIO else error.strerror
         raise TransportError(f"cannot write the mirror {path}: {why}") from error
-    left = limit - len(pcapng.preamble())
+    left = limit - len(writer.preamble())
 
     def write(chunk: bytes) -> None:
         nonlocal left
@@ -164,17 +177,17 @@ def _to_file(path: Path, limit: int) -> tuple[Callable[[bytes], object], Callabl
     return write, file.close
 
 
-def _begun(path: Path) -> int:
-    """Opening a pipe would wait for its reader, and everything else with it; only the thread may wait."""
+def _create(path: Path) -> int:
+    """Open without blocking: opening a pipe would wait for its reader, but only the thread may wait."""
     descriptor = os.open(path, os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NONBLOCK, 0o666)
     try:
         os.set_blocking(descriptor, True)
-        os.write(descriptor, pcapng.preamble())
+        os.write(descriptor, writer.preamble())
     except OSError:
         os.close(descriptor)
         raise
     return descriptor
 
 
-def _nowhere(_: bytes) -> None:
-    """Where the rest goes."""
+def _discard(_: bytes) -> None:
+    """Ignore the chunks after an error."""

@@ -1,20 +1,20 @@
-"""One network of a node manager: its UDP sockets, and what is sent by them."""
+"""One network of a node manager: its UDP sockets for IPv4 and IPv6, and sending by them."""
 
 from __future__ import annotations
 
+import errno
 import logging
 import socket
 import struct
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from typing import Final, NamedTuple
 
-from jauspy.errors import ProtocolError
-from jauspy.node import udp_errors
-from jauspy.node.binding import bind
+import psutil
+
+from jauspy.errors import ProtocolError, TransportError
 from jauspy.node.config import NetworkConfig
-from jauspy.node.network6 import Network6
-from jauspy.protocol import authentication as seal_format
+from jauspy.protocol import authentication
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
@@ -22,13 +22,16 @@ from jauspy.transport import multicast
 from jauspy.transport.multicast import Memberships
 
 _LOGGER = logging.getLogger(__name__)
+_ANY6: Final = "::"
+_IP_RECVERR: Final = 11
+_MSG_ERRQUEUE: Final = 0x2000
 _SO_MEMINFO: Final = 55
-"""From asm-generic/socket.h."""
+"""From linux/in.h, linux/socket.h and asm-generic/socket.h; Python has no names for them."""
 _MEMINFO: Final = struct.Struct("=9I")
 
 
-class Buffered(NamedTuple):
-    """What the kernel holds and has dropped of a socket's input."""
+class ReceiveBuffer(NamedTuple):
+    """Bytes in the receive buffer of a socket, its size, and the number of datagrams that the kernel has dropped."""
 
     bytes: int
     limit: int
@@ -36,12 +39,11 @@ class Buffered(NamedTuple):
 
 
 class Network:
-    """Binds and joins when it is made; raises `TransportError` that names who has the port.
+    """The sockets of one network; the constructor binds them and joins the group, or raises `TransportError`.
 
-    On a wildcard address one socket does all, and shares nothing but the group. On a specific address, multicasts
-    need a second socket, bound to the group and shared, so that node managers on several addresses of one host all
-    get them.
-    `lost` is told of ports where nobody listens any more.
+    On a wildcard address one socket does everything, and shares only the group. On a specific address, multicasts need
+    a second socket, bound to the group and shared, so that node managers on several addresses of one host all receive
+    them. `unreachable(port)` is called for ports where nobody listens any more.
     """
 
     def __init__(
@@ -49,25 +51,25 @@ class Network:
         config: NetworkConfig,
         counters: Counters,
         receive_buffer: int,
-        seal: Authenticator | None,
-        lost: Callable[[UdpPort], None],
+        authenticator: Authenticator | None,
+        unreachable: Callable[[UdpPort], None],
     ) -> None:
-        self._lost = lost
+        self._unreachable = unreachable
         self.config = config
-        self.seal = seal
+        self.authenticator = authenticator
         self._counters = counters
-        self._unicast = bind(config.address, config.port, receive_buffer)
+        self._unicast = bind_udp(config.address, config.port, receive_buffer)
         self._group: socket.socket | None = None
-        self._six: Network6 | None = None
+        self._ipv6: _IPv6 | None = None
         self._memberships: Memberships | None = None
         try:
             multicast.prepare_sender(self._unicast, multicast.ANY, config.multicast_ttl)
-            udp_errors.watch(self._unicast)
+            self._unicast.setsockopt(socket.IPPROTO_IP, _IP_RECVERR, 1)
             self._memberships = self._join()
             if self._memberships is None or not self._memberships.joined:
                 counters["multicast.not_joined"] += 1
             if config.address6 is not None:
-                self._six = Network6(config, config.address6, self.port, receive_buffer, counters)
+                self._ipv6 = _IPv6(config, config.address6, self.port, receive_buffer, counters)
         except BaseException:
             self.close()
             raise
@@ -79,30 +81,30 @@ class Network:
 
     @property
     def skip(self) -> int:
-        """Bytes before the packet in what is received."""
-        return 0 if self.seal is None else seal_format.OVERHEAD
+        """The number of bytes before the version byte in received datagrams."""
+        return 0 if self.authenticator is None else authentication.OVERHEAD
 
     @property
     def sockets(self) -> list[socket.socket]:
         """The sockets to read from."""
-        six = () if self._six is None else self._six.sockets
-        return [self._unicast, *([self._group] if self._group else ()), *six]
+        ipv6 = () if self._ipv6 is None else self._ipv6.sockets
+        return [self._unicast, *([self._group] if self._group else ()), *ipv6]
 
     @property
-    def buffered(self) -> Buffered:
-        """The state of the unicast socket's receive buffer."""
+    def receive_buffer(self) -> ReceiveBuffer:
+        """The state of the unicast socket's receive buffer; zeros where the system does not report it."""
         try:
             info = _MEMINFO.unpack(self._unicast.getsockopt(socket.SOL_SOCKET, _SO_MEMINFO, _MEMINFO.size))
         except (OSError, struct.error):
-            return Buffered(0, 0, 0)
-        return Buffered(info[0], info[1], info[8])
+            return ReceiveBuffer(0, 0, 0)
+        return ReceiveBuffer(info[0], info[1], info[8])
 
-    def open_seal(self, data: bytes) -> bytes | None:
-        """What was received, without its seal; None, and counted, when it must not be used."""
-        if self.seal is None:
+    def authenticate(self, data: bytes) -> bytes | None:
+        """The datagram in received data; None, and counted, if authentication fails."""
+        if self.authenticator is None:
             return data
         try:
-            return self.seal.verify(data, time.time())
+            return self.authenticator.verify(data, time.time())
         except ProtocolError as error:
             if error.reason == "own":
                 self._counters["echoes"] += 1
@@ -111,21 +113,21 @@ class Network:
             return None
 
     def send(self, datagram: bytes, host: str, port: int) -> None:
-        """Send now; what cannot be sent is dropped and counted."""
-        if self.seal is not None:
-            datagram = self.seal.sign(datagram, time.time())
+        """Send now; counted when dropped."""
+        if self.authenticator is not None:
+            datagram = self.authenticator.sign(datagram, time.time())
         sock = self._unicast
         if ":" in host:
-            if self._six is None:
+            if self._ipv6 is None:
                 self._counters.drop("no_ipv6", host)
                 return
-            sock = self._six.unicast
+            sock = self._ipv6.unicast
         for attempt in range(2):
             try:
                 sock.sendto(datagram, (host, port))
             except ConnectionRefusedError as error:
-                # It is an earlier datagram that has come back, to whomever; this one was not even tried.
-                self.take_back()
+                # The error belongs to an earlier datagram, to any destination; this one was not sent yet.
+                self.report_unreachable()
                 if attempt:
                     self._counters.drop("udp_unreachable", error)
             except OSError as error:
@@ -134,44 +136,55 @@ class Network:
             else:
                 return
 
-    def way_to(self, host: str, port: int) -> Callable[[bytes], None]:
-        """What sends to one peer: `send`, but for all that the usual case does not need."""
+    def sender_for(self, host: str, port: int) -> Callable[[bytes], None]:
+        """A function that sends to one peer, without the steps of `send` that are rarely needed."""
         address = (host, port)
         sendto = self._unicast.sendto
 
-        def careful(datagram: bytes) -> None:
+        def slow_path(datagram: bytes) -> None:
             self.send(datagram, host, port)
 
-        def usual(datagram: bytes) -> None:
+        def fast_path(datagram: bytes) -> None:
             try:
                 sendto(datagram, address)
             except OSError:
-                careful(datagram)
+                slow_path(datagram)
 
-        return usual if self.seal is None and ":" not in host else careful
+        return fast_path if self.authenticator is None and ":" not in host else slow_path
 
-    def take_back(self) -> None:
-        """Tell the owner where nobody listens, as datagrams say that came back since the last call."""
-        for port in udp_errors.refused(self._unicast):
-            self._lost(port._replace(network=self.config.name))
+    def report_unreachable(self) -> None:
+        """Read the socket's error queue, where Linux reports datagrams to ports without a listener."""
+        while True:
+            try:
+                _, _, _, destination = self._unicast.recvmsg(0, 0, _MSG_ERRQUEUE)
+            except OSError:
+                return
+            if destination:
+                host, port, *_ = destination
+                self._unreachable(UdpPort(host, port, self.config.name))
 
-    def watch_interfaces(self) -> None:
-        """Join the group on interfaces that have come; to be called now and then."""
+    def refresh_memberships(self) -> None:
+        """Join the group on interfaces that have appeared; to be called periodically."""
         if self._memberships is not None:
             self._memberships.refresh()
-        if self._six is not None:
-            self._six.watch_interfaces()
+        if self._ipv6 is not None:
+            self._ipv6.refresh_memberships()
 
     def multicast(self, datagram: bytes) -> None:
         """Send to the group on each interface."""
         for interface in self._memberships.current if self._memberships else self.config.interfaces:
-            if self._leave_by(interface):
+            if self._select_interface(interface):
                 self.send(datagram, self.config.multicast_group, self.port)
-        for group in self._six.groups() if self._six else ():
+        for group in self._ipv6.groups() if self._ipv6 else ():
             self.send(datagram, group, self.port)
 
-    def _leave_by(self, interface: str) -> bool:
-        """Let multicasts leave by this interface; false while it is not there."""
+    def close(self) -> None:
+        """Close the sockets; a second call does nothing."""
+        for sock in self.sockets:
+            sock.close()
+
+    def _select_interface(self, interface: str) -> bool:
+        """Send multicasts by this interface; false while it does not exist."""
         try:
             if interface != multicast.ANY:
                 self._unicast.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, socket.inet_aton(interface))
@@ -179,11 +192,6 @@ class Network:
             self._counters.drop("udp_unreachable", error)
             return False
         return True
-
-    def close(self) -> None:
-        """Close the sockets; a second call does nothing."""
-        for sock in self.sockets:
-            sock.close()
 
     def _join(self) -> Memberships | None:
         config = self.config
@@ -197,3 +205,94 @@ class Network:
             _LOGGER.warning("no multicasts will be received: %s", error.strerror)
             return None
         return Memberships(self._group, config.multicast_group, config.interfaces)
+
+
+class _IPv6:
+    """The IPv6 sockets of a network, with the same roles as those for IPv4."""
+
+    def __init__(self, config: NetworkConfig, address: str, port: int, receive_buffer: int, counters: Counters) -> None:
+        self.unicast = bind_udp(address, port, receive_buffer)
+        self._config = config
+        self._counters = counters
+        self._group: socket.socket | None = None
+        self._memberships: Memberships | None = None
+        try:
+            multicast.prepare_ipv6(self.unicast, config.multicast_ttl)
+            if config.multicast_group6 is not None:
+                self._memberships = self._join(config.multicast_group6, address, port)
+                if self._memberships is None or not self._memberships.joined:
+                    counters["multicast.not_joined"] += 1
+        except BaseException:
+            for sock in self.sockets:
+                sock.close()
+            raise
+
+    @property
+    def sockets(self) -> list[socket.socket]:
+        return [self.unicast, *([self._group] if self._group else ())]
+
+    def refresh_memberships(self) -> None:
+        if self._memberships is not None:
+            self._memberships.refresh()
+
+    def groups(self) -> Iterator[str]:
+        """The group, once for each interface; multicasts are sent by that interface until the next iteration."""
+        group = self._config.multicast_group6
+        if group is None:
+            return
+        for name in self._memberships.current if self._memberships else ():
+            try:
+                self.unicast.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_MULTICAST_IF, multicast.index(name))
+            except OSError as error:
+                self._counters.drop("udp_unreachable", error)
+            else:
+                yield group
+
+    def _join(self, group: str, address: str, port: int) -> Memberships | None:
+        sock = self.unicast
+        if address != _ANY6:
+            try:
+                sock = self._group = multicast.receiver((group, port))
+            except OSError as error:
+                _LOGGER.warning("no IPv6 multicasts will be received: %s", error.strerror)
+                return None
+        return Memberships(sock, group, self._config.interfaces, multicast.IPV6)
+
+
+def bind_udp(address: str, port: int, receive_buffer: int) -> socket.socket:
+    """A non-blocking socket, IPv4 or IPv6; raises `TransportError` that names the process which has the port."""
+    family = socket.AF_INET6 if ":" in address else socket.AF_INET
+    sock = socket.socket(family, socket.SOCK_DGRAM)
+    try:
+        sock.setblocking(False)
+        if family == socket.AF_INET6:
+            sock.setsockopt(socket.IPPROTO_IPV6, socket.IPV6_V6ONLY, 1)
+        sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
+        sock.bind((address, port))
+    except OSError as error:
+        sock.close()
+        if error.errno == errno.EADDRINUSE:
+            raise TransportError(
+                f"UDP port {port} is used by {udp_port_owner(port)}; stop it, or choose another port with --port"
+            ) from None
+        if error.errno == errno.EADDRNOTAVAIL:
+            raise TransportError(f"{address} is no address of this machine; choose another with --address") from None
+        raise TransportError(f"cannot bind UDP {address}:{port}: {error.strerror}") from error
+    return sock
+
+
+def udp_port_owner(port: int) -> str:
+    """The owner of a UDP port, as in `process 1234 (jauspy node-manager)`; `another process` if it is not known."""
+    try:
+        pids = {c.pid for c in psutil.net_connections("udp") if c.laddr and c.laddr.port == port and c.pid}
+    except psutil.Error:
+        pids = set()
+    return " and ".join(_describe_process(pid) for pid in sorted(pids)) or "another process"
+
+
+def _describe_process(pid: int) -> str:
+    try:
+        command = " ".join(psutil.Process(pid).cmdline())
+    except psutil.Error:
+        command = ""
+    return f"process {pid} ({command[:100]})" if command else f"process {pid}"

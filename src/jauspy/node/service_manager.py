@@ -1,4 +1,4 @@
-"""Telling systemd that the node manager is ready, reloads, and is alive: the protocol of sd_notify(3)."""
+"""Notification of systemd by the protocol of sd_notify(3): readiness, reloads, and the watchdog."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ WATCHDOG: Final = "WATCHDOG_USEC"
 
 
 class ServiceManager:
-    """Within its context the service is ready, and the watchdog is fed by the event loop, so that a hang is noticed.
+    """Within its context the service is ready, and the event loop feeds the watchdog, so that a hang is detected.
 
-    Does nothing when systemd does not ask for it.
+    Does nothing if the process was not started by systemd with notifications.
     """
 
     def __init__(self) -> None:
@@ -27,7 +27,7 @@ class ServiceManager:
     async def __aenter__(self) -> Self:
         self._notify("READY=1")
         if self._address and self._pause:
-            self._feed()
+            self._feed_watchdog()
         return self
 
     async def __aexit__(
@@ -38,16 +38,16 @@ class ServiceManager:
         self._notify("STOPPING=1")
 
     def reloading(self) -> None:
-        """A reload begins; `ready` ends it."""
+        """Report the start of a reload; `ready` reports its end."""
         self._notify(f"RELOADING=1\nMONOTONIC_USEC={time.monotonic_ns() // 1000}")
 
     def ready(self, status: str) -> None:
-        """The reload is over; `status` is what `systemctl status` shows."""
+        """Report the end of a reload; `systemctl status` shows `status`."""
         self._notify(f"READY=1\nSTATUS={status}")
 
-    def _feed(self) -> None:
+    def _feed_watchdog(self) -> None:
         self._notify("WATCHDOG=1")
-        self._timer = asyncio.get_running_loop().call_later(self._pause, self._feed)
+        self._timer = asyncio.get_running_loop().call_later(self._pause, self._feed_watchdog)
 
     def _notify(self, text: str) -> None:
         if not self._address:

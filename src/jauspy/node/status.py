@@ -1,28 +1,82 @@
-"""The status of a running node manager: a Unix stream socket that says one JSON document to whoever connects."""
+"""Status of a running node manager: a Unix stream socket that sends one JSON document to each reader."""
 
 from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import Callable
+import os
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
 
 from jauspy.errors import TransportError
-from jauspy.node.state import NodeState
-from jauspy.transport import local as local_socket
+from jauspy.ids import JausID
+from jauspy.node.config import NodeConfig
+from jauspy.node.network import Network
+from jauspy.protocol.addressing import NetworkPort, format_port
+from jauspy.protocol.routing import Router
+from jauspy.transport import local
 
 SOCKET_NAME: Final = "JuniorRTE.status"
-"""Beside the node manager's own socket."""
-PATIENCE: Final = 2.0
-"""Seconds that a reader may take."""
+"""In the directory of the node manager's own socket."""
+READ_TIMEOUT: Final = 2.0
+"""Seconds for one reader."""
 MAX_READERS: Final = 8
 RATE_INTERVAL: Final = 0.5
-"""Seconds between the two looks that rates are made from."""
+"""Seconds between two reads for `with_rates`."""
+
+
+@dataclass(frozen=True, slots=True)
+class NodeState:
+    """References into a running node manager; `queued` counts datagrams per local socket, `now` is loop time."""
+
+    config: NodeConfig
+    router: Router
+    networks: Mapping[str, Network]
+    queued: Mapping[str, int]
+    ingress: int
+    now: float
+
+    def as_dict(self, started: float) -> dict[str, Any]:
+        """The JSON document; times in seconds."""
+        return {
+            "pid": os.getpid(),
+            "uptime": round(self.now - started, 3),
+            "local_root": str(self.config.local_root),
+            "networks": [self._network(name, network) for name, network in self.networks.items()],
+            "components": [self._component(id, format_port(port)) for id, port in sorted(self.router.components)],
+            "peers": [self._peer(*entry) for entry in self.router.address_book],
+            "queues": {"ingress": self.ingress, "unknown_destinations": self.router.pending_messages},
+            "counters": dict(sorted(self.router.counters.items())),
+        }
+
+    def _network(self, name: str, network: Network) -> dict[str, Any]:
+        config, buffer = network.config, network.receive_buffer
+        inside = self.config.gateway is not None and name in self.config.gateway.inside
+        return {
+            "name": name,
+            "address": f"{config.address}:{network.port}",
+            "multicast_group": config.multicast_group,
+            "inside": inside,
+            "authenticated": network.authenticator is not None,
+            "receive_buffer": {"bytes": buffer.bytes, "limit": buffer.limit, "dropped": buffer.dropped},
+        }
+
+    def _component(self, id: int, path: str) -> dict[str, Any]:
+        return {"id": str(JausID.from_int(id)), "path": path, "waiting": self.queued.get(path, 0)}
+
+    def _peer(self, id: int, port: NetworkPort, heard: float | None) -> dict[str, Any]:
+        return {
+            "id": str(JausID.from_int(id)),
+            "address": format_port(port),
+            "network": port.network,
+            "heard": None if heard is None else round(self.now - heard, 3),
+        }
 
 
 class StatusServer:
-    """Read-only: nothing that a reader sends is looked at."""
+    """Serves the status; what readers send is ignored."""
 
     def __init__(self, path: Path, mode: int, group: str | None, state: Callable[[], NodeState]) -> None:
         self._path = path
@@ -39,9 +93,9 @@ class StatusServer:
             self._server = await asyncio.start_unix_server(self._serve, self._path)
             self._path.chmod(self._mode)
         except OSError as error:
-            told = f"cannot open the socket {self._path}: {error.strerror}"
-            raise TransportError(f"{told}; {local_socket.OTHER_DIRECTORY}, or set `status` to false") from error
-        local_socket.give_to_group(self._path, self._group)
+            problem = f"cannot open the socket {self._path}: {error.strerror}"
+            raise TransportError(f"{problem}; {local.OTHER_DIRECTORY}, or set `status` to false") from error
+        local.give_to_group(self._path, self._group)
 
     async def __aexit__(self, *error: object) -> None:
         if self._server is not None:
@@ -53,7 +107,7 @@ class StatusServer:
         try:
             if self._readers <= MAX_READERS:
                 writer.write(json.dumps(self._state().as_dict(self._started)).encode() + b"\n")
-                async with asyncio.timeout(PATIENCE):
+                async with asyncio.timeout(READ_TIMEOUT):
                     await writer.drain()
                     writer.close()
                     await writer.wait_closed()
@@ -65,16 +119,16 @@ class StatusServer:
 
 
 async def read(root: Path) -> dict[str, Any]:
-    """The status of the node manager at this local root; raises `TransportError` when there is none."""
+    """The status of the node manager of a local root; raises `TransportError` if it does not answer."""
     path = root / SOCKET_NAME
     try:
-        async with asyncio.timeout(PATIENCE):
+        async with asyncio.timeout(READ_TIMEOUT):
             reader, writer = await asyncio.open_unix_connection(path)
             text = await reader.read()
             writer.close()
     except (OSError, TimeoutError) as error:
         raise TransportError(
-            f"no node manager tells its status at {path}: {getattr(error, 'strerror', None) or 'no answer'}; "
+            f"no node manager serves its status at {path}: {getattr(error, 'strerror', None) or 'no answer'}; "
             "is it running, with `status` on, and is this its --local-root?"
         ) from None
     status: dict[str, Any] = json.loads(text)
@@ -82,7 +136,7 @@ async def read(root: Path) -> dict[str, Any]:
 
 
 def with_rates(before: dict[str, Any], after: dict[str, Any]) -> dict[str, Any]:
-    """The later of two looks, with what was counted per second between them as `rates`."""
+    """The later status, with `rates`: the counts per second between both."""
     seconds = max(after["uptime"] - before["uptime"], 1e-3)
     counted = after["counters"]
     rates = {name: round((count - before["counters"].get(name, 0)) / seconds, 1) for name, count in counted.items()}

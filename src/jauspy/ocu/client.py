@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
 from jauspy.arguments import async_only, check_text, described
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
-from jauspy.component import Shell
+from jauspy.component import Component, ComponentOptions
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
@@ -20,7 +20,7 @@ from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.robot import Robot
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
-from jauspy.services.core.identity import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.transport.connect import transport_for
@@ -65,7 +65,7 @@ class OCU:
         if registry is not None and not isinstance(registry, Registry):
             raise TypeError(f"registry is what `jauspy.load` returns, not {described(registry)}")
         self._connection = Connection(registry or _builtin(), RetryPolicy(timeout, retries))
-        self._component: Shell | None = None
+        self._component: Component | None = None
 
     def __repr__(self) -> str:
         return f"<OCU {self.id}, {'open' if self.is_open else 'closed'}>"
@@ -91,7 +91,12 @@ class OCU:
             return
         transport = self._transport or await transport_for(self.id, self._connect)
         host = Host(self.id, _services(self._name), utc_now=lambda: datetime.now(UTC))
-        component = Shell(host, transport, intercept=self._connection.on_packet, delivery=self._delivery)
+        component = Component.of_host(
+            host,
+            transport,
+            intercept=self._connection.on_packet,
+            options=ComponentOptions(delivery=self._delivery),
+        )
         await component.open()
         self._component = component
         self._connection.attach(component)

@@ -14,7 +14,7 @@ from typing import Any, Final, Protocol
 from jauspy.arguments import check_number, check_text
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.component import Shell
+from jauspy.component import Component
 from jauspy.errors import ConfigError, ControlRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -213,14 +213,14 @@ class Connection:
         self.request_counts: Counter[JausID] = Counter()
         self.controls = ActiveControls()
         self.events = EventUsers()
-        self._component: Shell | None = None
+        self._component: Component | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._on_close: list[Callable[[], Awaitable[object]]] = []
         self._serializer = QuerySerializer()
 
     # --- opening and closing --------------------------------------------------------------------------------------
 
-    def attach(self, component: Shell) -> None:
+    def attach(self, component: Component) -> None:
         """Use this component for sending."""
         self._component, self._loop = component, asyncio.get_running_loop()
         self.pending_cancels = asyncio.Semaphore(MAX_PENDING_CANCELS)
@@ -441,7 +441,7 @@ class Connection:
         self.stats.sent += 1
         self.controls.on_sent(destination, message)
 
-    def _opened(self) -> Shell:
+    def _opened(self) -> Component:
         if self._component is None:
             raise TransportError("the OCU is not open; use it inside `async with jauspy.OCU(...) as ocu:`")
         if self._loop is not asyncio.get_running_loop():

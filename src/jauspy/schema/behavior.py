@@ -1,14 +1,21 @@
-"""Protocol behaviour: state machines."""
+"""Readers of protocol behaviour: state machines, and the guards of their transitions.
+
+Guards are predicate calls joined by `&&`, `||`, `!` and parentheses. `parse` makes a tree of one, `compile_guard` turns
+the tree into one callable over whatever the predicates take.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
-from typing import Literal
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Final, Literal, TypeAlias, TypeVar
 
 from lxml.etree import _Element as Element
 
+from jauspy.errors import SchemaError
+from jauspy.schema.document import flag, line_of, location, required, suggestion, wrong
 from jauspy.schema.model import Action, Behavior, Parameter, Start, State, StateMachine, Transition
-from jauspy.schema.reading import flag, line_of, location, required, suggestion, wrong
 
 Kind = Literal["simple", "internal", "push", "pop"]
 
@@ -110,3 +117,158 @@ def _actions(parent: Element | None) -> tuple[Action, ...]:
         Action(required(part, "name"), tuple(required(argument, "value") for argument in part))
         for part in parent.iterchildren("action", "send_action")
     )
+
+
+_TOKEN: Final = re.compile(r"\s*(?:(&&|\|\||[!(),])|('[^']*'|\"[^\"]*\"|[\w.]+))")
+_NO_ARGUMENT: Final = ("", "&&", "||", "!", "(", ",")
+_MAX_DEPTH: Final = 64
+
+T = TypeVar("T")
+Predicate: TypeAlias = Callable[[T], bool]
+
+
+@dataclass(frozen=True, slots=True)
+class Call:
+    """A predicate and its arguments as they are written; a literal keeps its quotes."""
+
+    name: str
+    arguments: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Not:
+    """True when its operand is not."""
+
+    operand: Guard
+
+
+@dataclass(frozen=True, slots=True)
+class And:
+    """True when all operands are."""
+
+    operands: tuple[Guard, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Or:
+    """True when any operand is."""
+
+    operands: tuple[Guard, ...]
+
+
+Guard: TypeAlias = Call | Not | And | Or
+
+
+def parse(text: str) -> Guard:
+    """Read a guard; `!` binds tighter than `&&`, `&&` tighter than `||`. Raises `SchemaError`."""
+    reader = _Reader(text)
+    guard = reader.either(0)
+    if reader.upcoming:
+        raise reader.error("an operator or the end")
+    return guard
+
+
+def calls(guard: Guard) -> Iterator[Call]:
+    """Every predicate call, from left to right."""
+    match guard:
+        case Call():
+            yield guard
+        case Not(operand):
+            yield from calls(operand)
+        case And(operands) | Or(operands):
+            for operand in operands:
+                yield from calls(operand)
+
+
+def compile_guard(guard: Guard, resolve: Callable[[Call], Predicate[T]]) -> Predicate[T]:
+    """One callable for the guard, with each predicate resolved once; operands are evaluated lazily, left to right."""
+    match guard:
+        case Call():
+            return resolve(guard)
+        case Not(operand):
+            inner = compile_guard(operand, resolve)
+            return lambda given: not inner(given)
+        case And(operands):
+            every = [compile_guard(operand, resolve) for operand in operands]
+            return lambda given: all(part(given) for part in every)
+        case Or(operands):
+            some = [compile_guard(operand, resolve) for operand in operands]
+            return lambda given: any(part(given) for part in some)
+
+
+class _Reader:
+    """Recursive descent over the tokens; `upcoming` is the next one, empty at the end."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self._at = 0
+        self.upcoming = ""
+        self.advance()
+
+    def advance(self) -> str:
+        """Step to the next token and return the one before it."""
+        taken = self.upcoming
+        match = _TOKEN.match(self.text, self._at)
+        if match is None and self.text[self._at :].strip():
+            raise self.error("a predicate, an operator or a parenthesis")
+        self.upcoming = match[1] or match[2] if match else ""
+        self._at = match.end() if match else len(self.text)
+        return taken
+
+    def error(self, expected: str) -> SchemaError:
+        """What was expected where."""
+        found = self.upcoming or self.text[self._at :].strip() or "the end"
+        return SchemaError(f"guard {self.text!r}: expected {expected}, found {found!r}")
+
+    def either(self, depth: int) -> Guard:
+        """`a || b || ...`."""
+        operands = [self.both(depth)]
+        while self.upcoming == "||":
+            self.advance()
+            operands.append(self.both(depth))
+        return operands[0] if len(operands) == 1 else Or(tuple(operands))
+
+    def both(self, depth: int) -> Guard:
+        """`a && b && ...`."""
+        operands = [self.single(depth)]
+        while self.upcoming == "&&":
+            self.advance()
+            operands.append(self.single(depth))
+        return operands[0] if len(operands) == 1 else And(tuple(operands))
+
+    def single(self, depth: int) -> Guard:
+        """`!a`, `(a)` or a predicate."""
+        if depth > _MAX_DEPTH:
+            raise SchemaError(f"guard {self.text[:40]!r}... is nested deeper than {_MAX_DEPTH}")
+        if self.upcoming == "!":
+            self.advance()
+            return Not(self.single(depth + 1))
+        if self.upcoming == "(":
+            self.advance()
+            inner = self.either(depth + 1)
+            self.expect(")")
+            return inner
+        return self.call()
+
+    def call(self) -> Call:
+        """`name(argument, ...)`; the parentheses may be missing."""
+        if not self.upcoming.replace(".", "_").isidentifier():
+            raise self.error("the name of a predicate")
+        name = self.advance()
+        arguments: list[str] = []
+        if self.upcoming == "(":
+            self.advance()
+            while self.upcoming != ")":
+                if self.upcoming in _NO_ARGUMENT:
+                    raise self.error("an argument or ')'")
+                arguments.append(self.advance())
+                if self.upcoming != ")":
+                    self.expect(",")
+            self.advance()
+        return Call(name, tuple(arguments))
+
+    def expect(self, symbol: str) -> None:
+        """Step over exactly this token."""
+        if self.upcoming != symbol:
+            raise self.error(repr(symbol))
+        self.advance()

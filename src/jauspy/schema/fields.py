@@ -1,32 +1,143 @@
-"""Fields: what a record is made of."""
+"""Readers of fields, value sets and composites (records, lists, variants, sequences)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
-from typing import Final
+from collections.abc import Callable, Iterable, Mapping
+from typing import Final, Literal
 
 from lxml.etree import _Element as Element
 
+from jauspy.schema.document import DECLARED, bounded, child, choice, flag, prose, required, whole_number, wrong
 from jauspy.schema.library import Scope
 from jauspy.schema.model import (
     Array,
     BitField,
+    Composite,
+    Count,
     Dimension,
     Field,
     FixedField,
     FixedString,
     Format,
+    List,
+    Node,
+    Record,
+    Scalar,
+    Scale,
+    Sequence,
     SimpleField,
     SubField,
     TypeChoice,
+    Unsigned,
+    ValueEnum,
+    ValueRange,
+    ValueSet,
     VariableField,
     VariableFormatField,
     VariableLengthField,
     VariableString,
+    Variant,
 )
-from jauspy.schema.reading import bounded, child, flag, prose, required, wrong
-from jauspy.schema.sizes import sizes
-from jauspy.schema.values import BITS, read_count, read_scale, read_values, scalar, unsigned
+from jauspy.schema.wire import sizes
+
+UNSIGNED: Mapping[str, Unsigned] = {
+    "unsigned byte": "u8",
+    "unsigned short integer": "u16",
+    "unsigned integer": "u32",
+    "unsigned long integer": "u64",
+}
+SCALARS: Mapping[str, Scalar] = {
+    **UNSIGNED,
+    "byte": "i8",
+    "short integer": "i16",
+    "integer": "i32",
+    "long integer": "i64",
+    "float": "f32",
+    "long float": "f64",
+}
+BITS: Mapping[Unsigned, int] = {"u8": 8, "u16": 16, "u32": 32, "u64": 64}
+
+_FUNCTIONS: Mapping[str, Literal["round", "floor", "ceiling"]] = {
+    "round": "round",
+    "floor": "floor",
+    "ceiling": "ceiling",
+}
+_INCLUSIVE: Mapping[str, bool] = {"inclusive": True, "exclusive": False}
+
+
+def scalar(element: Element) -> Scalar:
+    """The number type of a field."""
+    return choice(element, "field_type", SCALARS)
+
+
+def unsigned(element: Element) -> Unsigned:
+    """The number type of a count, tag, presence vector or bit field."""
+    return choice(element, "field_type_unsigned", UNSIGNED)
+
+
+def read_count(element: Element, scope: Scope) -> Count:
+    """A count or tag field; without limits all values of its type are allowed."""
+    kind = unsigned(element)
+    largest = 2 ** BITS[kind] - 1
+    minimum = scope.integer(element, "min_count") if "min_count" in element.attrib else 0
+    maximum = scope.integer(element, "max_count") if "max_count" in element.attrib else largest
+    if not 0 <= minimum <= maximum <= largest:
+        raise wrong(element, f"expected 0 <= min_count <= max_count <= {largest}, got {minimum} and {maximum}")
+    return Count(kind, minimum, maximum)
+
+
+def read_scale(parent: Element, scope: Scope) -> Scale | None:
+    """The scale range inside a field, if there is one."""
+    element = parent.find("scale_range")
+    if element is None:
+        return None
+    lower, upper = read_limits(element, scope)
+    if lower >= upper:
+        raise wrong(element, f"expected real_lower_limit < real_upper_limit, got {lower} and {upper}")
+    return Scale(lower, upper, choice(element, "integer_function", _FUNCTIONS))
+
+
+def read_limits(element: Element, scope: Scope) -> tuple[float, float]:
+    """Both ends of a scale range, as they are written."""
+    return float(scope.number(element, "real_lower_limit")), float(scope.number(element, "real_upper_limit"))
+
+
+def read_values(parent: Element, scope: Scope) -> ValueSet | None:
+    """The value set inside a field, if there is one, written out or declared."""
+    for element in parent.iterchildren("value_set", "declared_value_set"):
+        return read_value_set(element, scope)
+    return None
+
+
+def read_value_set(element: Element, scope: Scope) -> ValueSet:
+    """A value set, written out or declared."""
+    if element.tag == "declared_value_set":
+        home, found = scope.find(element)
+        return home.once(required(found, "name"), element, lambda: read_value_set(found, home))
+    values = ValueSet(
+        tuple(_enum(enum) for enum in element.iterchildren("value_enum")),
+        tuple(_range(interval, scope) for interval in element.iterchildren("value_range")),
+        offset_to_lower_limit=flag(element, "offset_to_lower_limit"),
+    )
+    lowest = min([*(enum.value for enum in values.enums), *(each.lower for each in values.ranges)])
+    if values.offset_to_lower_limit and lowest:
+        reason = f"offset_to_lower_limit: values that are sent as their distance from {lowest} are not supported"
+        raise wrong(element, f"{reason}; say false if they are sent as they are")
+    return values
+
+
+def _enum(element: Element) -> ValueEnum:
+    return ValueEnum(whole_number(element, "enum_index"), required(element, "enum_const"))
+
+
+def _range(element: Element, scope: Scope) -> ValueRange:
+    lower = scope.number(element, "lower_limit")
+    upper = scope.number(element, "upper_limit")
+    if lower > upper:
+        raise wrong(element, f"expected lower_limit <= upper_limit, got {lower} and {upper}")
+    lower_inclusive = choice(element, "lower_limit_type", _INCLUSIVE)
+    return ValueRange(lower, upper, lower_inclusive, choice(element, "upper_limit_type", _INCLUSIVE))
+
 
 LARGEST: Final = 1 << 20
 """Bytes of a string or array of fixed size: each message has them all, and must be taken apart in memory."""
@@ -164,4 +275,101 @@ _READERS: Mapping[str, Callable[[Element, Scope], SimpleField]] = {
     "variable_length_string": _variable_string,
     "variable_length_field": _variable_length_field,
     "variable_format_field": _variable_format_field,
+}
+
+
+_AUXILIARY = frozenset(("presence_vector", "count_field", "vtag_field"))
+_MAX_EMPTY_ARMS = 256
+
+
+def read_composite(element: Element, scope: Scope) -> Composite:
+    """A composite, written out or declared."""
+    reader = _COMPOSITE_READERS.get(element.tag)
+    return scope.declared(element, read_composite) if reader is None else reader(element, scope)
+
+
+def read_content(part: Element, scope: Scope) -> Composite | None:
+    """What a header, body or footer contains, itself written out or declared; None when it is empty."""
+    if part.tag in DECLARED:
+        home, found = scope.find(part)
+        return read_content(found, home)
+    for element in part:
+        return read_composite(element, scope)
+    return None
+
+
+def _members(element: Element) -> list[Element]:
+    return [part for part in element if part.tag not in _AUXILIARY]
+
+
+def _record(element: Element, scope: Scope) -> Record:
+    fields = tuple(read_field(member, scope) for member in _members(element))
+    return Record(
+        name=required(element, "name"),
+        optional=flag(element, "optional"),
+        doc=prose(element),
+        fields=fields,
+        presence=_presence(element, fields),
+    )
+
+
+def _sequence(element: Element, scope: Scope) -> Sequence:
+    items = tuple(read_composite(member, scope) for member in _members(element))
+    return Sequence(
+        name=required(element, "name"),
+        optional=flag(element, "optional"),
+        doc=prose(element),
+        items=items,
+        presence=_presence(element, items),
+    )
+
+
+def _presence(element: Element, members: Iterable[Node]) -> Unsigned | None:
+    """The presence vector of a container. One that is too small loads: public definitions have that."""
+    _check_names(element, members)
+    vector = element.find("presence_vector")
+    if vector is not None:
+        return unsigned(vector)
+    for member, part in zip(members, _members(element), strict=True):
+        if member.optional:
+            raise wrong(part, f"'{member.name}' is optional, but '{element.get('name')}' has no <presence_vector>")
+    return None
+
+
+def _check_names(element: Element, members: Iterable[Node]) -> None:
+    seen: set[str] = set()
+    for member, part in zip(members, _members(element), strict=True):
+        if member.name in seen:
+            raise wrong(part, f"duplicate name '{member.name}' in '{element.get('name')}'")
+        seen.add(member.name)
+
+
+def _list(element: Element, scope: Scope) -> List:
+    return List(
+        name=required(element, "name"),
+        optional=flag(element, "optional"),
+        doc=prose(element),
+        count=read_count(child(element, "count_field"), scope),
+        element=read_composite(_members(element)[0], scope),
+    )
+
+
+def _variant(element: Element, scope: Scope) -> Variant:
+    tag = read_count(child(element, "vtag_field"), scope)
+    arms = tuple(read_composite(member, scope) for member in _members(element))
+    _check_names(element, arms)
+    if len(arms) > 2 ** BITS[tag.type]:
+        raise wrong(element, f"{len(arms)} arms, but its tag knows only {2 ** BITS[tag.type]}; take a larger type")
+    if not arms:  # a public definition has a variant that is a tag and nothing else
+        arms = tuple(Record(name=f"Empty{index}", fields=()) for index in range(min(tag.maximum + 1, _MAX_EMPTY_ARMS)))
+    return Variant(
+        name=required(element, "name"), optional=flag(element, "optional"), doc=prose(element), tag=tag, arms=arms
+    )
+
+
+_COMPOSITE_READERS: Mapping[str, Callable[[Element, Scope], Composite]] = {
+    "record": _record,
+    "sequence": _sequence,
+    "list": _list,
+    "variant": _variant,
 }

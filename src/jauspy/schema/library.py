@@ -1,4 +1,4 @@
-"""All loaded files together, and what a name in one of them refers to.
+"""All loaded files together, what a name in one of them refers to, and constant expressions (`-10 * basicConsts.PI`).
 
 A `Scope` is one file's names: its constants and declared types, and the other sets it refers to by a local
 name. A dotted path walks through those: `core.time.TimeStamp` is the type `TimeStamp` of the set that the
@@ -7,6 +7,9 @@ set `core` calls `time`.
 
 from __future__ import annotations
 
+import ast
+import math
+import operator
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
 from typing import TypeVar, cast
@@ -14,10 +17,75 @@ from typing import TypeVar, cast
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
-from jauspy.schema.constants import ExpressionError, Number, evaluate
-from jauspy.schema.grammar import DECLARED
+from jauspy.schema.document import DECLARED, file_of, flag, identity, line_of, prose, required, suggestion, wrong
 from jauspy.schema.model import DeclaredType, Node
-from jauspy.schema.reading import file_of, flag, identity, line_of, prose, required, suggestion, wrong
+
+Number = int | float
+Lookup = Callable[[str], Number]
+"""The value of a (dotted) constant name; raises `ExpressionError` when there is none."""
+
+MAX_LENGTH = 200
+"""Characters of an expression; bounds the depth of its syntax tree."""
+
+_BINARY: dict[type[ast.operator], Callable[[Number, Number], Number]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+}
+
+
+class ExpressionError(ValueError):
+    """Why a text is not a constant expression."""
+
+
+def evaluate(text: str, lookup: Lookup) -> Number:
+    """The value of numbers and constant names joined by + - * / and parentheses; an int stays an int."""
+    plain = _literal(text)
+    if plain is not None:
+        return plain
+    if len(text) > MAX_LENGTH:
+        raise ExpressionError(f"expression longer than {MAX_LENGTH} characters")
+    try:
+        tree = ast.parse(text.strip(), mode="eval")
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        raise ExpressionError(f"expected a number or a constant expression, got {text!r}") from error
+    try:
+        result = _value(tree.body, lookup)
+    except (ZeroDivisionError, OverflowError) as error:
+        raise ExpressionError(f"{text!r}: {error}") from error
+    if not math.isfinite(result):
+        raise ExpressionError(f"{text!r} is not finite")
+    return result
+
+
+def _literal(text: str) -> Number | None:
+    """Most limits are plain numbers."""
+    try:
+        return int(text)
+    except ValueError:
+        pass
+    try:
+        number = float(text)
+    except ValueError:
+        return None
+    return number if math.isfinite(number) else None
+
+
+def _value(node: ast.expr, lookup: Lookup) -> Number:
+    match node:
+        case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
+            return number
+        case ast.UnaryOp(op=ast.USub()):
+            return -_value(node.operand, lookup)
+        case ast.UnaryOp(op=ast.UAdd()):
+            return _value(node.operand, lookup)
+        case ast.BinOp() if type(node.op) in _BINARY:
+            return _BINARY[type(node.op)](_value(node.left, lookup), _value(node.right, lookup))
+        case ast.Name() | ast.Attribute():
+            return lookup(ast.unparse(node))
+    raise ExpressionError(f"expected numbers, constants, + - * / and parentheses, got {ast.unparse(node)!r}")
+
 
 AnyNode = TypeVar("AnyNode", bound=Node)
 Thing = TypeVar("Thing")
@@ -53,7 +121,7 @@ class Scope:
             raise wrong(element, f"{attribute}: {error}") from error
 
     def integer(self, element: Element, attribute: str) -> int:
-        """The same, where only a whole number makes sense."""
+        """A mandatory attribute that is a whole number or a constant expression of that value."""
         number = self.number(element, attribute)
         if number != int(number):
             raise wrong(element, f"{attribute}: expected a whole number, got {required(element, attribute)!r}")
@@ -130,7 +198,7 @@ def _linked(scope: Scope, local: str, links: str) -> Scope | None:
 
 
 def refuse(error: SchemaError) -> None:
-    """What becomes of a mistake while files are put together, unless somebody collects them."""
+    """Raises the error: the default for mistakes found while files are linked."""
     raise error
 
 
@@ -162,7 +230,7 @@ def add_once(names: dict[str, Element], element: Element, report: Report = refus
     """Enter a named element; a name that is there already is an error."""
     name = element.get("name")
     if name is None:
-        return  # against the grammar, which whoever goes on after that has checked
+        return  # against the grammar, which has been reported
     first = names.setdefault(name, element)
     if first is not element:
         report(wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{line_of(first)}"))

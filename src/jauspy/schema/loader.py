@@ -1,26 +1,61 @@
-"""From files to a `Schema`."""
+"""From JSIDL files to a `Schema`: the user's own ones, the shipped ones, or the part of those that some services need.
+
+All reading of files in this package is done here.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import cache
+from glob import glob
 from importlib.resources import files
 from pathlib import Path
+from typing import Final, TypeAlias
 
 from lxml.etree import _Element as Element
 
-from jauspy.errors import SchemaError
-from jauspy.schema.composites import read_composite, read_content
-from jauspy.schema.fields import read_field
-from jauspy.schema.grammar import DECLARED
+from jauspy.errors import ConfigError, SchemaError
+from jauspy.schema.document import DECLARED, identity, is_jsidl, parse, read, wrong
+from jauspy.schema.fields import read_composite, read_content, read_field, read_value_set
 from jauspy.schema.library import Key, Library, Scope
-from jauspy.schema.messages import read_event, read_message
 from jauspy.schema.model import Schema, Service
-from jauspy.schema.reading import identity, wrong
-from jauspy.schema.services import read_service, resolve_parents, version_key
-from jauspy.schema.source import read
+from jauspy.schema.services import read_event, read_message, read_service, resolve_parents, version_key
 from jauspy.schema.state_tree import check_behavior
-from jauspy.schema.values import read_value_set
+
+MAX_FILE_SIZE: Final = 4 * 1024 * 1024
+"""Bytes; the largest public definition has less than a tenth of it."""
+
+Identity: TypeAlias = tuple[str, str, str]
+"""The kind of a definition (the tag of its root), its id and its version."""
+
+Wanted: TypeAlias = tuple[str, str | None]
+"""The URN of a service and its version, None for the newest."""
+
+# Shipped files have one form, so tags can be found without parsing, which takes longer.
+_HEAD: Final = 1024
+"""Bytes within which the start tag of the root ends."""
+_ROOT: Final = re.compile(rb"<(?:service_def|declared_type_set|declared_const_set)\s([^>]*)>")
+_REFERENCE: Final = re.compile(rb"<(?:inherits_from|declared_type_set_ref|declared_const_set_ref)\s([^>]*)>")
+_ID: Final = re.compile(rb'\bid="([^"]*)"')
+_VERSION: Final = re.compile(rb'\bversion="([^"]*)"')
+
+
+def read_bytes(path: Path) -> bytes:
+    """The content of a file; `SchemaError` for one that cannot be read, or is larger than any definition."""
+    try:
+        with path.open("rb") as file:
+            data = file.read(MAX_FILE_SIZE + 1)
+    except OSError as error:
+        raise SchemaError(f"cannot be read: {error.strerror}", file=path) from error
+    if len(data) > MAX_FILE_SIZE:
+        raise SchemaError(f"larger than {MAX_FILE_SIZE} bytes", file=path)
+    return data
+
+
+def parse_file(path: Path) -> Element:
+    """The root element of a JSIDL file; what is below it may be against the grammar."""
+    return parse(read_bytes(path), path)[0]
 
 
 def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, states: bool = True) -> Schema:
@@ -28,13 +63,13 @@ def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, state
 
     New services may inherit from those of `base`, which are part of the result except where a file defines the
     same id and version. Type sets are those of the files alone. Without `states`, what behaviour refers to is
-    not checked: for whoever wants messages, and would lose them all to one misspelt state.
+    not checked: messages can be used although one state is misspelt.
     """
     library = Library()
     versions: dict[Key, str] = {}
     roots: dict[Key, Element] = {}
     for path in paths:
-        root, jsidl = read(Path(path))
+        root, jsidl = read(read_bytes(Path(path)), Path(path))
         key = identity(root)
         if library.add(root) and root.tag == "service_def":
             roots[key] = root
@@ -97,3 +132,133 @@ def builtin_paths() -> list[Path]:
 def load_builtin() -> Schema:
     """The shipped definitions, read once per process."""
     return load_files(builtin_paths())
+
+
+def find_files(sources: Iterable[str | Path]) -> list[Path]:
+    """The files of these files, folders and patterns; other XML in a folder, such as a manifest, is left out.
+
+    Raises `ConfigError` for a source that gives no file.
+    """
+    found: list[Path] = []
+    for source in sources:
+        path = Path(source)
+        matches = _in_folder(path) if path.is_dir() else _matching(str(source))
+        if not matches:
+            raise ConfigError(f"no JSIDL file matches {str(source)!r}")
+        found += [match for match in matches if match not in found]
+    if not found:
+        raise ConfigError("name at least one JSIDL file, folder or pattern")
+    return found
+
+
+def _in_folder(folder: Path) -> list[Path]:
+    return [path for path in sorted(folder.rglob("*.xml")) if _is_jsidl_file(path)]
+
+
+def _is_jsidl_file(path: Path) -> bool:
+    try:
+        return is_jsidl(read_bytes(path), path)
+    except SchemaError:
+        return True  # reading it says what is wrong
+
+
+def _matching(pattern: str) -> list[Path]:
+    if Path(pattern).exists():
+        return [Path(pattern)]
+    return [Path(name) for name in sorted(glob(pattern, recursive=True))]  # noqa: PTH207 - patterns may be absolute
+
+
+def load_own(sources: Iterable[str | Path], beside: Iterable[str | Path] = ()) -> Schema:
+    """The services defined in files, folders or patterns; they may refer to what is `beside` them, or built in.
+
+    Their states are not checked, see `load_files`. Raises `SchemaError` with file and line, `ConfigError` when there
+    is no such file.
+    """
+    own = find_files(sources)
+    keys = {identity_of(path) for path in own}
+    more = find_files(beside) if beside else []
+    others = [path for path in more if identity_of(path) not in keys]
+    schema = load_beside_builtin([*own, *others], states=False)
+    return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
+
+
+def load_beside_builtin(paths: Iterable[Path], *, states: bool = True) -> Schema:
+    """These files and all services that are built in; what the files define again replaces what is built in."""
+    own = list(paths)
+    return load_files([*own, *_builtin_sets(own)], base=load_builtin(), states=states)
+
+
+def _builtin_sets(own: Iterable[Path]) -> list[Path]:
+    """The shipped type sets that files refer to, directly or through each other."""
+    roots = [parse_file(path) for path in own]
+    known = {(str(root.tag), *identity(root)) for root in roots}
+    found = []
+    for root in roots:
+        for reference in root.iter("declared_type_set_ref", "declared_const_set_ref"):
+            key: Identity = (str(reference.tag).removesuffix("_ref"), *identity(reference))
+            if key not in known and key in builtin_roots():
+                known.add(key)
+                path, other = builtin_roots()[key]
+                found.append(path)
+                roots.append(other)
+    return found
+
+
+@cache
+def builtin_roots() -> Mapping[Identity, tuple[Path, Element]]:
+    """The shipped definitions as they are written, read once per process; nobody changes them."""
+    found = ((path, parse_file(path)) for path in builtin_paths())
+    return {(str(root.tag), *identity(root)): (path, root) for path, root in found}
+
+
+def identity_of(path: Path) -> Identity:
+    """What a file defines."""
+    root = parse_file(path)
+    return (str(root.tag), *identity(root))
+
+
+@cache
+def load_needed(wanted: frozenset[Wanted]) -> Schema:
+    """These shipped services with all they inherit from, the same as in `load_builtin()`.
+
+    Of a service without the version that is wanted come all versions, of an unknown service none.
+    """
+    paths: set[Path] = set()
+    waiting = [path for each in wanted for path in _files(*each)]
+    while waiting:
+        path = waiting.pop()
+        if path not in paths:
+            paths.add(path)
+            waiting += [other for key in _keys(_REFERENCE, read_bytes(path)) for other in _files(*key)]
+    return load_files(sorted(paths))
+
+
+def versions_of(id: str) -> tuple[str, ...]:
+    """The shipped versions of a service, newest first; none when it is not built in."""
+    return tuple(sorted(_index().get(id, ()), key=version_key, reverse=True))
+
+
+def _files(id: str, version: str | None) -> Iterable[Path]:
+    versions = _index().get(id, {})
+    if version is None:
+        version = max(versions, key=version_key, default="")
+    return [versions[version]] if version in versions else versions.values()
+
+
+@cache
+def _index() -> Mapping[str, Mapping[str, Path]]:
+    """The shipped files by the id and version of what they define."""
+    found: dict[str, dict[str, Path]] = {}
+    for path in builtin_paths():
+        with path.open("rb") as file:
+            head = file.read(_HEAD)
+        for id, version in _keys(_ROOT, head):
+            found.setdefault(id, {})[version] = path
+    return found
+
+
+def _keys(tag: re.Pattern[bytes], text: bytes) -> Iterator[Key]:
+    for attributes in tag.findall(text):
+        id, version = _ID.search(attributes), _VERSION.search(attributes)
+        if id and version:
+            yield id[1].decode(), version[1].decode()

@@ -1,4 +1,4 @@
-"""The immutable model of JSIDL definitions (SAE AS5684): what the loader makes and all others read.
+"""The immutable model of JSIDL definitions (SAE AS5684), made by the loader.
 
 Everything here is a frozen value. References between files are already resolved: a `Record` that came
 from a declared type carries the declaration's content, and `declared` says where that was.

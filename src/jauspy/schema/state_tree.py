@@ -13,10 +13,10 @@ from types import MappingProxyType
 from typing import Generic, TypeVar
 
 from jauspy.errors import ConfigError, SchemaError
-from jauspy.schema import guards
+from jauspy.schema import behavior as guards
+from jauspy.schema.document import suggestion
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Action, Behavior, Location, Service, Start, State, StateMachine, Transition
-from jauspy.schema.reading import suggestion
 
 T_co = TypeVar("T_co", covariant=True)
 

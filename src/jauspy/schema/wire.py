@@ -1,18 +1,22 @@
-"""What of a definition matters on the wire: everything but names, units, prose and where it was declared."""
+"""What of a definition matters on the wire: equality of shape, whatever things are called, and sizes in bytes."""
 
 from __future__ import annotations
 
+import math
+from collections.abc import Iterable, Iterator
 from typing import TypeAlias
 
 from jauspy.schema.model import (
     Array,
     BitField,
     Composite,
+    Count,
     FixedField,
     FixedString,
     List,
     Node,
     Record,
+    Scalar,
     Sequence,
     SubField,
     TypeChoice,
@@ -84,3 +88,66 @@ def value_shape(values: ValueSet | None) -> Shape:
     ranges = tuple(sorted((r.lower, r.upper, r.lower_inclusive, r.upper_inclusive) for r in values.ranges))
     single = {enum.value for enum in values.enums if not any(low <= enum.value <= high for low, high, _, _ in ranges)}
     return tuple(sorted(single)), ranges
+
+
+Sizes = tuple[int, int]
+"""Fewest and most bytes."""
+
+
+def scalar_size(kind: Scalar) -> int:
+    """Bytes of a number."""
+    return int(kind[1:]) // 8
+
+
+def sizes(node: Node | None) -> Sizes:
+    """Fewest and most bytes of a field, a composite or a body; its own presence bit is not its own."""
+    match node:
+        case None:
+            return 0, 0
+        case FixedField() | BitField():
+            return (scalar_size(node.type),) * 2
+        case VariableField():
+            found = [scalar_size(choice.type) for choice in node.choices]
+            return 1 + min(found), 1 + max(found)
+        case FixedString():
+            return node.length, node.length
+        case VariableString() | VariableLengthField():
+            return _counted(node.count, (1, 1))
+        case VariableFormatField():
+            low, high = _counted(node.count, (1, 1))
+            return 1 + low, 1 + high
+        case Array():
+            number = math.prod(dimension.size for dimension in node.dimensions)
+            low, high = sizes(node.element)
+            return low * number, high * number
+        case Record(fields=members) | Sequence(items=members):
+            return _container_sizes(node.presence, members)
+        case List():
+            return _counted(node.count, sizes(node.element))
+        case Variant():
+            arms = [sizes(arm) for arm in node.arms] or [(0, 0)]
+            tag = scalar_size(node.tag.type)
+            return tag + min(low for low, _ in arms), tag + max(high for _, high in arms)
+    raise TypeError(node)
+
+
+def _counted(count: Count, item: Sizes) -> Sizes:
+    width = scalar_size(count.type)
+    return width + count.minimum * item[0], width + count.maximum * item[1]
+
+
+def _container_sizes(presence: Scalar | None, members: tuple[Node, ...]) -> Sizes:
+    vector = scalar_size(presence) if presence else 0
+    there = zip(members, can_be_there(presence, members), strict=True)
+    found = [(member.optional, *sizes(member)) for member, possible in there if possible]
+    low = sum(low for optional, low, _ in found if not optional)
+    return vector + low, vector + sum(high for _, _, high in found)
+
+
+def can_be_there(presence: Scalar | None, members: Iterable[Node]) -> Iterator[bool]:
+    """For each member of a container, false when it is optional and the presence vector has no bit left for it."""
+    bits = 8 * scalar_size(presence) if presence else 0
+    for member in members:
+        counts = member.optional and presence is not None
+        yield bits > 0 or not counts
+        bits -= counts

@@ -17,11 +17,11 @@ from jauspy.codec.message import Message
 from jauspy.codec.names import snake
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.schema import guards, model
+from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines, short_name, walk_states
-from jauspy.services.core.defaults import DEFAULTS
+from jauspy.services.core.defaults import INHERITED_DEFAULTS
 from jauspy.services.deferred import Deferred
 from jauspy.services.definitions import definitions_of, schema_for
 from jauspy.services.service import BoundServices, Service
@@ -110,7 +110,7 @@ def required_method(definition: model.Service, name: str) -> RequiredMethod:
 def _add(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
     called = [_called(found, action, outputs) for action in transition.actions]
     if transition.guard.strip():
-        called += [_predicate(found, call) for call in guards.calls(guards.parse(transition.guard))]
+        called += [_predicate(found, call) for call in behavior.calls(behavior.parse(transition.guard))]
     event = short_name(transition.trigger)
     for each in called:
         if event == "Receive" and transition.parameters:
@@ -128,7 +128,7 @@ def _called(found: dict[str, RequiredMethod], action: model.Action, outputs: set
     return _entry(found, short, "report" if kind == "report" else "action", _reported(short, outputs), literals)
 
 
-def _predicate(found: dict[str, RequiredMethod], call: guards.Call) -> RequiredMethod:
+def _predicate(found: dict[str, RequiredMethod], call: behavior.Call) -> RequiredMethod:
     literals = [text[1:-1] for text in call.arguments if text[:1] in ("'", '"')]
     return _entry(found, short_name(call.name), "predicate", "", literals)
 
@@ -238,12 +238,12 @@ class Binder:
         if not owned.item.guard.strip():
             return None
 
-        def resolve(call: guards.Call) -> Callable[[Trigger], bool]:
+        def resolve(call: behavior.Call) -> Callable[[Trigger], bool]:
             method = self._method(owned.owner, call.name, f"{where}: predicate")
             bound = self._with_arguments(method, call.arguments, f"{where}: predicate {call.name}")
             return lambda trigger: bool(bound(trigger))
 
-        return guards.compile_guard(guards.parse(owned.item.guard), resolve)
+        return behavior.compile_guard(behavior.parse(owned.item.guard), resolve)
 
     def _action(self, owned: Owned[model.Action], state: MergedState) -> BoundAction:
         owner, action = owned.owner, owned.item
@@ -418,9 +418,9 @@ def _by_urn(services: Iterable[Service]) -> dict[str, Service]:
 
 
 def _default(urn: str) -> Service:
-    if urn not in DEFAULTS:
+    if urn not in INHERITED_DEFAULTS:
         raise ConfigError(f"{urn} is inherited from and is not among the component's services; add it")
-    return DEFAULTS[urn]()
+    return INHERITED_DEFAULTS[urn]()
 
 
 def _inputs(

@@ -10,8 +10,8 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.schema.inheritance import ParentOf, is_a, lineage, most_derived_first
+from jauspy.schema.loader import Wanted, load_needed, versions_of
 from jauspy.schema.model import Schema, Service as Definition
-from jauspy.schema.needed import Wanted, load_needed, versions_of
 from jauspy.schema.state_tree import check_behavior
 from jauspy.services.service import Service
 

@@ -20,7 +20,7 @@ from jauspy.services.state_machine import Trigger, TriggerOutcome
 
 
 class Host(ServiceHost):
-    """Binds and runs the services of one component; a shell passes it messages and the time.
+    """Binds and runs the services of one component, without I/O: the caller passes in messages and the time.
 
     Core services that are inherited from but not given are added with their defaults. Raises `ConfigError` that names
     every action, predicate and report that a service lacks. An exception in an action is logged, counted and contained;

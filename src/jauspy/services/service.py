@@ -173,7 +173,7 @@ class ServiceHost:
         self.clock_offset = timedelta()
         """Difference of the component's clock to the wall clock; set by Time."""
         self.on_timer_change: Callable[[], None] = lambda: None
-        """Called when a timer is set outside of calls of the shell, which sets this."""
+        """Called when a timer is set from outside of the host; set by the component that runs it."""
         self.counters = Counters(_LOG)
         self._output = OutputQueue(max_output, self.counters)
         self._timers = Timers()
@@ -292,7 +292,7 @@ class ServiceHost:
     # --- the component ----------------------------------------------------------------------------------------------
 
     def ask_for_id(self, id: JausID) -> None:
-        """Change the component's id; the shell does so when all queued messages are sent.
+        """Change the component's id, as soon as all queued messages are sent.
 
         Raises `ConfigError` for an id that no component can have.
         """

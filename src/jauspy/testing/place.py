@@ -5,10 +5,11 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
 from contextlib import AbstractAsyncContextManager
+from dataclasses import replace
 from datetime import datetime
 from typing import Any
 
-from jauspy.component import Component
+from jauspy.component import Component, ComponentOptions
 from jauspy.ids import JausID
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
@@ -37,7 +38,8 @@ class Place(ABC):
 
     def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
         """A component of these services; `options` are those of `Component`."""
-        return Component(id, services, transport=self.transport(id), clock=self.now, utc_now=self.utc_now, **options)
+        own = replace(options.pop("options", ComponentOptions()), clock=self.now, utc_now=self.utc_now)
+        return Component(id, services, transport=self.transport(id), options=own, **options)
 
     def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
         """An OCU; `options` are those of `OCU`."""

@@ -6,7 +6,7 @@ import asyncio
 from collections.abc import Callable
 from typing import Final
 
-from jauspy.component.shell import loop_time
+from jauspy.component.component import loop_time
 from jauspy.modules.realtime import RealTime
 from jauspy.platform.contract import Robot
 

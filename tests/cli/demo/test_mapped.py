@@ -7,8 +7,8 @@ import pytest
 pytest.importorskip("numpy", reason="NumPy is not installed")
 
 from jauspy.cli.demo.mapped import AGREES, ScanKeeper
+from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid
-from jauspy.mapping.pose import PlanarPose
 
 ANGLES = [math.radians(each) for each in range(360)]
 

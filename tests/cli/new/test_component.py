@@ -115,7 +115,7 @@ def test_a_file_without_the_service():
         (["winch", "--service", "ParkingBrakDriver"], "did you mean ParkingBrakeDriver"),
         (["winch", "--service", "VelocityStateDriver", "--version", "9.9"], "has no version 9.9; it has 1.0, 1.1"),
         (["winch", "--service", "DigitalResourceDiscovery"], "several services are called"),
-        (["winch", "--service", "core:Liveness"], "subclass jauspy.services.core.liveness.Liveness"),
+        (["winch", "--service", "core:Liveness"], "subclass jauspy.services.core.management.Liveness"),
         (["winch", "--service", "ugv:ParkingBrakeDriver", "--id", "1.2"], "is not a JAUS id"),
     ],
 )

@@ -6,15 +6,31 @@ import math
 
 import pytest
 
-from jauspy.geometry.poses import Pose
-from jauspy.services.mobility.guidance.course import VectorCourse, VelocityCourse
-from jauspy.services.mobility.guidance.heading import TURN_ON_THE_SPOT, head_for, turn_of
-from jauspy.services.mobility.guidance.leg import Leg, Point, look_ahead
-from jauspy.services.mobility.guidance.motion import STANDSTILL, Limits, Motion, approach
-from jauspy.services.mobility.guidance.velocity_control import SPEED, AxisControl, VelocityControl
-from jauspy.services.mobility.guidance.waypoint_course import CLOSE, Goal, WaypointCourse, is_reached
+from jauspy.geometry.poses import PlanarPoint, Pose
+from jauspy.services.mobility.courses import (
+    MAX_DRIVING_ERROR,
+    STOP_TOLERANCE,
+    Goal,
+    Leg,
+    VectorCourse,
+    VelocityCourse,
+    WaypointCourse,
+    heading_error,
+    is_reached,
+    look_ahead,
+    steer_to_heading,
+)
+from jauspy.services.mobility.velocity_control import (
+    SPEED_GAINS,
+    STANDSTILL,
+    AccelerationLimits,
+    AxisControl,
+    PlanarVelocity,
+    VelocityControl,
+    ramped,
+)
 
-LIMITS = Limits(acceleration=1.0, deceleration=2.0, turn_acceleration=3.0, turn_deceleration=4.0)
+LIMITS = AccelerationLimits(acceleration=1.0, deceleration=2.0, turn_acceleration=3.0, turn_deceleration=4.0)
 
 
 @pytest.mark.parametrize(
@@ -31,12 +47,12 @@ LIMITS = Limits(acceleration=1.0, deceleration=2.0, turn_acceleration=3.0, turn_
     ],
 )
 def test_a_motion_changes_within_its_limits(now, wanted, after) -> None:
-    found = approach(Motion(*now), Motion(*wanted), LIMITS, 0.1)
+    found = ramped(PlanarVelocity(*now), PlanarVelocity(*wanted), LIMITS, 0.1)
     assert (found.speed, found.turn_rate) == pytest.approx(after)
 
 
 def test_control_learns_a_resistance_and_forgets_it() -> None:
-    control = AxisControl(SPEED)
+    control = AxisControl(SPEED_GAINS)
     first = control.effort(0.5, 0.4, 0.02)
     efforts = [control.effort(0.5, 0.4, 0.02) for _ in range(50)]
     assert efforts == sorted(efforts)
@@ -46,7 +62,7 @@ def test_control_learns_a_resistance_and_forgets_it() -> None:
 
 
 def test_control_does_not_wind_up() -> None:
-    control = AxisControl(SPEED)
+    control = AxisControl(SPEED_GAINS)
     for _ in range(2000):
         assert control.effort(1.5, 0.0, 0.02) <= 1.0
     assert control.effort(0.0, 0.0, 0.02) < 1.0
@@ -54,7 +70,7 @@ def test_control_does_not_wind_up() -> None:
 
 
 def test_control_finds_back_from_its_limit() -> None:
-    control = AxisControl(SPEED)
+    control = AxisControl(SPEED_GAINS)
     for _ in range(100):
         control.effort(1.0, 0.7, 0.02)
     assert control.effort(1.5, 1.5, 0.02) == 1.0
@@ -77,26 +93,26 @@ def test_nothing_wanted_and_nothing_moving_needs_no_effort() -> None:
     ],
 )
 def test_the_shorter_way_round(here, there, turn) -> None:
-    assert turn_of(here, there) == pytest.approx(turn)
+    assert heading_error(here, there) == pytest.approx(turn)
 
 
 def test_a_robot_that_looks_elsewhere_only_turns() -> None:
-    assert head_for(TURN_ON_THE_SPOT + 0.01, 1.0, 1.2).speed == 0.0
-    assert head_for(3.0, 1.0, 1.2).turn_rate == 1.2
-    assert head_for(-3.0, 1.0, 1.2).turn_rate == -1.2
-    assert head_for(0.0, -0.7, 1.2) == Motion(-0.7, 0.0)
-    assert 0.0 < head_for(0.4, 1.0, 1.2).speed < 1.0
+    assert steer_to_heading(MAX_DRIVING_ERROR + 0.01, 1.0, 1.2).speed == 0.0
+    assert steer_to_heading(3.0, 1.0, 1.2).turn_rate == 1.2
+    assert steer_to_heading(-3.0, 1.0, 1.2).turn_rate == -1.2
+    assert steer_to_heading(0.0, -0.7, 1.2) == PlanarVelocity(-0.7, 0.0)
+    assert 0.0 < steer_to_heading(0.4, 1.0, 1.2).speed < 1.0
 
 
 def test_a_leg_looks_ahead_and_never_beyond_its_end() -> None:
-    leg = Leg(Point(0.0, 0.0), Point(10.0, 0.0))
-    assert leg.ahead(Point(2.0, 3.0), 1.0) == Point(pytest.approx(3.0), pytest.approx(0.0))
-    assert leg.ahead(Point(9.5, 0.1), 1.0) == Point(pytest.approx(10.0), pytest.approx(0.0))
-    assert leg.ahead(Point(-5.0, 1.0), 1.0) == Point(pytest.approx(1.0), pytest.approx(0.0))
-    assert not leg.passed(Point(9.9, 0.0))
-    assert leg.passed(Point(10.1, 4.0))
-    nowhere = Leg(Point(1.0, 1.0), Point(1.0, 1.0))
-    assert nowhere.ahead(Point(0.0, 0.0), 1.0) == Point(1.0, 1.0)
+    leg = Leg(PlanarPoint(0.0, 0.0), PlanarPoint(10.0, 0.0))
+    assert leg.ahead(PlanarPoint(2.0, 3.0), 1.0) == PlanarPoint(pytest.approx(3.0), pytest.approx(0.0))
+    assert leg.ahead(PlanarPoint(9.5, 0.1), 1.0) == PlanarPoint(pytest.approx(10.0), pytest.approx(0.0))
+    assert leg.ahead(PlanarPoint(-5.0, 1.0), 1.0) == PlanarPoint(pytest.approx(1.0), pytest.approx(0.0))
+    assert not leg.passed(PlanarPoint(9.9, 0.0))
+    assert leg.passed(PlanarPoint(10.1, 4.0))
+    nowhere = Leg(PlanarPoint(1.0, 1.0), PlanarPoint(1.0, 1.0))
+    assert nowhere.ahead(PlanarPoint(0.0, 0.0), 1.0) == PlanarPoint(1.0, 1.0)
 
 
 @pytest.mark.parametrize(
@@ -107,7 +123,7 @@ def test_how_far_ahead(speed, path, ahead) -> None:
     assert look_ahead(speed, path) == pytest.approx(ahead)
 
 
-LEG = Leg(Point(0.0, 0.0), Point(10.0, 0.0))
+LEG = Leg(PlanarPoint(0.0, 0.0), PlanarPoint(10.0, 0.0))
 
 
 @pytest.mark.parametrize(
@@ -116,14 +132,14 @@ LEG = Leg(Point(0.0, 0.0), Point(10.0, 0.0))
         (9.65, 0.0, False, False),
         (9.75, 0.0, False, True),
         (9.75, 0.0, True, False),
-        (10.0 - CLOSE + 0.01, 0.0, True, True),
+        (10.0 - STOP_TOLERANCE + 0.01, 0.0, True, True),
         (10.01, 0.25, True, True),
         (10.01, 0.35, True, False),
         (11.0, 0.0, False, False),
     ],
 )
 def test_when_a_waypoint_is_reached(x, y, is_last, reached) -> None:
-    assert is_reached(Goal(Point(10.0, 0.0), is_last=is_last), LEG, Point(x, y)) == reached
+    assert is_reached(Goal(PlanarPoint(10.0, 0.0), is_last=is_last), LEG, PlanarPoint(x, y)) == reached
 
 
 def course(goal: Goal, speed: float = 1.0) -> WaypointCourse:
@@ -131,30 +147,30 @@ def course(goal: Goal, speed: float = 1.0) -> WaypointCourse:
 
 
 def test_the_last_metres_are_driven_slower() -> None:
-    last, passing = course(Goal(Point(10.0, 0.0))), course(Goal(Point(10.0, 0.0), is_last=False))
+    last, passing = course(Goal(PlanarPoint(10.0, 0.0))), course(Goal(PlanarPoint(10.0, 0.0), is_last=False))
     for each in (last, passing):
-        assert each.steer(Pose()) == Motion(1.0, 0.0)
+        assert each.steer(Pose()) == PlanarVelocity(1.0, 0.0)
     assert last.steer(Pose(x=9.8)).speed < passing.steer(Pose(x=9.6)).speed < 1.0
 
 
 def test_no_speed_waits_even_at_the_goal() -> None:
-    assert course(Goal(Point(0.0, 0.0)), speed=0.0).steer(Pose()) == STANDSTILL
+    assert course(Goal(PlanarPoint(0.0, 0.0)), speed=0.0).steer(Pose()) == STANDSTILL
 
 
 def test_once_reached_only_the_heading_counts() -> None:
-    there = course(Goal(Point(0.0, 0.0), heading=1.0))
-    assert there.steer(Pose()) == Motion(0.0, 1.2)
+    there = course(Goal(PlanarPoint(0.0, 0.0), heading=1.0))
+    assert there.steer(Pose()) == PlanarVelocity(0.0, 1.2)
     assert there.steer(Pose(x=0.5, yaw=0.9)).speed == 0.0, "turning on the spot drifts; it does not go back for that"
     assert there.steer(Pose(yaw=0.99)) is None
 
 
 def test_backward_the_tail_looks_to_the_goal() -> None:
-    back = course(Goal(Point(-5.0, 0.0)), speed=-0.5)
-    assert back.steer(Pose()) == Motion(-0.5, pytest.approx(0.0, abs=1e-9))
+    back = course(Goal(PlanarPoint(-5.0, 0.0)), speed=-0.5)
+    assert back.steer(Pose()) == PlanarVelocity(-0.5, pytest.approx(0.0, abs=1e-9))
 
 
 def test_a_vector_ends_turning_and_a_velocity_just_is() -> None:
     stand = VectorCourse(lambda: 1.0, 0.0, 1.2)
     assert stand.steer(Pose(yaw=0.5)).turn_rate > 0.5
     assert stand.steer(Pose(yaw=0.99)) == STANDSTILL
-    assert VelocityCourse(Motion(0.3, 0.1), LIMITS).steer(Pose(yaw=9.0)) == Motion(0.3, 0.1)
+    assert VelocityCourse(PlanarVelocity(0.3, 0.1), LIMITS).steer(Pose(yaw=9.0)) == PlanarVelocity(0.3, 0.1)

@@ -10,8 +10,8 @@ from tests.services.manipulator.arms import arm_of
 from jauspy.geometry.poses import rotation_vector
 from jauspy.geometry.vectors import Vector, difference, dot, scaled
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.services.manipulator.arm import Arm, Profile
-from jauspy.services.manipulator.tool_motion import STILL, ToolMotion
+from jauspy.services.manipulator.arm import Arm, MotionProfile
+from jauspy.services.manipulator.tool_motion import ZERO, ToolMotion
 
 PERIOD = 0.02
 OUT_THERE = (0.4, 1.2, -0.9, 0.3, -0.5)
@@ -65,7 +65,7 @@ LINES = [
 @pytest.mark.parametrize(("robot", "start", "moving"), LINES)
 def test_the_tool_moves_straight_and_as_fast_as_it_was_told(robot: str, start, moving: Vector) -> None:
     run = Run(arm_of(robot, start))
-    run.go(STILL, moving, 2.0)
+    run.go(ZERO, moving, 2.0)
     speed = math.hypot(*moving)
     assert run.aside < 0.001
     assert 0.9 * 1.8 * speed < run.along < 2.0 * speed
@@ -76,7 +76,7 @@ def test_the_tool_moves_straight_and_as_fast_as_it_was_told(robot: str, start, m
 def test_an_attitude_that_can_be_kept_is_kept() -> None:
     arm = arm_of("inc1", (0.0, 1.6, -1.8, 0.2, 0.0))  # it moves in its own plane
     before = arm.kinematic_state().tool.rotation
-    Run(arm).go(STILL, scaled(arm.kinematic_state().linear_jacobian[1], 0.1), 2.0)
+    Run(arm).go(ZERO, scaled(arm.kinematic_state().linear_jacobian[1], 0.1), 2.0)
     assert math.hypot(*rotation_vector(before, arm.kinematic_state().tool.rotation)) < 0.02
 
 
@@ -86,7 +86,7 @@ def test_the_tool_turns_about_its_point(robot: str, start, joint: int) -> None:
     before = arm.kinematic_state()
     turning = scaled(before.angular_jacobian[joint], 0.4)  # the last joint's axis leads through the tool point
     run = Run(arm)
-    run.go(turning, STILL, 2.0)
+    run.go(turning, ZERO, 2.0)
     turned = rotation_vector(before.tool.rotation, arm.kinematic_state().tool.rotation)
     assert turned == pytest.approx(scaled(turning, 2.0), abs=0.08)
     assert run.aside < 0.001
@@ -94,7 +94,7 @@ def test_the_tool_turns_about_its_point(robot: str, start, joint: int) -> None:
 
 def test_what_joints_cannot_do_is_slower_on_the_same_line() -> None:
     run = Run(arm_of("inc1", OUT_THERE))
-    run.go(STILL, (-2.0, 0.0, -2.0), 0.6)
+    run.go(ZERO, (-2.0, 0.0, -2.0), 0.6)
     assert run.aside < 0.004
     assert run.along > 0.1
     assert run.speeds[-1] < 1.0
@@ -102,20 +102,20 @@ def test_what_joints_cannot_do_is_slower_on_the_same_line() -> None:
 
 def test_the_motion_profile_holds() -> None:
     arm = arm_of("inc1", OUT_THERE)
-    arm.profiles = (Profile(0.1, 0.3, 0.4),) * 5
+    arm.profiles = (MotionProfile(0.1, 0.3, 0.4),) * 5
     run = Run(arm)
-    run.go(STILL, (-0.3, 0.1, 0.0), 1.5)
-    run.go(STILL, STILL, 1.0)
+    run.go(ZERO, (-0.3, 0.1, 0.0), 1.5)
+    run.go(ZERO, ZERO, 1.0)
     assert max(abs(rate) for rates in run.rates for rate in rates) <= 0.1 + 1e-9
     changes = [abs(b - a) for x, y in zip(run.rates, run.rates[1:], strict=False) for a, b in zip(x, y, strict=True)]
     assert max(changes) <= 0.4 * PERIOD + 1e-9
-    assert run.motion.is_over
+    assert run.motion.is_finished
 
 
 @pytest.mark.parametrize("moving", [(0.1, 0.0, 0.0), (0.3, 0.2, 0.1), (0.0, 0.0, 0.1), (1.0, 0.0, 0.0)])
 def test_at_the_end_of_its_reach_the_tool_stops_on_its_line(moving: Vector) -> None:
     run = Run(arm_of("inc1", OUT_THERE))
-    run.go(STILL, moving, 8.0)
+    run.go(ZERO, moving, 8.0)
     assert run.aside < 0.005
     assert max(map(abs, run.speeds[-50:])) < 0.005
     assert max(abs(rate) for rates in run.rates[-50:] for rate in rates) < 0.05
@@ -124,7 +124,7 @@ def test_at_the_end_of_its_reach_the_tool_stops_on_its_line(moving: Vector) -> N
 @pytest.mark.parametrize("elbow", [0.0, 0.001, 0.01, 0.05, 0.1, -0.05])
 def test_a_stretched_arm_can_be_drawn_in(elbow: float) -> None:
     run = Run(arm_of("inc1", (0.0, elbow / 2.0, -elbow, elbow / 2.0, 0.0)))
-    run.go(STILL, (-0.1, 0.0, 0.0), 2.0)
+    run.go(ZERO, (-0.1, 0.0, 0.0), 2.0)
     assert run.along > 0.12
     assert run.aside < 0.004
 
@@ -132,11 +132,11 @@ def test_a_stretched_arm_can_be_drawn_in(elbow: float) -> None:
 def test_a_joint_at_its_limit_stops_the_tool_and_lets_it_back() -> None:
     arm = arm_of("inc1_pprm", LIFTED)
     run = Run(arm)
-    run.go(STILL, (0.0, 0.0, 0.1), 6.0)
+    run.go(ZERO, (0.0, 0.0, 0.1), 6.0)
     high = arm.joints.joints[0].upper
     assert arm.joints.state().positions[0] == pytest.approx(high, abs=0.002)
     assert run.speeds[-1] == pytest.approx(0.0, abs=0.001)
-    run.go(STILL, (0.0, 0.0, -0.1), 1.0)
+    run.go(ZERO, (0.0, 0.0, -0.1), 1.0)
     assert arm.joints.state().positions[0] < high - 0.08
 
 
@@ -149,14 +149,14 @@ def test_limits_are_never_passed() -> None:
 
     run = Run(arm)
     for moving in ((0.0, 0.0, -0.5), (0.0, 0.6, 0.0), (-0.6, 0.0, 0.3), (0.0, -0.7, -0.2)):
-        run.go(STILL, moving, 2.0, look)
+        run.go(ZERO, moving, 2.0, look)
     run.go((0.8, -0.5, 0.9), (0.1, 0.0, 0.0), 3.0, look)
     assert all(map(math.isfinite, arm.state().positions))
 
 
 def test_the_same_command_again_stays_on_the_same_line() -> None:
     once, often = Run(arm_of("inc1", OUT_THERE)), Run(arm_of("inc1", OUT_THERE))
-    once.go(STILL, (-0.1, 0.05, 0.0), 1.0)
+    once.go(ZERO, (-0.1, 0.05, 0.0), 1.0)
     for _ in range(10):
-        often.go(STILL, (-0.1, 0.05, 0.0), 0.1)
+        often.go(ZERO, (-0.1, 0.05, 0.0), 0.1)
     assert often.arm.state() == once.arm.state()

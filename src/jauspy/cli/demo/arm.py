@@ -23,7 +23,7 @@ from jauspy.messages.manipulator import (
     SetJointPositions,
 )
 from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.services.manipulator.values import positions
+from jauspy.services.manipulator.joints import position_records
 
 RATE: Final = 20.0
 """Hz of the joints' positions."""
@@ -72,7 +72,7 @@ class Arm:
         """Bring the tool there; returns by how much the joint that is farthest off is off, radians."""
         wanted = self.hand.joints(turn, distance, height, pitch)
         self._scene.commanded(wanted)
-        await self._driver.send(SetJointPositions(positions(wanted, self.hand.geometry.links)), ack=True)
+        await self._driver.send(SetJointPositions(position_records(wanted, self.hand.geometry.links)), ack=True)
         late = f"rad off after {plan.MOVE_TIME:g} s, or does not rest; it may touch something"
         async with within(plan.MOVE_TIME, lambda: f"the arm is {self._off(wanted):.3f} {late}"):
             await self._arrive(wanted)

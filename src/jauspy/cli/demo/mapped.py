@@ -13,11 +13,11 @@ import numpy as np
 
 from jauspy.cli.demo.report import Finding
 from jauspy.cli.demo.watch import Scene
-from jauspy.mapping.files import save
-from jauspy.mapping.grid import OccupancyGrid
+from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.files import save_map
+from jauspy.mapping.grid import OccupancyGrid, Points, transformed
 from jauspy.mapping.live import LiveMapping
-from jauspy.mapping.mapper import REACH, Mapper
-from jauspy.mapping.pose import PlanarPose, Points
+from jauspy.mapping.mapper import MAX_RANGE, Mapper
 from jauspy.ocu.robot import Robot
 
 SIDE: Final = 20.0
@@ -44,9 +44,9 @@ class ScanKeeper(Mapper):
         self.scans += 1
         if len(self.path) == used:
             at, far = np.asarray(angles), np.asarray(ranges)
-            echoes = (far > 0.0) & (far < REACH)
+            echoes = (far > 0.0) & (far < MAX_RANGE)
             at, far = at[echoes], far[echoes]
-            self.others.append(pose.then(lidar).apply(np.column_stack([far * np.cos(at), far * np.sin(at)])))
+            self.others.append(transformed(pose @ lidar, np.column_stack([far * np.cos(at), far * np.sin(at)])))
         return pose
 
     def agreement(self) -> float:
@@ -55,7 +55,7 @@ class ScanKeeper(Mapper):
             return 0.0
         taken = np.pad(self.grid.occupancy() == 100, 1)
         near = np.logical_or.reduce([np.roll(taken, (dy, dx), (0, 1)) for dy in (-1, 0, 1) for dx in (-1, 0, 1)])
-        columns, rows = np.rint(self.grid.at(np.concatenate(list(self.others)))).astype(int).T + 1
+        columns, rows = np.rint(self.grid.cell_coordinates(np.concatenate(list(self.others)))).astype(int).T + 1
         inside = (columns > 0) & (rows > 0) & (columns <= self.grid.cells) & (rows <= self.grid.cells)
         return float(near[rows[inside], columns[inside]].mean()) if inside.any() else 0.0
 
@@ -86,7 +86,7 @@ class DriveMap:
         if self._task is not None and self._task.done():
             self._task.result()
         agreement = self._mapper.agreement()
-        files = save(self._mapper.grid, folder / "map")
+        files = save_map(self._mapper.grid, folder / "map")
         known = int((self._mapper.grid.occupancy() != -1).sum()) * self._mapper.grid.resolution**2
         used = len(self._mapper.path)
         finding = Finding(

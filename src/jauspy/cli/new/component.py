@@ -68,7 +68,7 @@ def _is_installed(name: str) -> bool:
 
 def _schema(source: Path | None) -> Schema:
     from jauspy.schema import load_builtin
-    from jauspy.schema.own import load_beside_builtin
+    from jauspy.schema.loader import load_beside_builtin
 
     return load_builtin() if source is None else load_beside_builtin([source])
 

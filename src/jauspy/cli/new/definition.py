@@ -92,7 +92,7 @@ def _jaus_name(name: str) -> str:
 
 def _check(path: Path) -> None:
     """What was written is what jauspy reads."""
-    from jauspy.schema.own import load_own
+    from jauspy.schema.loader import load_own
 
     load_own([path])
 

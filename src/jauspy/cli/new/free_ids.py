@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Final
 import typer
 
 if TYPE_CHECKING:
-    from jauspy.codec.registry import Entry
+    from jauspy.codec.registry import MessageEntry
 
 OWN: Final = range(0xD000, 0xFFFF)
 """Of users, as the standard has it; some public definitions are users, too."""
@@ -28,7 +28,7 @@ def first_of_two(text: str) -> int:
     return code
 
 
-def _user(code: int) -> Entry | None:
+def _user(code: int) -> MessageEntry | None:
     from jauspy.messages import registry
 
     return next(iter(registry.entries_of(code)), None)

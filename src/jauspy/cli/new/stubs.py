@@ -13,8 +13,7 @@ from jauspy.messages import registry
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.binding import RequiredMethod, required_methods
-from jauspy.services.core.complete import with_core
-from jauspy.services.core.defaults import DEFAULTS
+from jauspy.services.core.defaults import INHERITED_DEFAULTS, with_core_services
 from jauspy.services.service import Service
 
 _ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
@@ -49,8 +48,8 @@ def package(
 
 def core_services() -> dict[str, type[Service]]:
     """The classes that come with every component, or by themselves when something inherits from them."""
-    given = {each.urn: type(each) for each in with_core([], "")}
-    return given | {urn: type(make()) for urn, make in DEFAULTS.items()}
+    given = {each.urn: type(each) for each in with_core_services([], "")}
+    return given | {urn: type(make()) for urn, make in INHERITED_DEFAULTS.items()}
 
 
 class _Writer:

@@ -12,7 +12,7 @@ from jauspy.cli.options import Json
 if TYPE_CHECKING:
     from rich.text import Text
 
-    from jauspy.schema.compare import Change, MessageDiff, ServiceDiff
+    from jauspy.schema.differences import Change, MessageDiff, ServiceDiff
     from jauspy.schema.model import Message, Schema, Service
 
 _WHAT = "A file, folder or pattern, or NAME@VERSION of what is built in: a service or a set."
@@ -43,7 +43,7 @@ def diff(
     import json
 
     from jauspy.cli import console
-    from jauspy.schema.compare import compare
+    from jauspy.schema.differences import compare
 
     found = compare(_schema(one, beside or []), _schema(other, beside or []))
     for number, service in enumerate(found):
@@ -63,7 +63,7 @@ def diff(
 def _schema(what: str, beside: list[str]) -> Schema:
     """The services of an argument."""
     from jauspy.cli.schema.lookup import split_version
-    from jauspy.schema.own import load_own
+    from jauspy.schema.loader import load_own
 
     return (None if _is_file(what) else _builtin(*split_version(what))) or load_own([what], beside)
 

@@ -39,7 +39,7 @@ def generate(
       jauspy schema generate vendor/ -o src --package acme.messages
     """
     from jauspy.codec.source import generate as make
-    from jauspy.schema.own import load_own
+    from jauspy.schema.loader import load_own
 
     name, folder = _place(output, package)
     schema = load_own(files)

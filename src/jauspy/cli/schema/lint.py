@@ -13,7 +13,7 @@ from jauspy.cli.options import Json
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from jauspy.schema.lint import Finding, Rule
+    from jauspy.schema.lint import LintFinding, LintRule
 
 _STYLES: Final = {"error": "bold red", "warning": "yellow", "hint": "dim"}
 
@@ -69,12 +69,12 @@ def lint(
 def _paths(files: list[str]) -> list[Path]:
     """The files to check."""
     from jauspy.schema import builtin_paths
-    from jauspy.schema.own import find_files
+    from jauspy.schema.loader import find_files
 
     return find_files(files) if files else builtin_paths()
 
 
-def _rules(ignored: list[str]) -> Sequence[Rule]:
+def _rules(ignored: list[str]) -> Sequence[LintRule]:
     from difflib import get_close_matches
 
     from jauspy.codec.lint import RULES as PYTHON_RULES
@@ -90,13 +90,13 @@ def _rules(ignored: list[str]) -> Sequence[Rule]:
     return [rule for rule in rules if rule.code not in ignored]
 
 
-def _print_rules(rules: Sequence[Rule]) -> None:
+def _print_rules(rules: Sequence[LintRule]) -> None:
     from jauspy.cli.schema.tables import print_table
 
     print_table(("code", "severity", "what it finds"), [(rule.code, rule.severity, rule.summary) for rule in rules])
 
 
-def _print(finding: Finding) -> None:
+def _print(finding: LintFinding) -> None:
     from rich.text import Text
 
     from jauspy.cli import console
@@ -111,7 +111,7 @@ def _print(finding: Finding) -> None:
     console.stdout().print(line)
 
 
-def _print_summary(findings: list[Finding]) -> None:
+def _print_summary(findings: list[LintFinding]) -> None:
     from jauspy.cli import console
 
     counts = Counter(finding.severity for finding in findings)

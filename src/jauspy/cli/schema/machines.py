@@ -7,8 +7,9 @@ from collections.abc import Iterable, Iterator, Sequence
 from rich.text import Text
 from rich.tree import Tree
 
-from jauspy.schema.compare.behavior import short, trigger
+from jauspy.schema.differences import trigger
 from jauspy.schema.model import Action, Behavior, State, Transition
+from jauspy.schema.state_tree import short_name
 
 
 def machine_trees(behavior: Behavior) -> Iterator[Tree]:
@@ -16,7 +17,7 @@ def machine_trees(behavior: Behavior) -> Iterator[Tree]:
     starts = {start.machine: start.state for start in behavior.start}
     for machine in behavior.machines:
         start = starts.get(machine.name)
-        label = Text.assemble((short(machine.name), "bold"), f" starts in {start}" if start else "")
+        label = Text.assemble((short_name(machine.name), "bold"), f" starts in {start}" if start else "")
         tree = Tree(label, guide_style="dim")
         _add_transitions(tree, machine.default_transitions, "by default ")
         for state in machine.states:
@@ -60,7 +61,7 @@ def _actions(actions: Sequence[Action]) -> str:
 
 
 def _action(action: Action) -> str:
-    name = short(action.name)
+    name = short_name(action.name)
     if name == "Send" and action.arguments:
         what, *rest = (argument.strip("'") for argument in action.arguments if argument != "transportData")
         return f"send {what}" + (f" {' '.join(rest)}" if rest else "")

@@ -21,7 +21,7 @@ From = Annotated[
 def definitions(sources: list[str] | None) -> Schema:
     """The services of these sources, or those built in."""
     from jauspy.schema import load_builtin
-    from jauspy.schema.own import load_own
+    from jauspy.schema.loader import load_own
 
     return load_own(sources) if sources else load_builtin()
 

@@ -9,8 +9,8 @@ from typing import Any
 from jauspy.cli.render import unit_symbol
 from jauspy.codec.wire import CODES, FLOATS, limits
 from jauspy.schema import model as m
-from jauspy.schema.sizes import Sizes, can_be_there, scalar_size, sizes
-from jauspy.schema.values import BITS
+from jauspy.schema.fields import BITS
+from jauspy.schema.wire import Sizes, can_be_there, scalar_size, sizes
 
 _LARGE = 100_000
 """Sizes above this say nothing but that there is no useful limit."""

@@ -69,7 +69,7 @@ def show(
 def _object(match: Match) -> dict[str, Any]:
     from jauspy.cli.schema.ls import as_object
     from jauspy.cli.schema.rows import rows
-    from jauspy.schema.sizes import sizes
+    from jauspy.schema.wire import sizes
 
     if match.message is None:
         return {"kind": "service", **as_object(match.service), "doc": match.service.doc}
@@ -97,7 +97,7 @@ def _show_message(match: Match, message: Message, *, docs: bool) -> None:
 
     from jauspy.cli import console
     from jauspy.cli.schema.rows import rows, size_text
-    from jauspy.schema.sizes import sizes
+    from jauspy.schema.wire import sizes
 
     out = console.stdout()
     least, most = sizes(message.body)
@@ -201,7 +201,7 @@ def _print_messages(what: str, messages: tuple[Message, ...]) -> None:
 
     from jauspy.cli import console
     from jauspy.cli.schema.rows import size_text
-    from jauspy.schema.sizes import sizes
+    from jauspy.schema.wire import sizes
 
     if not messages:
         return

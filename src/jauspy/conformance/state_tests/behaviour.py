@@ -18,9 +18,9 @@ from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import ServiceKey
 from jauspy.ids import JausID
 from jauspy.messages import registry
-from jauspy.schema import guards, model
+from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import most_derived_first, parents_among
-from jauspy.schema.needed import load_needed
+from jauspy.schema.loader import load_needed
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 
 MACHINE: Final = "ReceiveFSM"
@@ -87,7 +87,7 @@ class Rule(NamedTuple):
 
 Way: TypeAlias = tuple[MergedState, Owned[model.Transition]]
 """A transition, and the state that has it."""
-Judge: TypeAlias = Callable[[guards.Call, Situation], Truth]
+Judge: TypeAlias = Callable[[behavior.Call, Situation], Truth]
 """Decides a predicate for the input that is looked at."""
 
 
@@ -219,38 +219,38 @@ def _event(transition: model.Transition) -> str:
     return transition.trigger.rpartition(".")[2]
 
 
-def _short(call: guards.Call) -> str:
+def _short(call: behavior.Call) -> str:
     """A predicate's name without the services that it is inherited from."""
     return call.name.rpartition(".")[2]
 
 
 def _guesses(texts: Iterable[str], situation: Situation, judge: Judge) -> Iterator[Callable[[str], bool]]:
     """Judges of guards: one for each way in which the predicates that are not known may turn out."""
-    calls = [call for text in texts if text.strip() for call in guards.calls(guards.parse(text))]
+    calls = [call for text in texts if text.strip() for call in behavior.calls(behavior.parse(text))]
     unknown = list(dict.fromkeys(_short(call) for call in calls if judge(call, situation) is None))
     for values in product((True, False), repeat=len(unknown)):
         guess = dict(zip(unknown, values, strict=True))
 
-        def decide(call: guards.Call, guess: Mapping[str, bool] = guess) -> bool:
+        def decide(call: behavior.Call, guess: Mapping[str, bool] = guess) -> bool:
             known = judge(call, situation)
             return guess[_short(call)] if known is None else known
 
         yield partial(_holds, decide)
 
 
-def _holds(decide: Callable[[guards.Call], bool], text: str) -> bool:
-    return _evaluate(guards.parse(text), decide) if text.strip() else True
+def _holds(decide: Callable[[behavior.Call], bool], text: str) -> bool:
+    return _evaluate(behavior.parse(text), decide) if text.strip() else True
 
 
-def _evaluate(guard: guards.Guard, decide: Callable[[guards.Call], bool]) -> bool:
+def _evaluate(guard: behavior.Guard, decide: Callable[[behavior.Call], bool]) -> bool:
     match guard:
-        case guards.Call():
+        case behavior.Call():
             return decide(guard)
-        case guards.Not(operand):
+        case behavior.Not(operand):
             return not _evaluate(operand, decide)
-        case guards.And(operands):
+        case behavior.And(operands):
             return all(_evaluate(each, decide) for each in operands)
-        case guards.Or(operands):
+        case behavior.Or(operands):
             return any(_evaluate(each, decide) for each in operands)
 
 

@@ -34,7 +34,7 @@ from jauspy.messages.core import (
     Shutdown,
     Standby,
 )
-from jauspy.schema import guards
+from jauspy.schema import behavior
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
 AUTHORITY: Final = 200
@@ -327,7 +327,7 @@ class Stimulus:
     def judge(self, role: str) -> Judge:
         """Decides predicates for this input from this sender."""
 
-        def decide(call: guards.Call, situation: Situation) -> Truth:
+        def decide(call: behavior.Call, situation: Situation) -> Truth:
             name = call.name.rpartition(".")[2]
             if name in SENDER:
                 return situation.controller == role

@@ -31,7 +31,7 @@ from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBS
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
-from jauspy.schema import guards
+from jauspy.schema import behavior
 
 
 def untried(
@@ -267,7 +267,7 @@ class Planner:
             call.name.rpartition(".")[2]
             for rule in self.subject.machine.rules
             if rule.trigger == stimulus.message and rule.transition.guard.strip()
-            for call in guards.calls(guards.parse(rule.transition.guard))
+            for call in behavior.calls(behavior.parse(rule.transition.guard))
         }
         if asked & SETTER:
             return (EMERGENCY_CLIENT, CONTROLLER)

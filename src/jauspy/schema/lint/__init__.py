@@ -1,41 +1,6 @@
 """The linter: finds what breaks other tools, also in files that the loader refuses, and all of it in one run."""
 
-from __future__ import annotations
+from jauspy.schema.lint.context import LintContext, LintFinding, LintRule, Problem, Severity
+from jauspy.schema.lint.linter import REFUSED, RULES, UNREADABLE, lint
 
-from collections.abc import Iterable, Sequence
-from pathlib import Path
-
-from jauspy.schema.lint.finding import Finding, Problem, Rule, Severity
-from jauspy.schema.lint.rules import LAST, REFUSED, RULES, UNREADABLE
-from jauspy.schema.lint.world import World
-
-__all__ = ["REFUSED", "RULES", "UNREADABLE", "Finding", "Problem", "Rule", "Severity", "World", "lint"]
-
-
-def lint(paths: Iterable[Path], rules: Sequence[Rule] = RULES) -> list[Finding]:
-    """All findings in these files, by place; what they refer to may also be built in.
-
-    A file that cannot be read at all is one finding with the code `unreadable`.
-    """
-    world = World(paths)
-    found = {
-        Finding(error.file or "", error.line or 0, UNREADABLE, "error", error.reason) for error in world.unreadable
-    }
-    for rule in rules:
-        found.update(_findings(rule, world))
-    found.update(_elsewhere(_findings(REFUSED, world), found))
-    if not any(finding.severity == "error" for finding in found):
-        found.update(_findings(LAST, world))
-    own = {str(path) for path in world.paths}
-    return sorted(finding for finding in found if finding.file in own)
-
-
-def _elsewhere(more: Iterable[Finding], found: Iterable[Finding]) -> list[Finding]:
-    """Those in lines where no mistake is known yet."""
-    known = {(finding.file, finding.line) for finding in found if finding.severity == "error"}
-    return [finding for finding in more if (finding.file, finding.line) not in known]
-
-
-def _findings(rule: Rule, world: World) -> Iterable[Finding]:
-    for where, message in rule.check(world):
-        yield Finding(where.file, where.line, rule.code, rule.severity, message)
+__all__ = ["REFUSED", "RULES", "UNREADABLE", "LintContext", "LintFinding", "LintRule", "Problem", "Severity", "lint"]

@@ -1,4 +1,4 @@
-"""Rules about state machines: triggers, sends and states."""
+"""Rules about state machines: triggers, sends, states, and transitions that another one precedes."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from dataclasses import dataclass
 
 from lxml.etree import _Element as Element
 
-from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.schema.document import suggestion
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import Action, Behavior, Location, State, Transition
-from jauspy.schema.reading import suggestion
 from jauspy.schema.state_tree import MergedMachine, merge_machines, short_name as short, transitions_of, walk_states
 
 RECEIVE = "Receive"
@@ -36,24 +35,24 @@ class _Known:
     events: set[str]
 
 
-def _triggers(world: World) -> Iterator[tuple[Transition, _Known]]:
+def _triggers(context: LintContext) -> Iterator[tuple[Transition, _Known]]:
     """Every transition of the checked services whose ancestors are all there."""
-    for service in world.services():
-        behavior = world.behavior(service)
-        line = world.lineage(service)
+    for service in context.services():
+        behavior = context.behavior(service)
+        line = context.lineage(service)
         if behavior is None or _incomplete(line):
             continue
         known = _Known(
-            {element.get("name", "") for each in line for element in world.messages(each, "input_set")},
-            {element.get("name", "") for each in line for element in world.messages(each, "output_set")},
+            {element.get("name", "") for each in line for element in context.messages(each, "input_set")},
+            {element.get("name", "") for each in line for element in context.messages(each, "output_set")},
             {event.get("name", "") for each in line for part in each.iterfind("internal_events_set") for event in part},
         )
         yield from ((transition, known) for transition in transitions_of(behavior))
 
 
-def dead_trigger(world: World) -> Iterator[Problem]:
+def dead_trigger(context: LintContext) -> Iterator[Problem]:
     """Transitions that no input of the service or its ancestors can fire."""
-    for transition, known in _triggers(world):
+    for transition, known in _triggers(context):
         reason = _dead(transition, known)
         if reason:
             yield place(transition.where), reason
@@ -75,9 +74,9 @@ def _dead(transition: Transition, known: _Known) -> str:
     return f"no internal event '{event}' in the service or its ancestors{hint}; nothing fires this"
 
 
-def output_trigger(world: World) -> Iterator[Problem]:
+def output_trigger(context: LintContext) -> Iterator[Problem]:
     """Transitions on a message that the service itself sends and does not take."""
-    for transition, known in _triggers(world):
+    for transition, known in _triggers(context):
         if short(transition.trigger) == RECEIVE and transition.parameters:
             wanted = short(transition.parameters[0].type)
             if wanted in known.outputs - known.inputs - known.events:
@@ -90,14 +89,14 @@ def _incomplete(line: Sequence[Element]) -> bool:
     return line[-1].find("references/inherits_from") is not None
 
 
-def unknown_send(world: World) -> Iterator[Problem]:
+def unknown_send(context: LintContext) -> Iterator[Problem]:
     """Sends of messages that are no output of the service or its ancestors."""
-    for service in world.services():
-        behavior = world.behavior(service)
-        line = world.lineage(service)
+    for service in context.services():
+        behavior = context.behavior(service)
+        line = context.lineage(service)
         if behavior is None or _incomplete(line):
             continue
-        outputs = {element.get("name", "") for each in line for element in world.messages(each, "output_set")}
+        outputs = {element.get("name", "") for each in line for element in context.messages(each, "output_set")}
         for action, where in _actions(behavior):
             wanted = _sent(action)
             if wanted and wanted not in outputs:
@@ -123,17 +122,17 @@ def _sent(action: Action) -> str:
 # --- states ---------------------------------------------------------------------------------------------------------
 
 
-def _machines(world: World, line: Iterable[Element]) -> dict[str, MergedMachine]:
-    return merge_machines([world.definition(each) for each in line])
+def _machines(context: LintContext, line: Iterable[Element]) -> dict[str, MergedMachine]:
+    return merge_machines([context.definition(each) for each in line])
 
 
-def unknown_state(world: World) -> Iterator[Problem]:
+def unknown_state(context: LintContext) -> Iterator[Problem]:
     """Start, initial and end states that do not exist."""
-    for service in world.services():
-        behavior = world.behavior(service)
-        if behavior is None or _incomplete(world.lineage(service)):
+    for service in context.services():
+        behavior = context.behavior(service)
+        if behavior is None or _incomplete(context.lineage(service)):
             continue
-        machines = _machines(world, world.lineage(service))
+        machines = _machines(context, context.lineage(service))
         for start in behavior.start:
             yield from _missing(machines, start.machine, start.state, "start state", place(start.where))
         for machine in behavior.machines:
@@ -162,21 +161,21 @@ def _missing(
         yield where, f"{what} '{path}' does not exist{known}; correct the path, it starts at the outermost state"
 
 
-def unreachable_state(world: World) -> Iterator[Problem]:
+def unreachable_state(context: LintContext) -> Iterator[Problem]:
     """States no transition leads to: neither in the service that introduces them nor in one that inherits."""
     reached: dict[tuple[Element, str], set[str]] = {}
-    for service in world.all_services():
-        line = world.lineage(service)
-        for name, machine in _machines(world, line).items():
+    for service in context.all_services():
+        line = context.lineage(service)
+        for name, machine in _machines(context, line).items():
             reachable = machine.reachable()
             for ancestor in line:
                 reached.setdefault((ancestor, name), set()).update(reachable)
-    for service in world.services():
-        behavior = world.behavior(service)
-        line = world.lineage(service)
+    for service in context.services():
+        behavior = context.behavior(service)
+        line = context.lineage(service)
         if behavior is None or _incomplete(line):
             continue
-        inherited = _machines(world, line[1:])
+        inherited = _machines(context, line[1:])
         for own in behavior.machines:
             name = short(own.name)
             there = reached.get((service, name), set())
@@ -187,3 +186,53 @@ def unreachable_state(world: World) -> Iterator[Problem]:
                 if path not in there and is_new and (not parent or parent in there):
                     reason = f"nothing leads to state {path}: no start, no initial state and no transition"
                     yield place(state.where), f"{reason}; add one or delete it"
+
+
+Key = tuple[str, str]
+"""Trigger, and the message where it is the arrival of one; empty is any."""
+
+
+def shadowed_transition(context: LintContext) -> Iterator[Problem]:
+    """Transitions behind one of the same state that fits whenever they do: the first that fits is taken."""
+    for service in context.services():
+        behavior = context.behavior(service)
+        for transitions in _lists(behavior) if behavior else ():
+            yield from _shadowed(transitions)
+
+
+def _lists(behavior: Behavior) -> Iterator[Sequence[Transition]]:
+    """The transitions that compete: those of one state, and apart from them its default ones."""
+    for machine in behavior.machines:
+        yield machine.default_transitions
+    for state in states_of(behavior):
+        yield state.transitions
+        yield state.default_transitions
+
+
+def _shadowed(transitions: Sequence[Transition]) -> Iterator[Problem]:
+    for number, transition in enumerate(transitions):
+        first = next((each for each in transitions[:number] if _covers(each, transition)), None)
+        if first is not None:
+            line = place(first.where).line
+            why = "has the same guard" if first.guard else "has no guard"
+            what = f"the transition on {_what(first)} in line {line} {why} and is always taken before this one"
+            yield place(transition.where), f"{what}; give that one a guard, or put it behind"
+
+
+def _covers(first: Transition, other: Transition) -> bool:
+    """True when the first fits all that the other one does."""
+    trigger, message = _key(first)
+    its_trigger, its_message = _key(other)
+    fits = trigger in ("", its_trigger) and message in ("", its_message)
+    return fits and "".join(first.guard.split()) in ("", "".join(other.guard.split()))
+
+
+def _key(transition: Transition) -> Key:
+    trigger = short(transition.trigger)
+    message = transition.parameters[0].type if trigger == RECEIVE and transition.parameters else ""
+    return trigger, short(message)
+
+
+def _what(transition: Transition) -> str:
+    trigger, message = _key(transition)
+    return message or trigger or "everything else"

@@ -8,21 +8,19 @@ from collections.abc import Iterator
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
-from jauspy.schema.composites import read_composite
+from jauspy.schema.document import location
+from jauspy.schema.fields import BITS, SCALARS, UNSIGNED, read_composite, read_count, read_limits, read_value_set
 from jauspy.schema.library import Scope
-from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import List, Scalar, ValueSet
-from jauspy.schema.reading import location
-from jauspy.schema.sizes import sizes
-from jauspy.schema.values import BITS, SCALARS, UNSIGNED, read_count, read_limits, read_value_set
+from jauspy.schema.wire import sizes
 
 COUNTS = ("count_field", "vtag_field")
 _VALUE_SETS = ("value_set", "declared_value_set")
 
 
 def named(element: Element) -> str:
-    """How a finding calls an element: by its name, or that of what it is in."""
+    """The name of an element, or of the nearest one around it that has a name."""
     holder: Element | None = element
     while holder is not None and holder.get("name") is None:
         holder = holder.getparent()
@@ -45,9 +43,9 @@ def _bits(sub_field: Element) -> tuple[int, int] | None:
     return None
 
 
-def bits_beyond_type(world: World) -> Iterator[Problem]:
+def bits_beyond_type(context: LintContext) -> Iterator[Problem]:
     """Sub-fields outside their bit field."""
-    for field, _ in world.elements("bit_field"):
+    for field, _ in context.elements("bit_field"):
         size = bits_of(field)
         for part in field.iterchildren("sub_field"):
             found, where = _bits(part), location(next(part.iterchildren("bit_range"), part))
@@ -61,9 +59,9 @@ def bits_beyond_type(world: World) -> Iterator[Problem]:
                 yield where, f"{reason}; move it or take a larger type"
 
 
-def overlapping_bits(world: World) -> Iterator[Problem]:
+def overlapping_bits(context: LintContext) -> Iterator[Problem]:
     """Sub-fields that share bits."""
-    for field, _ in world.elements("bit_field"):
+    for field, _ in context.elements("bit_field"):
         taken: list[tuple[int, int, Element]] = []
         for part in field.iterchildren("sub_field"):
             found = _bits(part)
@@ -77,9 +75,9 @@ def overlapping_bits(world: World) -> Iterator[Problem]:
             taken.append((*found, part))
 
 
-def count_limits(world: World) -> Iterator[Problem]:
+def count_limits(context: LintContext) -> Iterator[Problem]:
     """Counts whose limits are upside down or beyond their type."""
-    for element, scope in world.elements(*COUNTS):
+    for element, scope in context.elements(*COUNTS):
         limits = _limits(element, scope)
         size = bits_of(element)
         if limits is None or not size:
@@ -100,9 +98,9 @@ def _limits(element: Element, scope: Scope) -> tuple[int, int] | None:
     return low, high
 
 
-def missing_count(world: World) -> Iterator[Problem]:
+def missing_count(context: LintContext) -> Iterator[Problem]:
     """Counts without limits: what a peer sends is bounded by the type alone."""
-    for element, _ in world.elements("count_field"):
+    for element, _ in context.elements("count_field"):
         missing = [name for name in ("min_count", "max_count") if name not in element.attrib]
         if missing:
             most = f", so up to {2 ** bits_of(element) - 1} are allowed" if "max_count" in missing else ""
@@ -112,12 +110,12 @@ def missing_count(world: World) -> Iterator[Problem]:
             )
 
 
-def tag_limits(world: World) -> Iterator[Problem]:
+def tag_limits(context: LintContext) -> Iterator[Problem]:
     """Variant tags whose limits are not those of the arms."""
-    for variant, scope in world.elements("variant"):
+    for variant, scope in context.elements("variant"):
         arms = sum(1 for part in variant if part.tag != "vtag_field")
         for tag in variant.iterchildren("vtag_field"):
-            count = world.attempt(lambda tag=tag, scope=scope: read_count(tag, scope))  # type: ignore[misc]
+            count = context.attempt(lambda tag=tag, scope=scope: read_count(tag, scope))  # type: ignore[misc]
             if arms > 2 ** bits_of(tag):
                 continue  # refused
             if count is not None and arms and (count.minimum, count.maximum) != (0, arms - 1):
@@ -125,9 +123,9 @@ def tag_limits(world: World) -> Iterator[Problem]:
                 yield location(tag), f'{reason}0..{arms - 1}; write min_count="0" max_count="{arms - 1}"'
 
 
-def small_presence_vector(world: World) -> Iterator[Problem]:
+def small_presence_vector(context: LintContext) -> Iterator[Problem]:
     """Presence vectors with fewer bits than optional members, or none at all."""
-    for element, _ in world.elements("record", "sequence"):
+    for element, _ in context.elements("record", "sequence"):
         optional = [part for part in element if part.get("optional", "").strip() in ("true", "1")]
         vector = element.find("presence_vector")
         if vector is None:
@@ -142,32 +140,32 @@ def small_presence_vector(world: World) -> Iterator[Problem]:
             yield location(vector), f"{reason}: {lost} can never be sent; take a larger type"
 
 
-def unbounded_list(world: World) -> Iterator[Problem]:
+def unbounded_list(context: LintContext) -> Iterator[Problem]:
     """Lists of items without a byte: a count of four thousand million fits into four bytes."""
-    for element, scope in world.elements("list"):
-        if not world.is_sound(element):
+    for element, scope in context.elements("list"):
+        if not context.is_sound(element):
             continue
-        found = world.attempt(lambda element=element, scope=scope: read_composite(element, scope))  # type: ignore[misc]
+        found = context.attempt(lambda element=element, scope=scope: read_composite(element, scope))  # type: ignore[misc]
         if isinstance(found, List) and not sizes(found.element)[0]:
             reason = f"{named(element)} repeats an item that may have no content, so the data cannot bound its count"
             yield location(element), f"{reason}; give the item a mandatory field"
 
 
-def scale_limits(world: World) -> Iterator[Problem]:
+def scale_limits(context: LintContext) -> Iterator[Problem]:
     """Scales with nothing between their limits."""
-    for element, scope in world.elements("scale_range"):
-        limits = world.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
+    for element, scope in context.elements("scale_range"):
+        limits = context.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
         if limits is not None and limits[0] >= limits[1]:
             what = "swap them" if limits[0] > limits[1] else "they need a distance"
             yield location(element), f"scale of {named(element)} goes from {limits[0]:g} to {limits[1]:g}; {what}"
 
 
-def scale_types(world: World) -> Iterator[Problem]:
+def scale_types(context: LintContext) -> Iterator[Problem]:
     """Scales of floats, which mean nothing, and those with finer steps than floats have."""
-    for element, scope in world.elements("scale_range"):
+    for element, scope in context.elements("scale_range"):
         holder = element.getparent()
         kind = None if holder is None else SCALARS.get(" ".join(holder.get("field_type", "").split()))
-        limits = world.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
+        limits = context.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
         if kind is None or limits is None:
             continue
         top = 2 ** (int(kind[1:]) - (not kind.startswith("u"))) - 1
@@ -178,9 +176,9 @@ def scale_types(world: World) -> Iterator[Problem]:
             yield location(element), f"{reason}; take a smaller type"
 
 
-def duplicate_name(world: World) -> Iterator[Problem]:
+def duplicate_name(context: LintContext) -> Iterator[Problem]:
     """Members of one container, or arms of one variant, with one name."""
-    for element, _ in world.elements("record", "sequence", "variant"):
+    for element, _ in context.elements("record", "sequence", "variant"):
         seen: dict[str, Element] = {}
         for part in element.iterchildren():
             name = part.get("name")
@@ -188,9 +186,9 @@ def duplicate_name(world: World) -> Iterator[Problem]:
                 yield location(part), f"{named(element)} has two members called '{name}'; rename one"
 
 
-def duplicate_index(world: World) -> Iterator[Problem]:
+def duplicate_index(context: LintContext) -> Iterator[Problem]:
     """Alternatives of a variable field or format with one index."""
-    for element, _ in world.elements("type_and_units_field", "format_field"):
+    for element, _ in context.elements("type_and_units_field", "format_field"):
         seen: dict[str, Element] = {}
         for part in element:
             index = part.get("index", "").strip()
@@ -203,10 +201,10 @@ def duplicate_index(world: World) -> Iterator[Problem]:
 # --- value sets -----------------------------------------------------------------------------------------------------
 
 
-def value_range_limits(world: World) -> Iterator[Problem]:
+def value_range_limits(context: LintContext) -> Iterator[Problem]:
     """Ranges of allowed values that are upside down."""
-    for element, scope in world.elements("value_range"):
-        limits = world.attempt(
+    for element, scope in context.elements("value_range"):
+        limits = context.attempt(
             lambda element=element, scope=scope: (  # type: ignore[misc]
                 scope.number(element, "lower_limit"),
                 scope.number(element, "upper_limit"),
@@ -216,14 +214,14 @@ def value_range_limits(world: World) -> Iterator[Problem]:
             yield location(element), f"range of {named(element)} goes from {limits[0]:g} to {limits[1]:g}; swap them"
 
 
-def values_beyond_type(world: World) -> Iterator[Problem]:
+def values_beyond_type(context: LintContext) -> Iterator[Problem]:
     """Values and ranges that the field's bytes or bits cannot carry."""
-    for holder, scope in world.elements("fixed_field", "type_and_units_enum", "sub_field"):
+    for holder, scope in context.elements("fixed_field", "type_and_units_enum", "sub_field"):
         limits = _value_limits(holder)
         if limits is None:
             continue
         for element in holder.iterchildren(*_VALUE_SETS):
-            values = world.attempt(
+            values = context.attempt(
                 lambda element=element, scope=scope: read_value_set(element, scope)  # type: ignore[misc]
             )
             for what in _beyond(values or ValueSet(), *limits):
@@ -252,9 +250,9 @@ def _beyond(values: ValueSet, low: int, high: int) -> Iterator[str]:
             yield f"the range {part.lower:g}..{part.upper:g}"
 
 
-def duplicate_value(world: World) -> Iterator[Problem]:
+def duplicate_value(context: LintContext) -> Iterator[Problem]:
     """Two names for one value: only the first can be shown."""
-    for element, _ in world.elements("value_set"):
+    for element, _ in context.elements("value_set"):
         seen: dict[str, Element] = {}
         for part in element.iterchildren("value_enum"):
             value = part.get("enum_index", "").strip()

@@ -1,15 +1,16 @@
-"""Rules about messages: their ids, and what is said about them."""
+"""Rules about messages and references: ids, descriptions, type sets, constants, parents."""
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterator
 
 from lxml.etree import _Element as Element
 
-from jauspy.schema.lint.finding import Problem
-from jauspy.schema.lint.world import World
+from jauspy.errors import SchemaError
+from jauspy.schema.document import DECLARED, file_of, identity, line_of, location, suggestion
+from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import Location, Message
-from jauspy.schema.reading import line_of, location
 from jauspy.schema.wire import same_wire
 
 _HOLDERS = ("message_def", "event_def", "service_def", "declared_type_set")
@@ -33,20 +34,20 @@ def shown(message: Message) -> str:
     return f"{message.name}{where}"
 
 
-def duplicate_message(world: World) -> Iterator[Problem]:
+def duplicate_message(context: LintContext) -> Iterator[Problem]:
     """Two messages of one service, or of it and its ancestors, under one id or name."""
-    for service in world.services():
+    for service in context.services():
         for direction in ("input_set", "output_set"):
-            yield from _duplicates(world, world.messages(service, direction))
-        yield from _two_meanings(world, service)
+            yield from _duplicates(context, context.messages(service, direction))
+        yield from _two_meanings(context, service)
 
 
-def _duplicates(world: World, messages: Iterator[Element]) -> Iterator[Problem]:
+def _duplicates(context: LintContext, messages: Iterator[Element]) -> Iterator[Problem]:
     codes: dict[str, Element] = {}
     names: dict[str, Element] = {}
     for element in messages:
         name = element.get("name", "")
-        message = world.message(element)
+        message = context.message(element)
         code = f"{message.code:04X}" if message else element.get("message_id", "").strip().upper()
         for key, seen, what in ((code, codes, "message_id"), (name, names, "name")):
             first = seen.setdefault(key, element)
@@ -55,40 +56,40 @@ def _duplicates(world: World, messages: Iterator[Element]) -> Iterator[Problem]:
                 yield location(element), f"{reason}; give it another or delete one"
 
 
-def _two_meanings(world: World, service: Element) -> Iterator[Problem]:
+def _two_meanings(context: LintContext, service: Element) -> Iterator[Problem]:
     """One id with different content in inputs and outputs, or in a service and an ancestor."""
     known: dict[int, Message] = {}
-    line = world.lineage(service)
+    line = context.lineage(service)
     for ancestor in reversed(line[1:]):
-        for element in world.messages(ancestor):
-            message = world.message(element)
+        for element in context.messages(ancestor):
+            message = context.message(element)
             if message is not None:
                 known[message.code] = message
-    for element in world.messages(service):
-        message = world.message(element)
+    for element in context.messages(service):
+        message = context.message(element)
         if message is None:
             continue
         first = known.setdefault(message.code, message)
         if not same_wire(first.body, message.body) or (first.name != message.name and first is not message):
-            if first.name != message.name and _same_set(world, service, first, message):
+            if first.name != message.name and _same_set(context, service, first, message):
                 continue  # reported as a duplicate
             reason = f"message_id {message.code:04X} of {message.name} also means {shown(first)}, with other content"
             yield location(element), f"{reason}; a receiver cannot tell them apart, change one id"
 
 
-def _same_set(world: World, service: Element, one: Message, other: Message) -> bool:
+def _same_set(context: LintContext, service: Element, one: Message, other: Message) -> bool:
     sets = [
-        {message.name for element in world.messages(service, direction) if (message := world.message(element))}
+        {message.name for element in context.messages(service, direction) if (message := context.message(element))}
         for direction in ("input_set", "output_set")
     ]
     return any({one.name, other.name} <= names for names in sets)
 
 
-def conflicting_message(world: World) -> Iterator[Problem]:
+def conflicting_message(context: LintContext) -> Iterator[Problem]:
     """One id with different content in different services."""
-    own = list(world.services())
-    codes = {world.code(element) for service in own for element in world.messages(service)}
-    users = [_User(world, service, codes) for service in world.all_services()]
+    own = list(context.services())
+    codes = {context.code(element) for service in own for element in context.messages(service)}
+    users = [_User(context, service, codes) for service in context.all_services()]
     by_code: dict[int, list[tuple[_User, Message]]] = {}
     for user in users:
         for message, _ in user.messages:
@@ -101,11 +102,11 @@ def conflicting_message(world: World) -> Iterator[Problem]:
 class _User:
     """A service, those of its messages that have one of the `codes`, and whom it need not be told apart from."""
 
-    def __init__(self, world: World, service: Element, codes: set[str]) -> None:
+    def __init__(self, context: LintContext, service: Element, codes: set[str]) -> None:
         self.urn, self.version = (service.get(name, "").strip() for name in ("id", "version"))
-        self.lineage = {each.get("id", "").strip() for each in world.lineage(service)}
-        wanted = (element for element in world.messages(service) if world.code(element) in codes)
-        found = ((world.message(element), element) for element in wanted)
+        self.lineage = {each.get("id", "").strip() for each in context.lineage(service)}
+        wanted = (element for element in context.messages(service) if context.code(element) in codes)
+        found = ((context.message(element), element) for element in wanted)
         self.messages = [(message, element) for message, element in found if message is not None]
 
     def may_differ(self, other: _User) -> bool:
@@ -130,13 +131,13 @@ def _conflicts(
         yield where, f"{reason} with other content; decoders have to know the service, or change one id"
 
 
-def no_description(world: World) -> Iterator[Problem]:
+def no_description(context: LintContext) -> Iterator[Problem]:
     """Services, messages and events nobody has described, and fields without an interpretation."""
-    for element, _ in world.elements("service_def", "message_def", "event_def"):
+    for element, _ in context.elements("service_def", "message_def", "event_def"):
         if not (element.findtext("description") or "").strip():
             yield location(element), f"{_kind(element)} '{element.get('name')}' has no description; say what it is for"
     undocumented: dict[Element, list[str]] = {}
-    for element, _ in world.elements(*_FIELDS):
+    for element, _ in context.elements(*_FIELDS):
         if not element.get("interpretation", "").strip():
             holder = next(element.iterancestors(*_HOLDERS), element)
             undocumented.setdefault(holder, []).append(element.get("name", ""))
@@ -151,3 +152,88 @@ def no_description(world: World) -> Iterator[Problem]:
 def _kind(element: Element) -> str:
     kinds = {"service_def": "service", "message_def": "message", "event_def": "event", "declared_type_set": "type set"}
     return kinds[str(element.tag)]
+
+
+_NUMBERS = {
+    "const_def": ("const_value",),
+    "count_field": ("min_count", "max_count"),
+    "vtag_field": ("min_count", "max_count"),
+    "scale_range": ("real_lower_limit", "real_upper_limit"),
+    "value_range": ("lower_limit", "upper_limit"),
+    "fixed_length_string": ("string_length",),
+    "dimension": ("size",),
+}
+"""The attributes that may name constants."""
+
+
+def placed(error: SchemaError, advice: str = "") -> Problem:
+    """A mistake the loader has found, with what to do."""
+    where = Location(error.file or "", error.line or 0)
+    return where, error.reason + (f"; {advice}" if advice else "")
+
+
+def broken_grammar(context: LintContext) -> Iterator[Problem]:
+    """Elements and attributes that JSIDL does not have, or that are missing or too many."""
+    yield from map(placed, context.grammar)
+
+
+def duplicate_definition(context: LintContext) -> Iterator[Problem]:
+    """One id and version, or one name in a set, for two definitions."""
+    yield from (placed(error, "rename or delete one") for error in context.duplicates)
+
+
+def dangling_set(context: LintContext) -> Iterator[Problem]:
+    """References to type sets and constant sets that are in no file."""
+    uses: Counter[tuple[str, str]] = Counter()
+    for element, _ in context.elements(*DECLARED):
+        local, dot, _ = element.get("declared_type_ref", "").partition(".")
+        uses[file_of(element), local if dot else ""] += 1
+    local_names = {
+        (file_of(element), line_of(element)): element.get("name", "")
+        for element, _ in context.elements("declared_type_set_ref", "declared_const_set_ref")
+    }
+    for error in context.unlinked:
+        key = (error.file or "", error.line or 0)
+        if key in local_names:
+            count = uses[key[0], local_names[key]]
+            used = f" ({count} references go through '{local_names[key]}')" if count else ""
+            yield placed(error, f"name its file, too{used}")
+
+
+def dangling_type(context: LintContext) -> Iterator[Problem]:
+    """References to declared types that are not there, or of another kind."""
+    for element, scope in context.elements(*DECLARED):
+        local, dot, _ = element.get("declared_type_ref", "").partition(".")
+        if dot and local in scope.type_sets and local not in scope.linked_types:
+            continue  # the missing set is reported, once
+        try:
+            scope.find(element)
+        except SchemaError as error:
+            if error not in context.grammar:
+                yield placed(error)
+
+
+def dangling_constant(context: LintContext) -> Iterator[Problem]:
+    """Numbers that are neither numbers nor expressions of known constants."""
+    for element, scope in context.elements(*_NUMBERS):
+        for attribute in _NUMBERS[str(element.tag)]:
+            if attribute in element.attrib:
+                try:
+                    scope.number(element, attribute)
+                except SchemaError as error:
+                    yield placed(error)
+
+
+def missing_parent(context: LintContext) -> Iterator[Problem]:
+    """Services that inherit from one that is in no file, or from themselves."""
+    known = {root: f"{root.get('id', '').strip()} {root.get('version', '')}" for root in context.all_services()}
+    for service in context.services():
+        for reference in service.iterfind("references/inherits_from"):
+            if reference.get("id") is None or reference.get("version") is None:
+                continue
+            wanted = " ".join(identity(reference))
+            if context.parent(service) is None:
+                reason = f"inherits_from: no service {wanted} is loaded{suggestion(wanted, known.values())}"
+                yield location(reference), f"{reason}; name its file, too"
+            elif context.parent(context.lineage(service)[-1]) is not None:
+                yield location(reference), f"inherits_from: {known[service]} inherits from itself; cut the circle"

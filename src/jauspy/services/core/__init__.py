@@ -1,15 +1,10 @@
 """The core services (AS5710)."""
 
 from jauspy.services.core.access_control import AccessControl
-from jauspy.services.core.discovery import Discovery
+from jauspy.services.core.discovery import Discovery, Identity
 from jauspy.services.core.events import Events
-from jauspy.services.core.identity import Identity
-from jauspy.services.core.list_driver import ListDriver
-from jauspy.services.core.list_manager import ListManager
-from jauspy.services.core.liveness import Liveness
-from jauspy.services.core.management import Management
-from jauspy.services.core.time import Time
-from jauspy.services.core.transport import Transport
+from jauspy.services.core.list_manager import ListDriver, ListManager
+from jauspy.services.core.management import Liveness, Management, Time, Transport
 
 __all__ = [
     "AccessControl",

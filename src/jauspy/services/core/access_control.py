@@ -1,4 +1,4 @@
-"""AccessControl: one client at a time is in control, by authority, and only as long as it keeps asking (AS5710)."""
+"""AccessControl: at most one client is in control, by authority, as long as it repeats its request (AS5710)."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from jauspy.messages.core import (
 from jauspy.services.service import Service
 
 _TIMER: Final = "access control"
-_NOBODY: Final = JausID(0, 0, 0)
-_CLOSED: Final = frozenset({"Init", "Failure", "Shutdown", "Emergency"})
+_NO_CLIENT: Final = JausID(0, 0, 0)
+_STATES_WITHOUT_CONTROL: Final = frozenset({"Init", "Failure", "Shutdown", "Emergency"})
 """States in which nobody can take control."""
 
 
 class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
     """Exclusive control over all services of the component.
 
-    `default_authority`: 0..255, what a client needs at least. `timeout`: whole seconds, 1..255, within which the
-    client must request control again; 0 never takes it back.
+    `default_authority`: 0..255, the minimum that a client needs. `timeout`: whole seconds, 1..255, within which the
+    client must request control again; 0 never times out.
     """
 
     def __init__(self, *, default_authority: int = 1, timeout: int = 5) -> None:
@@ -40,7 +40,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         self.default_authority = default_authority
         self.timeout = timeout
         self.authority = default_authority
-        self._time_is_up = "Timedout"
+        self._timeout_event = "Timedout"
 
     @property
     def controller(self) -> JausID | None:
@@ -48,9 +48,9 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         return self.host.controller
 
     def attached(self) -> None:
-        """A time-out is `Timedout`; in 1.0 it was `Timeout`, which in 1.1 is the end of a subscription."""
+        """The event of a time-out is `Timedout`; in 1.0 it was `Timeout`, which in 1.1 ends a subscription."""
         if self.host.definitions[self.urn].version == "1.0":
-            self._time_is_up = "Timeout"
+            self._timeout_event = "Timeout"
 
     # --- actions
 
@@ -58,36 +58,36 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         """Nobody is in control."""
         self.authority = self.default_authority
         self.host.cancel_timer(_TIMER)
-        self._hand_to(None)
+        self._set_controller(None)
 
     def store_address(self, source: JausID) -> None:
         """`source` is in control from now on."""
-        self._hand_to(source)
+        self._set_controller(source)
 
     def set_authority(self, msg: RequestControl | SetAuthority) -> None:
         """The controlling client's authority."""
         self.authority = msg.authority_code
 
     def reset_timer(self) -> None:
-        """The controlling client has its full time again."""
+        """Restart the time-out of the controlling client."""
         if self.timeout:
             self.host.set_timer(_TIMER, self.host.now + self.timeout, self._time_out)
 
     def leaving(self) -> None:
-        """The client in control is told that control ends; in an emergency it goes on until its time is up."""
-        self.host.fire(self._time_is_up)
+        """Time out control, which notifies the client; in an emergency it stays in control until its time-out."""
+        self.host.fire(self._timeout_event)
 
     def _time_out(self) -> None:
         # Emergency swallows Timedout: the timer goes on, so that a dead client is dropped after the emergency.
         self.reset_timer()
-        self.host.fire(self._time_is_up)
+        self.host.fire(self._timeout_event)
 
     def client_lost(self, client: JausID) -> None:
-        """Who cannot be reached cannot be in control."""
+        """Time out control when the controlling client is lost."""
         if client == self.controller:
-            self.host.fire(self._time_is_up)
+            self.host.fire(self._timeout_event)
 
-    def _hand_to(self, client: JausID | None) -> None:
+    def _set_controller(self, client: JausID | None) -> None:
         before, self.host.controller = self.host.controller, client
         if before not in (None, client):
             self.host.control_lost()
@@ -95,19 +95,19 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
     # --- predicates
 
     def is_control_available(self) -> bool:
-        """Nothing keeps clients from taking control (1.0 asks; 1.1 has states for it)."""
-        return not _CLOSED.intersection(self.host.path)
+        """The state allows control (a predicate of 1.0; 1.1 has states for it)."""
+        return not _STATES_WITHOUT_CONTROL.intersection(self.host.path)
 
     def is_controlling_client(self, source: JausID) -> bool:
         """The sender is in control."""
         return self.controller == source
 
     def is_default_authority_greater(self, msg: RequestControl) -> bool:
-        """The request has not even the default authority."""
+        """The request has less than the default authority."""
         return self.default_authority > msg.authority_code
 
     def is_current_authority_less(self, msg: RequestControl) -> bool:
-        """The request outranks the client in control."""
+        """The request has a higher authority than the controlling client."""
         return self.authority < msg.authority_code
 
     def is_authority_valid(self, msg: SetAuthority) -> bool:
@@ -121,7 +121,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         return ConfirmControl(response_code=ConfirmControl.ResponseCode[code])
 
     def reject_control(self, msg: object, source: JausID | None, code: str) -> RejectControl | None:
-        """Control was given up or taken away. Who loses it to another client is told; 1.0 says to tell the other."""
+        """Control was released or lost. A client that loses it to another one is notified (1.0: the other)."""
         answer = RejectControl(response_code=RejectControl.ResponseCode[code])
         loser = self.controller
         if isinstance(msg, Message) and msg.CODE == RequestControl.CODE and loser not in (None, source):
@@ -131,12 +131,12 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         return answer
 
     def report_control(self) -> ReportControl:
-        """Who is in control; all zero for nobody."""
+        """The client in control; all zero for none."""
         client = self.controller
         return ReportControl(
-            subsystem_id=(client or _NOBODY).subsystem,
-            node_id=(client or _NOBODY).node,
-            component_id=(client or _NOBODY).component,
+            subsystem_id=(client or _NO_CLIENT).subsystem,
+            node_id=(client or _NO_CLIENT).node,
+            component_id=(client or _NO_CLIENT).component,
             authority_code=self.authority if client else 0,
         )
 

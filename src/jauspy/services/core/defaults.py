@@ -1,18 +1,18 @@
-"""The core services that a component gets by itself when something inherits from them."""
+"""The core services that a component has by default (AS5710)."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from typing import Final
 
 from jauspy.services.core.access_control import AccessControl
+from jauspy.services.core.discovery import COMPONENT, DEFAULT_IDENTITIES, Discovery, Identity
 from jauspy.services.core.events import Events
 from jauspy.services.core.list_manager import ListManager, ManipulatorListManager, MobilityListManager
-from jauspy.services.core.management import Management
-from jauspy.services.core.transport import Transport
+from jauspy.services.core.management import Liveness, Management, Time, Transport
 from jauspy.services.service import Service
 
-DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
+INHERITED_DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
     kind.urn: kind
     for kind in (
         Transport,
@@ -24,3 +24,15 @@ DEFAULTS: Final[Mapping[str, Callable[[], Service]]] = {
         ManipulatorListManager,
     )
 }
+
+
+def with_core_services(services: Iterable[Service], name: str) -> list[Service]:
+    """These services, and the core services that are not among them; `name` is reported by Discovery."""
+    given = list(services)
+    urns = {service.urn for service in given}
+    component = Identity(name, DEFAULT_IDENTITIES[COMPONENT].type)
+    for service in given:
+        if isinstance(service, Discovery):
+            service.identities.setdefault(COMPONENT, component)
+    core = (Management(), Time(), Liveness(), Discovery({COMPONENT: component}))
+    return [*given, *(service for service in core if service.urn not in urns)]

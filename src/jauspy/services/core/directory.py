@@ -1,4 +1,4 @@
-"""The components and services that Discovery knows of, in a bounded table whose entries end by themselves."""
+"""The components and services that Discovery knows, in a bounded table with entries that expire."""
 
 from __future__ import annotations
 
@@ -11,18 +11,18 @@ from typing import Final, NamedTuple, TypeAlias
 from jauspy.ids import ANY_COMPONENT, ANY_NODE, ANY_SUBSYSTEM, JausID
 
 MAX_COMPONENTS: Final = 256
-"""Other components that may be registered at once."""
+"""Other components that may be registered."""
 MAX_SERVICES: Final = 64
-"""Services of one component that are kept; the wire allows 255, which no component comes near."""
+"""Services of one component that are kept; a message can carry 255."""
 
 
-Where: TypeAlias = tuple[int, int, int]
+AddressPattern: TypeAlias = tuple[int, int, int]
 """Subsystem, node and component; each may be a wildcard."""
-Filters: TypeAlias = AbstractSet[str]
+SearchFilters: TypeAlias = AbstractSet[str]
 """Parts of URIs."""
 
 
-class Offer(NamedTuple):
+class OfferedService(NamedTuple):
     """A service a component offers."""
 
     uri: str
@@ -37,7 +37,7 @@ class Offer(NamedTuple):
 
 @dataclass(slots=True)
 class _Entry:
-    offers: tuple[Offer, ...]
+    offers: tuple[OfferedService, ...]
     until: float
 
 
@@ -47,7 +47,7 @@ class Directory:
     def __init__(self) -> None:
         self._entries: dict[JausID, _Entry] = {}
 
-    def register(self, id: JausID, offers: Iterable[Offer], until: float = math.inf) -> bool:
+    def register(self, id: JausID, offers: Iterable[OfferedService], until: float = math.inf) -> bool:
         """Replace what is known of a component; False when the table is full."""
         if id not in self._entries and len(self._entries) > MAX_COMPONENTS:
             return False
@@ -69,32 +69,32 @@ class Directory:
         """Take a component off; fine when it is not there."""
         self._entries.pop(id, None)
 
-    def matching(self, wanted: Mapping[Where, Filters]) -> dict[JausID, tuple[Offer, ...]]:
+    def matching(self, wanted: Mapping[AddressPattern, SearchFilters]) -> dict[JausID, tuple[OfferedService, ...]]:
         """What the components addressed offer, wildcards understood; those known for the longest time come first.
 
         A service is offered when one of the filters for its component is part of its URI; the empty one always is.
         However much is asked for, each component is looked up eight times.
         """
-        found: dict[JausID, tuple[Offer, ...]] = {}
+        found: dict[JausID, tuple[OfferedService, ...]] = {}
         for id, entry in self._entries.items():
             filters = set().union(*(wanted.get(where, ()) for where in _addresses(id)))
             if filters:
                 found[id] = tuple(offer for offer in entry.offers if any(each in offer.uri for each in filters))
         return found
 
-    def all(self) -> Mapping[JausID, tuple[Offer, ...]]:
+    def all(self) -> Mapping[JausID, tuple[OfferedService, ...]]:
         """Everything, in order of the ids."""
         return {id: entry.offers for id, entry in sorted(self._entries.items())}
 
 
-def _addresses(id: JausID) -> Iterator[Where]:
+def _addresses(id: JausID) -> Iterator[AddressPattern]:
     """Everything that addresses a component, from its own id to all wildcards."""
     return product((id.subsystem, ANY_SUBSYSTEM), (id.node, ANY_NODE), (id.component, ANY_COMPONENT))
 
 
-def within(offers: Iterable[Offer], size: int) -> tuple[Offer, ...]:
+def within(offers: Iterable[OfferedService], size: int) -> tuple[OfferedService, ...]:
     """As many of the first offers as take up to `size` bytes together."""
-    kept: list[Offer] = []
+    kept: list[OfferedService] = []
     for offer in offers:
         size -= offer.size
         if size < 0:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from itertools import groupby
 from operator import attrgetter
-from typing import Final
+from typing import Any, Final
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
@@ -21,12 +22,72 @@ from jauspy.messages.core import (
     ReportServiceList,
     ReportServices,
     ReportSubsystemList,
+    ServiceRec,
     SubsystemRec,
 )
-from jauspy.services.core.directory import Directory, Filters, Offer, Where, within
-from jauspy.services.core.identity import DEFAULT_IDENTITIES, NODE, SUBSYSTEM, Identity
-from jauspy.services.core.listing import nodes, own_offers, service
+from jauspy.services.core.directory import AddressPattern, Directory, OfferedService, SearchFilters, within
 from jauspy.services.service import Service, ServiceHost
+
+
+def offered_services(host: ServiceHost) -> list[OfferedService]:
+    """The services of a component and all they inherit from."""
+    offers = []
+    for urn, definition in host.definitions.items():
+        major, _, minor = definition.version.partition(".")
+        offers.append(OfferedService(urn, int(major), int(minor or 0)))
+    return sorted(offers)
+
+
+def service_record(offer: OfferedService) -> ServiceRec:
+    """One service's record."""
+    return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
+
+
+def node_records(report: Any, found: Mapping[JausID, Iterable[OfferedService]]) -> list[Any]:
+    """The nodes of a `ReportServices` or `ReportServiceList`, which look alike and are classes of their own."""
+    return [
+        report.NodeSeq(
+            node_rec=report.NodeRec(node_id=node),
+            component_list=[_component(report, each, found[each]) for each in ids],
+        )
+        for node, ids in groupby(sorted(found), key=attrgetter("node"))
+    ]
+
+
+def _component(report: Any, id: JausID, offers: Iterable[OfferedService]) -> Any:
+    return report.ComponentSeq(
+        component_rec=ComponentRec(component_id=id.component, instance_id=0),
+        service_list=[service_record(offer) for offer in offers],
+    )
+
+
+SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
+"""The levels of a query (its field QueryType)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Identity:
+    """A name (Latin-1, at most 255 bytes), and the type of AS5710: 10001 vehicle, 40001 node, 60001 component."""
+
+    name: str
+    type: int
+
+    def __post_init__(self) -> None:
+        try:
+            fits = len(self.name.encode("latin-1")) <= 255
+        except UnicodeEncodeError:
+            fits = False
+        if not fits:
+            raise ConfigError(f"identity {self.name!r}: a name on the wire is Latin-1 text of up to 255 bytes")
+
+
+DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
+    SYSTEM: Identity("jauspy", 10001),
+    SUBSYSTEM: Identity("jauspy vehicle", 10001),
+    NODE: Identity("jauspy node", 40001),
+    COMPONENT: Identity("jauspy component", 60001),
+}
+
 
 LIFETIME: Final = 300.0
 """Seconds that a registration lasts after Discovery last heard from the component. AS5710 has no renewal: components
@@ -45,7 +106,7 @@ _RECORDS: Final = 8
 
 
 class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
-    """Answers for its own component, for those it was told `about`, and for those of its subsystem that registered.
+    """Answers for its own component, for those passed to `add_local`, and for those of its subsystem that registered.
 
     `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
     Registrations end `LIFETIME` seconds after the component last registered or asked. Reports name as many components
@@ -63,54 +124,56 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         self._registrar = None if register_with is None else _one_component(register_with)
 
     def attached(self) -> None:
-        """The component's own services, those it inherits included; `ConfigError` where it cannot register."""
+        """List the component's own services, including inherited ones; `ConfigError` when it cannot register."""
         me, other = self.host.id, self._registrar
         if other is not None and me.subsystem and (other == me or other.subsystem != me.subsystem):
             raise ConfigError(f"register_with: {me} cannot register with {other}; name another one of its subsystem")
-        self._arrive()
+        self._list_own()
 
     def leaving(self) -> None:
-        """Others registered with the component of the old id, which is on nobody's list any more."""
+        """Forget registrations, which were made under the old id, and cancel the own one."""
         self.directory = Directory()
         self._register(())
 
     def joined(self) -> None:
-        """The same services under the new id."""
-        self._arrive()
+        """List the same services under the new id."""
+        self._list_own()
 
-    def _arrive(self) -> None:
-        self.directory.register(self.host.id, own_offers(self.host))
+    def _list_own(self) -> None:
+        self.directory.register(self.host.id, offered_services(self.host))
         if self._registrar is not None:
-            self.host.set_timer(self._stay_registered, self.host.now, self._stay_registered)
+            self.host.set_timer(self._repeat_registration, self.host.now, self._repeat_registration)
 
-    def _stay_registered(self) -> None:
-        self.host.set_timer(self._stay_registered, self.host.now + REGISTER_AGAIN, self._stay_registered)
-        self._register(own_offers(self.host))
+    def _repeat_registration(self) -> None:
+        self.host.set_timer(self._repeat_registration, self.host.now + REGISTER_AGAIN, self._repeat_registration)
+        self._register(offered_services(self.host))
 
-    def _register(self, offers: Iterable[Offer]) -> None:
+    def _register(self, offers: Iterable[OfferedService]) -> None:
         subsystem = self.host.id.subsystem
         if self._registrar is None or not subsystem:
             return
         if subsystem != self._registrar.subsystem:
             self.host.count("not_registered", f"with {self._registrar}, which is in another subsystem")
             return
-        self.host.send(self._registrar, RegisterServices([service(each) for each in offers]))
+        self.host.send(self._registrar, RegisterServices([service_record(each) for each in offers]))
 
-    def about(self, others: Iterable[ServiceHost]) -> None:
-        """Components of the same program: they need not register, are there as long as it is, and do not move."""
+    def add_local(self, others: Iterable[ServiceHost]) -> None:
+        """List components of the same program: they need not register, do not expire, and keep their ids."""
         for other in others:
-            self.directory.register(other.id, own_offers(other))
+            self.directory.register(other.id, offered_services(other))
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
-        """Take up another component of this subsystem; one that registers no services goes off the list."""
+        """List another component of this subsystem; one that registers no services is removed."""
         if source.subsystem != self.host.id.subsystem or source == self.host.id:
             self.host.count("foreign_registration", str(source))
             return
-        self._heard(source)
+        self._renew(source)
         if not msg.service_list:
             self.directory.forget(source)
             return
-        offers = [Offer(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list]
+        offers = [
+            OfferedService(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list
+        ]
         kept = within(offers, MAX_REGISTRATION)
         if len(kept) < len(offers):
             self.host.count("registration_cut", f"{source} with {len(offers)} services")
@@ -118,17 +181,17 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("registration_dropped", str(source))
 
     def client_lost(self, client: JausID) -> None:
-        """It is not there any more, unless it is this very component."""
+        """Remove the component from the list, unless it is this one."""
         if client != self.host.id:
             self.directory.forget(client)
 
-    def _heard(self, source: JausID) -> None:
+    def _renew(self, source: JausID) -> None:
         self.directory.renew(source, self.host.now + LIFETIME)
         self.directory.expire(self.host.now)
 
     def report_identification(self, query: QueryIdentification, source: JausID) -> ReportIdentification | None:
         """Name and type at the level asked for; no answer for a reserved level."""
-        self._heard(source)
+        self._renew(source)
         level = int(query.query_type)
         identity = self.identities.get(level) or DEFAULT_IDENTITIES.get(level)
         if identity is None:
@@ -137,7 +200,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
 
     def report_configuration(self, query: QueryConfiguration, source: JausID) -> ReportConfiguration | None:
         """Nodes and components of the subsystem, or of this node alone; no answer for a reserved level."""
-        self._heard(source)
+        self._renew(source)
         if query.query_type not in (SUBSYSTEM, NODE):
             return None
         me = self.host.id
@@ -157,25 +220,25 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         )
 
     def report_subsystem_list(self, source: JausID) -> ReportSubsystemList:
-        """The own subsystem, and where to ask about it: here."""
-        self._heard(source)
+        """The own subsystem, with this component as the one that answers for it."""
+        self._renew(source)
         me = self.host.id
         record = SubsystemRec(subsystem_id=me.subsystem, node_id=me.node, component_id=me.component)
         return ReportSubsystemList(subsystem_list=[record])
 
     def report_services(self, query: QueryServices, source: JausID) -> ReportServices:
         """The services of every component asked for that is known; wildcards (255) are understood."""
-        self._heard(source)
+        self._renew(source)
         wanted = {
             (self.host.id.subsystem, node.node_rec.node_id, component.component_id): _ALL
             for node in query.node_list
             for component in node.component_list
         }
-        return ReportServices(node_list=nodes(ReportServices, self._fitting(self.directory.matching(wanted))))
+        return ReportServices(node_list=node_records(ReportServices, self._fitting(self.directory.matching(wanted))))
 
     def report_service_list(self, query: QueryServiceList, source: JausID) -> ReportServiceList:
         """As `report_services`, over subsystems; a search filter keeps the services whose URI contains it."""
-        self._heard(source)
+        self._renew(source)
         matching = self.directory.matching(self._wanted(query))
         found = self._fitting({each: offers for each, offers in matching.items() if offers})
         subsystems = groupby(sorted(found), key=attrgetter("subsystem"))
@@ -183,14 +246,14 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             subsystem_list=[
                 ReportServiceList.SubsystemSeq(
                     subsystem_rec=ReportServiceList.SubsystemRec(subsystem_id=number),
-                    node_list=nodes(ReportServiceList, {each: found[each] for each in ids}),
+                    node_list=node_records(ReportServiceList, {each: found[each] for each in ids}),
                 )
                 for number, ids in subsystems
             ]
         )
 
-    def _wanted(self, query: QueryServiceList) -> dict[Where, Filters]:
-        wanted: dict[Where, set[str]] = {}
+    def _wanted(self, query: QueryServiceList) -> dict[AddressPattern, SearchFilters]:
+        wanted: dict[AddressPattern, set[str]] = {}
         filters = 0
         for subsystem in query.subsystem_list:
             for node in subsystem.node_list:
@@ -206,8 +269,8 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("query_cut", f"{filters} search filters")
         return {where: known for where, known in wanted.items() if known}
 
-    def _fitting(self, found: Mapping[JausID, tuple[Offer, ...]]) -> dict[JausID, tuple[Offer, ...]]:
-        """What fits `MAX_REPORT`: this component as far as possible, others with all of their services or not."""
+    def _fitting(self, found: Mapping[JausID, tuple[OfferedService, ...]]) -> dict[JausID, tuple[OfferedService, ...]]:
+        """What fits `MAX_REPORT`: this component as far as possible, others with all of their services."""
         left, kept = MAX_REPORT, {}
         for each in sorted(found, key=lambda each: each != self.host.id):
             offers = within(found[each], left - _RECORDS)

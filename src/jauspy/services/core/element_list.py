@@ -1,4 +1,4 @@
-"""The order of a list's elements: doubly linked on the wire, checked as a whole, never half changed (AS5710)."""
+"""The order of a list's elements: doubly linked in messages, changed as a whole or not at all (AS5710)."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from typing import Final, TypeAlias
 
 from jauspy.messages.core import ElementRec, RejectElementRequest
 
-Code: TypeAlias = RejectElementRequest.ResponseCode
+ElementRejectCode: TypeAlias = RejectElementRequest.ResponseCode
 
 RESERVED: Final = frozenset({0, 65535})
 """Numbers that no element has: 0 stands for none, 65535 for all."""
@@ -34,20 +34,20 @@ class ElementList:
         return self.order[0] if self.loop else 0
 
     def without(self, uids: Collection[int]) -> ElementList:
-        """The list when these are gone; their neighbours are linked with each other."""
+        """The list without these elements; their neighbours are linked with each other."""
         order = tuple(uid for uid in self.order if uid not in uids)
         return ElementList(order, self.loop and bool(order))
 
-    def linked(self, records: Sequence[ElementRec]) -> ElementList | Code:
-        """The list with these elements inserted, or replaced, where their links say; why not, if these do not fit."""
+    def linked(self, records: Sequence[ElementRec]) -> ElementList | ElementRejectCode:
+        """The list with these elements inserted or replaced where their links say; a reject code if they do not fit."""
         if not records:
-            return Code.UNSPECIFIED_ERROR
+            return ElementRejectCode.UNSPECIFIED_ERROR
         uids = {record.element_uid for record in records}
         if len(uids) < len(records) or uids & RESERVED:
-            return Code.INVALID_ELEMENT_ID
+            return ElementRejectCode.INVALID_ELEMENT_ID
         order = _placed([uid for uid in self.order if uid not in uids], records)
         if order is None:
-            return Code.INVALID_PREVIOUS_ELEMENT
+            return ElementRejectCode.INVALID_PREVIOUS_ELEMENT
         closing = {record.element_uid: record.next_uid == order[0] for record in records}
         loop = closing.get(order[-1], self.loop and order[-1] == self.order[-1])
         if loop and self.order and self.order[0] in order:
@@ -74,11 +74,11 @@ def _placed(there: list[int], records: Sequence[ElementRec]) -> list[int] | None
     return None if waiting else order
 
 
-def _wrong_link(changed: ElementList, records: Sequence[ElementRec]) -> Code | None:
+def _wrong_link(changed: ElementList, records: Sequence[ElementRec]) -> ElementRejectCode | None:
     for record in records:
         first = record.element_uid == changed.order[0]
         if record.previous_uid != changed.previous(record.element_uid) and not (first and record.previous_uid == 0):
-            return Code.INVALID_PREVIOUS_ELEMENT
+            return ElementRejectCode.INVALID_PREVIOUS_ELEMENT
         if record.next_uid != changed.next(record.element_uid):
-            return Code.INVALID_NEXT_ELEMENT
+            return ElementRejectCode.INVALID_NEXT_ELEMENT
     return None

@@ -1,8 +1,12 @@
-"""Events: a client asks once and is told again and again, at a rate or when something changes (AS5710)."""
+"""Events: clients subscribe to queries, and are sent the reports periodically or on change (AS5710)."""
 
 from __future__ import annotations
 
+from functools import partial
+from typing import Any, Final, TypeAlias
+
 from jauspy.arguments import check_number
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -10,35 +14,47 @@ from jauspy.messages.core import (
     ConfirmEventRequest,
     CreateCommandEvent,
     CreateEvent,
+    Event,
     EventTypeRec,
     QueryEvents,
+    RejectEventRequest,
     ReportEvents,
     ReportEventTimeout,
+    UpdateEvent,
 )
-from jauspy.services.core.ended_commands import EndedCommands
-from jauspy.services.core.event_reports import EventReports
-from jauspy.services.core.event_requests import EventRequests, Request, Setup
-from jauspy.services.core.rates import Rates
+from jauspy.protocol.header import Priority
+from jauspy.services.core.command_events import CommandEvents, CompletedCommands, encoded
 from jauspy.services.core.subscriptions import (
     EVERY_CHANGE,
+    EXTRA_KINDS,
+    FIRST_CHANGE,
     KINDS,
-    MORE_KINDS,
+    ONE_TIME,
     PERIODIC,
-    CommandWatch,
-    Entry,
+    ClientEvent,
+    EventRates,
+    PendingCommand,
     Subscription,
     Subscriptions,
 )
+from jauspy.services.deferred import PendingReply
+from jauspy.services.state_machine import TriggerOutcome
+
+MAX_QUERY: Final = 4096
+"""Bytes of a query that a subscription may hold."""
+EventRequest: TypeAlias = CreateEvent | UpdateEvent | CancelEvent
+EventSetup: TypeAlias = CreateEvent | UpdateEvent
+EventRejectCode: TypeAlias = RejectEventRequest.ResponseCode
 
 
-class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", private=True):
-    """Subscriptions to any query that the component answers, and to the end of any command that it takes.
+class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
+    """Subscriptions to every query that the component answers, and command events for every command that it takes.
 
-    `min_rate` and `max_rate` (Hz) bound periodic events, `max_change_rate` how often every-change events look for a
-    change; 0 refuses events of that kind. Clients are told the rate they really get. Events end by themselves
+    `min_rate` and `max_rate` (Hz) bound periodic events, `max_change_rate` how often every-change events check for a
+    change; 0 refuses events of that kind. Clients are sent the rate that is applied. Events end
     `timeout` minutes (1..255, 0: never) after they were last created or updated. `limit` bounds the events of the
-    component, `limit_per_client` those of one client. `more_kinds` also takes two kinds of event that AS5710 has no
-    numbers for: 2 reports the first change, 3 reports once, and both end with that.
+    component, `limit_per_client` those of one client. `more_kinds` also accepts two kinds of event that AS5710 does
+    not number: 2 reports the first change, 3 reports once; both end then.
     """
 
     def __init__(
@@ -60,24 +76,24 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
             check_number(value, f"events: {name}", whole=True)
             if not 0 <= value <= most:
                 raise ConfigError(f"events: {name} is {value}; it must be 0..{most}")
-        self.rates = Rates(min_rate, max_rate, max_change_rate)
+        self.rates = EventRates(min_rate, max_rate, max_change_rate)
         self.timeout = timeout
         self.subscriptions = Subscriptions(limit, limit_per_client)
-        self.ended = EndedCommands()
-        self._kinds = KINDS | MORE_KINDS if more_kinds else KINDS
-        self._current: Entry | None = None
+        self.completed = CompletedCommands()
+        self._kinds = KINDS | EXTRA_KINDS if more_kinds else KINDS
+        self._current: ClientEvent | None = None
 
     def leaving(self) -> None:
-        """Clients know events by the id of the component: all end with it, and their clients are told."""
+        """End all events, since clients know them by the id of the component, and confirm that to the clients."""
         for each in self.subscriptions.all():
             self._end(each)
             self.host.send(each.client, _confirmation(each, each.request_id))
-        self.ended.clear()
+        self.completed.clear()
 
     # --- actions
 
     def create_event(self, msg: CreateEvent, source: JausID) -> None:
-        """A new subscription; the first report comes at once, that of a first change when it is one."""
+        """Add a subscription; the first report is sent at once, that of a first-change event on the change."""
         subscription = Subscription(
             self.subscriptions.free_id(), source, msg.request_id, msg.event_type, self._query(msg), due=self.host.now
         )
@@ -86,8 +102,8 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         self._current = subscription
         self._schedule(subscription)
 
-    def update_event(self, msg: Setup, source: JausID) -> None:
-        """Another rate, kind or query for an event that is there; an every-change event reports anew."""
+    def update_event(self, msg: EventSetup, source: JausID) -> None:
+        """Change rate, kind or query of an event; an every-change event reports at once."""
         subscription = self._find(msg, source)
         if not isinstance(subscription, Subscription):
             return
@@ -98,20 +114,20 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         self._current = subscription
         self._schedule(subscription)
 
-    def cancel_event(self, msg: CancelEvent | Entry, source: JausID) -> None:
-        """The event ends; a command goes on, without anybody being told how it ends."""
+    def cancel_event(self, msg: CancelEvent | ClientEvent, source: JausID) -> None:
+        """End the event; the command of a command event is carried out, but its end is not reported."""
         self._current = self._find(msg, source)
         if self._current is not None:
             self._end(self._current)
 
     def client_lost(self, client: JausID) -> None:
-        """Nobody listens to these events any more."""
+        """End the events of the client."""
         for entry in self.subscriptions.of(client):
             self._end(entry)
-        self.ended.forget_of(client)
+        self.completed.forget_of(client)
 
     def reset_event_timer(self) -> None:
-        """The event has its full time again."""
+        """Restart the time-out of the event."""
         current = self._current
         if self.timeout and current is not None:
             self.host.set_timer(
@@ -121,19 +137,144 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
             )
 
     def stop_event_timer(self) -> None:
-        """The event that ended does not time out any more: `cancel_event` has seen to that."""
+        """Nothing to do: `cancel_event` has cancelled the timer."""
+
+    # --- requests
+
+    def is_supported(self, msg: EventSetup, source: JausID) -> bool:
+        """The event can be set up as requested."""
+        return self._refusal(msg, source) is None
+
+    def event_exists(self, msg: EventRequest | CreateCommandEvent | ClientEvent, source: JausID) -> bool:
+        """The client has this event."""
+        return self._find(msg, source) is not None
+
+    def reject_event_request(self, msg: EventRequest | CreateCommandEvent, source: JausID) -> RejectEventRequest:
+        """The request is rejected, with the reason."""
+        return RejectEventRequest(request_id=msg.request_id, response_code=self._reason(msg, source))
+
+    def _reason(self, msg: Any, source: JausID) -> EventRejectCode:
+        if msg.CODE == CreateCommandEvent.CODE:
+            return (
+                EventRejectCode.MESSAGE_NOT_SUPPORTED
+                if self._command(msg) is None
+                else EventRejectCode.CONNECTION_REFUSED
+            )
+        if msg.CODE != CreateEvent.CODE and self._find(msg, source) is None:
+            return EventRejectCode.INVALID_EVENT_ID
+        return self._refusal(msg, source) or EventRejectCode.MESSAGE_NOT_SUPPORTED
+
+    def _find(self, msg: Any, source: JausID) -> ClientEvent | None:
+        if isinstance(msg, ClientEvent):
+            is_repeated = isinstance(msg, PendingCommand) and self.completed.holds(msg)
+            return msg if is_repeated or self.subscriptions.holds(msg) else None
+        if msg.CODE == CreateEvent.CODE:
+            return self.subscriptions.same(source, msg.event_type, encoded(msg.query_message))
+        if msg.CODE == CreateCommandEvent.CODE:
+            return self._find_command(msg, source)
+        found = self.subscriptions.find(msg.event_id, source)
+        return found if msg.CODE == CancelEvent.CODE or isinstance(found, Subscription) else None
+
+    def _refusal(self, msg: EventSetup, source: JausID) -> EventRejectCode | None:
+        """Why the event cannot be set up as requested; None when it can."""
+        if (kind := self._refused_kind(msg)) is not None:
+            return kind
+        query = self.host.read(msg.query_message)
+        if query is None or not self.host.is_query(query):
+            return EventRejectCode.MESSAGE_NOT_SUPPORTED
+        if msg.event_type == PERIODIC and msg.requested_periodic_rate <= 0:
+            return EventRejectCode.INVALID_EVENT_SETUP
+        is_new = msg.CODE == CreateEvent.CODE and self._find(msg, source) is None
+        if len(encoded(msg.query_message)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
+            return EventRejectCode.CONNECTION_REFUSED
+        return None
+
+    def _refused_kind(self, msg: EventSetup) -> EventRejectCode | None:
+        if msg.event_type not in self._kinds:
+            return EventRejectCode.INVALID_EVENT_SETUP
+        if msg.event_type == PERIODIC and not self.rates.highest:
+            return EventRejectCode.PERIODIC_NOT_SUPPORTED
+        if msg.event_type in (EVERY_CHANGE, FIRST_CHANGE) and not self.rates.change:
+            return EventRejectCode.EVERY_CHANGE_NOT_SUPPORTED
+        return None
+
+    def _query(self, msg: EventSetup) -> Message:
+        """The query of a request that `is_supported` has accepted."""
+        query = self.host.read(msg.query_message)
+        assert query is not None
+        return query
+
+    # --- events that are due
+
+    def send_event(self, msg: Subscription) -> None:
+        """Send what the component would answer the query now; for events on change, only if it changed."""
+        if msg.pending_query is msg.query:
+            self.host.count("event_skipped", f"{msg.query.NAME}: the reply to the previous query is still pending")
+            return
+        outcome, answer = self.host.ask(msg.query, msg.client)
+        if outcome is TriggerOutcome.FAILED:
+            self.host.fire("EventError", msg, msg.client)
+        if isinstance(answer, PendingReply):
+            msg.pending_query = msg.query
+            answer.add_done_callback(partial(self._on_reply, msg, msg.query))
+        elif answer is not None and _is_due(msg, answer):
+            self._report(msg, answer)
+
+    def _on_reply(self, msg: Subscription, query: Message, answer: bytes | None) -> None:
+        """Handle a deferred reply; meanwhile the event may have ended or changed its query."""
+        if msg.pending_query is query:
+            msg.pending_query = None
+        is_wanted = msg.query is query and self.subscriptions.holds(msg)
+        if is_wanted and answer is not None and _is_due(msg, answer):
+            self._report(msg, answer)
+
+    def _report(self, msg: Subscription, answer: bytes) -> None:
+        event = Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer)
+        # Where a client does not keep up, periodic reports are dropped before replies and changes, which are sent once.
+        self.host.send(msg.client, event, priority=Priority.LOW if msg.kind == PERIODIC else Priority.STANDARD)
+        msg.sequence = msg.sequence + 1 & 0xFF
+        if msg.kind in EXTRA_KINDS:
+            self._end(msg)
+
+    def send_reject_event_request(self, msg: Subscription) -> None:
+        """End an event whose report failed, and reject it to its client."""
+        code = RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED
+        self.host.send(msg.client, RejectEventRequest(request_id=msg.request_id, response_code=code))
+        self._end(msg)
+
+    def _set_rate(self, subscription: Subscription, asked: float) -> None:
+        if subscription.kind == PERIODIC:
+            subscription.confirmed = self.rates.periodic(asked)
+        else:
+            subscription.confirmed = self.rates.on_change(asked)
+        subscription.period = 1.0 / (subscription.confirmed or self.rates.change or self.rates.highest or 1.0)
+
+    def _schedule(self, subscription: Subscription) -> None:
+        self.host.set_timer(("event", subscription.id), subscription.due, partial(self._tick, subscription))
+
+    def _tick(self, subscription: Subscription) -> None:
+        # From due time to due time, so that the rate does not drift; after a stall what was missed is left out.
+        missed = max(0, int((self.host.now - subscription.due) / subscription.period))
+        subscription.due += (missed + 1) * subscription.period
+        self._schedule(subscription)
+        self.host.fire("EventOccurred", subscription, subscription.client)
+
+    def _end(self, entry: ClientEvent) -> None:
+        self.subscriptions.remove(entry)
+        for timer in ("event", "event timeout", "command"):
+            self.host.cancel_timer((timer, entry.id))
 
     # --- reports
 
-    def confirm_event_request(self, msg: Request | CreateCommandEvent | Entry) -> ConfirmEventRequest | None:
-        """The event as it is now, with the rate that is really kept; 0 for a command, which has none."""
-        if isinstance(self._current, CommandWatch):
+    def confirm_event_request(self, msg: EventRequest | CreateCommandEvent | ClientEvent) -> ConfirmEventRequest | None:
+        """The event with the rate that is applied (Hz), 0 for a command."""
+        if isinstance(self._current, PendingCommand):
             self._confirm_command(self._current, msg.request_id)
             return None
         return None if self._current is None else _confirmation(self._current, msg.request_id)
 
     def report_events(self, query: QueryEvents, source: JausID) -> ReportEvents:
-        """The client's own events that report: all, or by id, kind or query message."""
+        """The client's subscriptions: all, or by id, kind or query message."""
         chosen = [each for each in self.subscriptions.queries(source) if _matches(each, query)]
         return ReportEvents(
             event_list=[
@@ -152,7 +293,15 @@ class Events(EventReports, EventRequests, urn="urn:jaus:jss:core:Events", privat
         return ReportEventTimeout(timeout=self.timeout)
 
 
-def _confirmation(entry: Entry, request_id: int) -> ConfirmEventRequest:
+def _is_due(subscription: Subscription, report: bytes) -> bool:
+    """True when this report is to be sent; remembers it for events on change."""
+    if subscription.kind in (PERIODIC, ONE_TIME):
+        return True
+    before, subscription.last = subscription.last, report
+    return report != before and not (subscription.kind == FIRST_CHANGE and before is None)
+
+
+def _confirmation(entry: ClientEvent, request_id: int) -> ConfirmEventRequest:
     rate = entry.confirmed if isinstance(entry, Subscription) else 0.0
     return ConfirmEventRequest(request_id=request_id, event_id=entry.id, confirmed_periodic_rate=rate)
 

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any, Final
+from typing import Any, ClassVar, Final
 
 from jauspy.codec.message import Message
+from jauspy.errors import ConfigError, DecodeError
 from jauspy.messages.core import (
     ConfirmElementRequest,
     DeleteElement,
@@ -18,12 +19,9 @@ from jauspy.messages.core import (
     ReportElementList,
     SetElement,
 )
-from jauspy.services.core.element_list import Code, ElementList
+from jauspy.services.core.element_list import ElementList, ElementRejectCode
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
-
-if TYPE_CHECKING:
-    from jauspy.services.core.list_driver import ListDriver
 
 ALL_ELEMENTS: Final = 65535
 """Deleting this element empties the list."""
@@ -31,13 +29,13 @@ MAX_ELEMENTS: Final = 1024
 MAX_BYTES: Final = 1 << 20
 """Bytes that all elements of a list may hold together."""
 LAP_PAUSE: Final = 0.1
-"""Seconds before a loop starts over, so that one whose elements are all reached already does not spin."""
+"""Seconds before a loop restarts, so that one whose elements are all reached does not spin."""
 _TIMER: Final = "next element"
 
 
 @dataclass(frozen=True, slots=True)
 class Element:
-    """What the list keeps of an element, and what its driver made of it."""
+    """An element of the list, and its message as the driver decoded it."""
 
     data: ElementRec.ElementData
     size: int
@@ -65,11 +63,11 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
     # --- what drivers call
 
     def add_driver(self, driver: ListDriver) -> None:
-        """Take elements for this driver, too."""
+        """Accept elements for this driver, too."""
         self._drivers.append(driver)
 
     def message(self, uid: int) -> Message | None:
-        """What an element holds, as its driver reads it; None when there is no such element."""
+        """The message of an element; None when there is no such element."""
         element = self._elements.get(uid)
         return element.message if element else None
 
@@ -82,14 +80,14 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
             self._begin(uid)
 
     def done(self) -> None:
-        """The active element was reached: its successor is next, or the list has come to its end."""
+        """The active element was reached: the next one becomes active, or the list has ended."""
         if not self.active:
             return
         pause = LAP_PAUSE if self.list.next(self.active) == self.list.order[0] else 0.0
-        self.host.set_timer(_TIMER, self.host.now + pause, self._go_on)
+        self.host.set_timer(_TIMER, self.host.now + pause, self._begin_next)
 
     def stop(self) -> None:
-        """Carry out nothing any more; the list stays. Twice is fine."""
+        """Stop the execution; the list is kept. Calling it twice is fine."""
         self._end(success=False)
 
     def _end(self, *, success: bool) -> None:
@@ -101,10 +99,10 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         self._command(success)
 
     def control_lost(self) -> None:
-        """What one client started must not go on under another."""
+        """Stop the execution: what one client started must not continue under another."""
         self.stop()
 
-    def _go_on(self) -> None:
+    def _begin_next(self) -> None:
         following = self.list.next(self.active)
         if following:
             self._begin(following)
@@ -134,21 +132,21 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         return uid in self._elements or (uid == 0 and bool(self._elements) and not isinstance(msg, QueryElement))
 
     def is_valid_element_request(self, msg: SetElement) -> bool:
-        """The links of the elements fit each other and the list, and there is room."""
-        return self._misfit(msg) is None
+        """The links of the elements are consistent with each other and the list, and there is room."""
+        return self._reason_to_reject(msg) is None
 
     def is_element_supported(self, msg: SetElement) -> bool:
         """Each element can be carried out by some driver."""
         return all(self._read(record) is not None for record in msg.element_list)
 
     def is_list_valid(self) -> bool:
-        """Always: what would break the list is refused."""
+        """True: requests that would break the list are refused."""
         return True
 
     # --- actions
 
     def set_element(self, msg: SetElement) -> None:
-        """Insert or replace; reached only with what the predicates have let through."""
+        """Insert or replace the elements, which the predicates have checked."""
         changed = self.list.linked(msg.element_list)
         read = {record.element_uid: self._read(record) for record in msg.element_list}
         assert isinstance(changed, ElementList)
@@ -180,11 +178,11 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         known = None if self._drivers else self.host.read(data.data)
         return Element(data, size, known) if known is not None else None
 
-    def _misfit(self, msg: SetElement) -> Code | None:
+    def _reason_to_reject(self, msg: SetElement) -> ElementRejectCode | None:
         changed = self.list.linked(msg.element_list)
         if not isinstance(changed, ElementList):
             return changed
-        return Code.OUT_OF_MEMORY if not self._has_room(changed, msg.element_list) else None
+        return ElementRejectCode.OUT_OF_MEMORY if not self._has_room(changed, msg.element_list) else None
 
     def _has_room(self, changed: ElementList, records: Sequence[ElementRec]) -> bool:
         sizes = {uid: element.size for uid, element in self._elements.items()}
@@ -194,19 +192,19 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
     # --- reports
 
     def confirm_element_request(self, msg: SetElement | DeleteElement) -> ConfirmElementRequest:
-        """The change was made."""
+        """The request was carried out."""
         return ConfirmElementRequest(request_id=msg.request_id_rec.request_id)
 
     def reject_element_request(self, msg: SetElement | DeleteElement) -> RejectElementRequest:
-        """Nothing was changed, and why."""
-        code = Code.ELEMENT_NOT_FOUND
+        """Nothing was changed, with the reason."""
+        code = ElementRejectCode.ELEMENT_NOT_FOUND
         if isinstance(msg, SetElement):
-            code = self._misfit(msg) or Code.UNSUPPORTED_ELEMENT_TYPE
+            code = self._reason_to_reject(msg) or ElementRejectCode.UNSUPPORTED_ELEMENT_TYPE
         self.host.count("list_request_rejected", f"{code.name}: {msg}")
         return RejectElementRequest(request_id=msg.request_id_rec.request_id, response_code=code)
 
     def report_element(self, query: QueryElement) -> ReportElement:
-        """One element, with its links as they are now."""
+        """One element with its current links."""
         uid = query.element_uid
         data = self._elements[uid].data
         return ReportElement(
@@ -221,7 +219,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         return ReportElementList([ReportElementList.ElementListRec(uid) for uid in self.list.order])
 
     def report_element_count(self) -> ReportElementCount:
-        """How many there are."""
+        """The number of elements."""
         return ReportElementCount(len(self.list.order))
 
 
@@ -240,3 +238,52 @@ def _deleted(msg: DeleteElement) -> list[int]:
 def _content(record: ElementRec) -> bytes:
     content = record.element_data.data
     return content.encode(strict=False) if isinstance(content, Message) else content
+
+
+class ListDriver(Service):
+    """Carries out elements one by one; the component's `ListManager` keeps them and knows which one is active.
+
+    A subclass says which messages its elements hold (`element_types`), starts one in `begin_element`, calls
+    `self.elements.done()` when it has been reached, and stops in `end_elements`. Of several drivers in a component
+    the first that takes an element carries it out.
+    """
+
+    element_types: ClassVar[tuple[type[Message], ...]] = ()
+
+    elements: ListManager
+    """The list manager of the component; there since `attached`."""
+
+    def attached(self) -> None:
+        """Offer this driver to the list manager."""
+        found = self.host.service(ListManager)
+        if found is None:
+            raise ConfigError(f"{type(self).__name__} carries out a list, and its definition inherits no ListManager")
+        self.elements = found
+        found.add_driver(self)
+
+    # --- to be overridden
+
+    def begin_element(self, uid: int, message: Message) -> None:
+        """Start carrying out this element; it replaces the one before, of this driver or another one."""
+        raise NotImplementedError(f"{type(self).__name__}.begin_element")
+
+    def end_elements(self) -> None:
+        """Stop: the list has ended, was stopped, or continues with another driver."""
+
+    def read_element(self, content: Message | bytes) -> Message | None:
+        """Decode the message of an element as one of `element_types`; None when this driver cannot carry it out."""
+        data = content.encode(strict=False) if isinstance(content, Message) else content
+        code = int.from_bytes(data[:2], "little")
+        for kind in self.element_types:
+            if code == kind.CODE:
+                try:
+                    return kind.decode(data)
+                except DecodeError:
+                    return None
+        return None
+
+    # --- given
+
+    def element_specified(self, msg: Any) -> bool:
+        """The request to execute the list names an element; otherwise it changes the speed."""
+        return msg.element_uid is not None

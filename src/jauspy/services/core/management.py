@@ -1,16 +1,19 @@
-"""Management: Standby, Ready, Emergency and the rest of a component's life (AS5710)."""
+"""The small core services of AS5710: Management, Liveness, Time and Transport."""
 
 from __future__ import annotations
 
+from datetime import datetime
 from typing import Final
 
 from jauspy.ids import JausID
-from jauspy.messages.core import ReportStatus
+from jauspy.messages.core import ReportHeartbeatPulse, ReportStatus, ReportTime, SetTime
+from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service
 from jauspy.services.state_machine import STAY, ActionResult
+from jauspy.services.units import date_stamp, time_stamp
 
 MAX_EMERGENCY_CLIENTS: Final = 64
-"""Clients whose emergency is remembered one by one; more keep the emergency, but need not clear it."""
+"""Clients whose emergency is remembered; further ones set the emergency, but need not clear it."""
 
 
 class Management(Service, urn="urn:jaus:jss:core:Management"):
@@ -21,11 +24,11 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
 
     @property
     def status(self) -> ReportStatus.Status:
-        """What the active state means."""
+        """The status of the active state."""
         return _status(self.host.path)
 
     def initialize(self) -> None:
-        """Nothing takes time here, so initialization is over at once; a component with hardware overrides this."""
+        """Initialization ends at once; a component with hardware overrides this."""
         self.host.fire("Initialized")
 
     def store_id(self, source: JausID) -> None:
@@ -43,7 +46,7 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
         return STAY if self._emergency_clients else None
 
     def report_status(self) -> ReportStatus:
-        """The status, and four reserved bytes."""
+        """The status of the component."""
         return ReportStatus(status=self.status, reserved=0)
 
 
@@ -60,3 +63,55 @@ _NAMES: Final = {
 def _status(path: tuple[str, ...]) -> ReportStatus.Status:
     """The innermost state that Management names; services may put states of their own inside these."""
     return next((_NAMES[name] for name in reversed(path) if name in _NAMES), ReportStatus.Status.INITIALIZE)
+
+
+class Liveness(Service, urn="urn:jaus:jss:core:Liveness"):
+    """Answers queries for a heartbeat."""
+
+    def report_heartbeat_pulse(self) -> ReportHeartbeatPulse:
+        """A message without fields."""
+        return ReportHeartbeatPulse()
+
+
+class Time(Service, urn="urn:jaus:jss:core:Time"):
+    """Date and time of day in UTC. Setting it keeps an offset to the wall clock, which is not changed."""
+
+    def set_time(self, msg: SetTime) -> None:
+        """Set the fields that the message has; an impossible date is counted and ignored."""
+        try:
+            wanted = _combined(self.host.utc_time, msg)
+        except ValueError as error:
+            self.host.count("impossible_time", str(error))
+            return
+        self.host.clock_offset = wanted - self.host.utc_now()
+
+    def report_time(self) -> ReportTime:
+        """Time of day and date."""
+        now = self.host.utc_time
+        return ReportTime(time_stamp=time_stamp(now), date_stamp=date_stamp(now))
+
+
+def _combined(now: datetime, msg: SetTime) -> datetime:
+    parts: dict[str, int] = {}
+    if (time := msg.time_stamp) is not None:
+        parts |= {"day": time.day, "hour": time.hour, "minute": time.minutes, "second": time.seconds}
+        parts |= {"microsecond": time.milliseconds * 1000}
+    if (date := msg.date_stamp) is not None:
+        parts |= {"year": 2000 + date.year, "month": date.month, "day": date.day}
+    return now.replace(**parts)  # type: ignore[arg-type]  # all of these are numbers
+
+
+class Transport(Service, urn="urn:jaus:jss:core:Transport", private=True):
+    """Queues the messages that the other services send through its SendFSM."""
+
+    def enqueue(self, msg: Outgoing) -> None:
+        """Send to one component, or to all that a wildcard id matches."""
+        self.host.output(msg)
+
+    def broadcast_local_enqueue(self, msg: Outgoing) -> None:
+        """Send to all components of the subsystem."""
+        self.host.output(msg)
+
+    def broadcast_global_enqueue(self, msg: Outgoing) -> None:
+        """Send to all components of all subsystems."""
+        self.host.output(msg)

@@ -1,4 +1,4 @@
-"""The events of a component: a bounded table, each entry known to its creator alone."""
+"""The events of a component in a bounded table, and their rates. Each event is known to its client only."""
 
 from __future__ import annotations
 
@@ -6,7 +6,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.arguments import check_number
 from jauspy.codec.message import Message
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 
 PERIODIC: Final = 0
@@ -14,13 +16,13 @@ EVERY_CHANGE: Final = 1
 FIRST_CHANGE: Final = 2
 ONE_TIME: Final = 3
 KINDS: Final = frozenset({PERIODIC, EVERY_CHANGE})
-MORE_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
-"""Kinds of event that AS5710 has no numbers for."""
+EXTRA_KINDS: Final = frozenset({FIRST_CHANGE, ONE_TIME})
+"""Kinds of event that AS5710 does not number."""
 
 
 @dataclass(slots=True, eq=False)
-class Entry:
-    """What a client asked for; `request_id` is that of its last request about it."""
+class ClientEvent:
+    """An event of one client; `request_id` is that of its last request about it."""
 
     id: int
     client: JausID
@@ -28,8 +30,8 @@ class Entry:
 
 
 @dataclass(slots=True, eq=False)
-class Subscription(Entry):
-    """Reports of one query; keeps to `due` (time) and `period` (s). The client was told the rate `confirmed` (Hz)."""
+class Subscription(ClientEvent):
+    """Reports of one query, next at `due` (s), every `period` (s). `confirmed` is the rate that was confirmed (Hz)."""
 
     kind: int
     query: Message
@@ -38,61 +40,61 @@ class Subscription(Entry):
     confirmed: float = 1.0
     sequence: int = 0
     last: bytes | None = None
-    asked: Message | None = None
-    """Its query while the answer to that has not come yet."""
+    pending_query: Message | None = None
+    """The query while its reply is deferred."""
 
 
 @dataclass(slots=True, eq=False)
-class CommandWatch(Entry):
-    """A command under way, and whether it was carried out; None while that is open."""
+class PendingCommand(ClientEvent):
+    """A command event: `success` says whether the command was carried out, None while it is pending."""
 
     command: Message
     request: bytes
-    """What its client sent."""
+    """The encoded CreateCommandEvent."""
     success: bool | None = None
-    known: bool = False
-    """Its client has the confirmation, and so does not ask again."""
+    confirmation_acknowledged: bool = False
+    """The client has the confirmation, and so does not repeat its request."""
 
 
 class Subscriptions:
-    """By event id, 0..255, unique in the component."""
+    """Events by their ids, 0..255, which are unique in the component."""
 
     def __init__(self, limit: int, limit_per_client: int) -> None:
         self._limit = min(limit, 256)
         self._limit_per_client = limit_per_client
-        self._by_id: dict[int, Entry] = {}
+        self._by_id: dict[int, ClientEvent] = {}
         self._next_id = 1
 
     def __len__(self) -> int:
         return len(self._by_id)
 
     def full_for(self, client: JausID) -> bool:
-        """True when this client cannot have one more."""
+        """True when this client cannot have another event."""
         return len(self._by_id) >= self._limit or len(self.of(client)) >= self._limit_per_client
 
     def free_id(self) -> int:
-        """An id that is not in use; ids of cancelled events come back last."""
+        """Return an id that is not in use; ids of cancelled events are reused last."""
         while self._next_id in self._by_id:
             self._next_id = self._next_id + 1 & 0xFF
         taken = self._next_id
         self._next_id = taken + 1 & 0xFF
         return taken
 
-    def add(self, entry: Entry) -> None:
-        """Keep it under its id, in place of what is there."""
+    def add(self, entry: ClientEvent) -> None:
+        """Add it under its id, replacing the event with this id."""
         self._by_id[entry.id] = entry
 
-    def remove(self, entry: Entry) -> None:
-        """Forget it; fine when it is gone."""
+    def remove(self, entry: ClientEvent) -> None:
+        """Remove the event, if it is in the table."""
         if self.holds(entry):
             del self._by_id[entry.id]
 
-    def holds(self, entry: Entry) -> bool:
+    def holds(self, entry: ClientEvent) -> bool:
         """True while this very entry is in the table."""
         return self._by_id.get(entry.id) is entry
 
-    def find(self, id: int, client: JausID) -> Entry | None:
-        """The client's event with this id; another client's is unknown to it."""
+    def find(self, id: int, client: JausID) -> ClientEvent | None:
+        """The client's event with this id; None for an event of another client."""
         found = self._by_id.get(id)
         return found if found and found.client == client else None
 
@@ -100,19 +102,55 @@ class Subscriptions:
         """The client's event of this kind with this very query."""
         return next((each for each in self.queries(client) if each.kind == kind and each.query.encode() == query), None)
 
-    def same_command(self, client: JausID, command: bytes) -> CommandWatch | None:
+    def same_command(self, client: JausID, command: bytes) -> PendingCommand | None:
         """The client's command event for this very command."""
-        watches = (each for each in self.of(client) if isinstance(each, CommandWatch))
+        watches = (each for each in self.of(client) if isinstance(each, PendingCommand))
         return next((each for each in watches if each.command.encode() == command), None)
 
-    def all(self) -> list[Entry]:
+    def all(self) -> list[ClientEvent]:
         """Everyone's events in the order of their ids."""
         return [each for _, each in sorted(self._by_id.items())]
 
-    def of(self, client: JausID) -> list[Entry]:
+    def of(self, client: JausID) -> list[ClientEvent]:
         """The client's events in the order of their ids."""
         return [each for each in self.all() if each.client == client]
 
     def queries(self, client: JausID) -> Iterator[Subscription]:
-        """Those among them that report."""
+        """The subscriptions of the client."""
         return (each for each in self.of(client) if isinstance(each, Subscription))
+
+
+RATE_STEP: Final = 1092 / 65535
+"""Step (Hz) of rates in messages: 0..1092 Hz in 16 bits."""
+
+
+@dataclass(frozen=True, slots=True)
+class EventRates:
+    """Limits (Hz) of periodic events, and of how often every-change events check for a change; 0 refuses them."""
+
+    lowest: float
+    highest: float
+    change: float
+
+    def __post_init__(self) -> None:
+        for name, value in (("min_rate", self.lowest), ("max_rate", self.highest), ("max_change_rate", self.change)):
+            check_number(value, f"events: {name}")
+        if not 0 < self.lowest <= 1092 or not 0 <= self.highest <= 1092 or not 0 <= self.change <= 1092:
+            raise ConfigError(
+                f"events: min_rate {self.lowest}, max_rate {self.highest} and max_change_rate {self.change} "
+                "must be 0..1092 Hz, and min_rate more than 0"
+            )
+
+    def periodic(self, asked: float) -> float:
+        """The rate (Hz) applied to a periodic event."""
+        return _on_wire(max(asked, self.lowest), self.highest)
+
+    def on_change(self, asked: float) -> float:
+        """The rate (Hz) applied to an every-change event; 0, when requested, means as often as allowed."""
+        return _on_wire(asked, self.change) if asked else 0.0
+
+
+def _on_wire(rate: float, most: float) -> float:
+    """The nearest rate that a message can carry, at most the allowed one unless that is less than one step."""
+    steps = min(round(rate / RATE_STEP), int(most / RATE_STEP + 1e-6))
+    return max(1, steps) * RATE_STEP

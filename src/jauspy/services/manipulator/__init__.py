@@ -1,32 +1,38 @@
 """Services of the manipulator set (AS6057)."""
 
 from jauspy.services.manipulator.arm import Arm
-from jauspy.services.manipulator.end_effector_pose_driver import EndEffectorPoseDriver
-from jauspy.services.manipulator.end_effector_pose_list_driver import EndEffectorPoseListDriver
-from jauspy.services.manipulator.end_effector_sensors import EndEffectorPoseSensor, EndEffectorVelocityStateSensor
-from jauspy.services.manipulator.end_effector_velocity_state_driver import EndEffectorVelocityStateDriver
-from jauspy.services.manipulator.joint_drivers import (
+from jauspy.services.manipulator.end_effector import (
+    EndEffectorPoseDriver,
+    EndEffectorPoseSensor,
+    EndEffectorVelocityStateDriver,
+    EndEffectorVelocityStateSensor,
+    PrimitiveEndEffector,
+)
+from jauspy.services.manipulator.joints import (
     ActuatorForceTorqueDriver,
-    JointPositionDriver,
-    JointVelocityDriver,
-)
-from jauspy.services.manipulator.joint_position_list_driver import JointPositionListDriver
-from jauspy.services.manipulator.joint_sensors import (
     JointForceTorqueSensor,
+    JointPositionDriver,
     JointPositionSensor,
+    JointVelocityDriver,
     JointVelocitySensor,
+    PrimitiveManipulator,
 )
-from jauspy.services.manipulator.list_driver import ManipulatorListDriver
-from jauspy.services.manipulator.motion_profile import JointMotionProfile
-from jauspy.services.manipulator.pan_tilt import PanTilt
-from jauspy.services.manipulator.pan_tilt_drivers import PanTiltJointPositionDriver, PanTiltJointVelocityDriver
-from jauspy.services.manipulator.pan_tilt_limits import PanTiltMotionProfile, PanTiltSpecification
-from jauspy.services.manipulator.pan_tilt_sensors import PanTiltJointPositionSensor, PanTiltJointVelocitySensor
-from jauspy.services.manipulator.primitive_end_effector import PrimitiveEndEffector
-from jauspy.services.manipulator.primitive_manipulator import PrimitiveManipulator
-from jauspy.services.manipulator.primitive_pan_tilt import PrimitivePanTilt
-from jauspy.services.manipulator.specification import ManipulatorSpecification
-from jauspy.services.manipulator.tool_offset import ToolOffset
+from jauspy.services.manipulator.list_drivers import (
+    EndEffectorPoseListDriver,
+    JointPositionListDriver,
+    ManipulatorListDriver,
+)
+from jauspy.services.manipulator.pan_tilt import (
+    PanTilt,
+    PanTiltJointPositionDriver,
+    PanTiltJointPositionSensor,
+    PanTiltJointVelocityDriver,
+    PanTiltJointVelocitySensor,
+    PanTiltMotionProfile,
+    PanTiltSpecification,
+    PrimitivePanTilt,
+)
+from jauspy.services.manipulator.specification import JointMotionProfile, ManipulatorSpecification, ToolOffset
 
 __all__ = [
     "ActuatorForceTorqueDriver",

@@ -1,41 +1,42 @@
-"""What the manipulator services of a component share: the joints, their geometry, their limits, and who moves them."""
+"""The arm: joints, geometry, limits and motion profile, which the manipulator services of a component share.
+
+Positions of joints are as AS6057 counts them (`jauspy.geometry.denavit_hartenberg`), radians or metres, base to tip.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final
+from typing import Final
 
 from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
 from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.joint_control import ACCELERATION_TIME
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
+from jauspy.platform.motion import ACCELERATION_TIME
+from jauspy.services.service import Service
 
-if TYPE_CHECKING:
-    from jauspy.services.manipulator.driver import ArmDriver
-
-NEAR: Final = 0.01
-"""Radians or metres from a position at which it counts as reached."""
+POSITION_TOLERANCE: Final = 0.01
+"""Radians or metres from a position up to which it is reached."""
 
 
 @dataclass(frozen=True, slots=True)
-class Profile:
-    """How fast a joint may be moved: rad/s or m/s, and rad/s^2 or m/s^2."""
+class MotionProfile:
+    """Limits of a joint's motion: rad/s and rad/s^2, or m/s and m/s^2."""
 
     speed: float
     acceleration: float
     deceleration: float
 
     @classmethod
-    def of(cls, joint: Joint) -> Profile:
-        """What the joint itself allows."""
+    def of(cls, joint: Joint) -> MotionProfile:
+        """The limits of the joint itself."""
         acceleration = joint.velocity / ACCELERATION_TIME
         return cls(joint.velocity, acceleration, acceleration)
 
 
 class Arm:
-    """One manipulator, as one component sees it. Positions are the standard's: see `denavit_hartenberg`."""
+    """One manipulator; the newest command of a driver preempts the others."""
 
     def __init__(self, joints: JointGroup) -> None:
         self.joints = joints
@@ -46,57 +47,57 @@ class Arm:
             (link.joint.lower + link.zero_position, link.joint.upper + link.zero_position)
             for link in self.geometry.links
         )
-        """The least and the greatest position of each joint, in the standard's terms."""
-        self.profiles = tuple(Profile.of(joint) for joint in joints.joints)
+        """The lower and upper limit of each joint."""
+        self.profiles = tuple(MotionProfile.of(joint) for joint in joints.joints)
         self.driver: ArmDriver | None = None
-        """Whose command the joints follow; None while they just hold."""
+        """The service whose command is carried out; None while the joints hold."""
 
     def state(self) -> JointState:
-        """The joints after the last step; positions in the standard's terms."""
+        """Positions, velocities and efforts of the joints after the last step."""
         state = self.joints.state()
         return JointState(self.geometry.from_urdf(state.positions), state.velocities, state.efforts)
 
     def kinematic_state(self) -> KinematicState:
-        """The tool, and how the joints move it, after the last step."""
+        """Pose and Jacobian of the tool after the last step."""
         return forward_kinematics(self.geometry.links, self.state().positions, self.tool)
 
-    def take(self, driver: ArmDriver) -> None:
-        """Follow this driver from now on; hold until it says what to do, unless it is the one that says so already."""
+    def preempt_for(self, driver: ArmDriver) -> None:
+        """Hold until this driver commands the joints, unless it already does."""
         if self.driver is not driver:
             self.stop()
             self.driver = driver
 
     def move(self, driver: ArmDriver, targets: Sequence[Target]) -> None:
-        """Do as a driver says, base to tip; positions in the standard's terms. The newest command counts."""
+        """Command each joint, base to tip."""
         before, self.driver = self.driver, driver
         if before is not None and before is not driver:
-            before.taken_over()
+            before.on_preempted()
         self.joints.command([self._native(*row) for row in zip(targets, self.geometry.links, strict=True)])
 
     def to_positions(self, driver: ArmDriver, positions: Sequence[float]) -> None:
-        """Go to positions within the motion profile."""
+        """Move to positions within the motion profile."""
         rows = zip(positions, self.profiles, strict=True)
-        self.move(driver, [_within(Target(ControlMode.POSITION, value), profile) for value, profile in rows])
+        self.move(driver, [_limited_target(Target(ControlMode.POSITION, value), profile) for value, profile in rows])
 
     def at_velocities(self, driver: ArmDriver, velocities: Sequence[float]) -> None:
         """Move at velocities within the motion profile."""
         rows = zip(velocities, self.profiles, strict=True)
-        self.move(driver, [_within(Target(ControlMode.VELOCITY, value), profile) for value, profile in rows])
+        self.move(driver, [_limited_target(Target(ControlMode.VELOCITY, value), profile) for value, profile in rows])
 
     def limited(self, positions: Sequence[float]) -> list[float]:
-        """The positions nearest to these that the joints can have."""
+        """The positions, within the joints' limits."""
         return [min(high, max(low, p)) for p, (low, high) in zip(positions, self.limits, strict=True)]
 
     def is_at(self, positions: Sequence[float]) -> bool:
-        """True when all joints are there, or as near as their limits let them."""
+        """True if all joints are at these positions, or at their limits."""
         rows = zip(self.limited(positions), self.state().positions, strict=True)
-        return all(abs(goal - position) <= NEAR for goal, position in rows)
+        return all(abs(goal - position) <= POSITION_TOLERANCE for goal, position in rows)
 
     def stop(self) -> None:
-        """Hold the present positions, whoever moves the joints. Twice is fine."""
+        """Hold the present positions, whichever service moves the joints. May be called twice."""
         before, self.driver = self.driver, None
         if before is not None:
-            before.taken_over()
+            before.on_preempted()
         self.joints.hold()
 
     @staticmethod
@@ -106,7 +107,7 @@ class Arm:
         )
 
 
-def _within(target: Target, profile: Profile) -> Target:
+def _limited_target(target: Target, profile: MotionProfile) -> Target:
     value = target.value
     if target.mode is ControlMode.VELOCITY:
         value = min(profile.speed, max(-profile.speed, value))
@@ -117,3 +118,31 @@ def _within(target: Target, profile: Profile) -> Target:
         acceleration=profile.acceleration,
         deceleration=profile.deceleration,
     )
+
+
+class ArmDriver(Service):
+    """The base of the services that move the joints."""
+
+    def __init__(self, arm: Arm) -> None:
+        self.arm = arm
+
+    @property
+    def is_moving(self) -> bool:
+        """True while the joints carry out a command of this service."""
+        return self.arm.driver is self
+
+    def motion_profile_exists(self) -> bool:
+        """Always True: without a command the limits of the joints apply."""
+        return True
+
+    def on_preempted(self) -> None:
+        """Called when another service's command, or a stop, ends this service's motion."""
+
+    def stop_motion(self) -> None:
+        """Stop when Ready is left; an action of most drivers' JSIDL."""
+        self.arm.stop()
+
+    def control_lost(self) -> None:
+        """Stop: the next client must not inherit a motion."""
+        super().control_lost()
+        self.arm.stop()

@@ -1,23 +1,30 @@
-"""ManipulatorSpecificationService: the manipulator's geometry and limits, out of its description (AS6057)."""
+"""What a manipulator is: specification of geometry and limits, motion profile, and tool offset (AS6057)."""
 
 from __future__ import annotations
 
 from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
-from jauspy.services.manipulator.arm import Arm
+from jauspy.messages.manipulator import (
+    ManipulatorCoordinateSystemRec,
+    ReportJointMotionProfile,
+    ReportManipulatorSpecifications,
+    ReportToolOffset,
+    SetJointMotionProfile,
+    SetToolOffset,
+)
+from jauspy.services.manipulator.arm import Arm, MotionProfile
 from jauspy.services.service import Service
 
 
 class ManipulatorSpecification(Service, urn="urn:jaus:jss:manipulator:ManipulatorSpecificationService"):
-    """Lengths in metres, angles in radians; positions count from the axes of `denavit_hartenberg`."""
+    """Denavit-Hartenberg parameters and limits of the joints, metres and radians."""
 
     def __init__(self, arm: Arm) -> None:
         self._arm = arm
 
     def report_manipulator_specifications(self) -> ReportManipulatorSpecifications:
-        """The coordinate system is in the vehicle's frame: x forward, y right, z down."""
+        """With the manipulator's coordinate system in the vehicle's frame: x forward, y right, z down."""
         first, *others = self._arm.geometry.links
         names = [ReportManipulatorSpecifications.JointNameRec(link.joint.name[:255]) for link in (first, *others)]
         return ReportManipulatorSpecifications(
@@ -72,3 +79,67 @@ def _prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJointSp
         joint.velocity,
         joint.effort,
     )
+
+
+class JointMotionProfile(Service, urn="urn:jaus:jss:manipulator:ManipulatorJointMotionProfile"):
+    """Limits of speed and acceleration, at most those of the joints; in force from the next command on."""
+
+    def __init__(self, arm: Arm) -> None:
+        self._arm = arm
+
+    def motion_profile_exists(self) -> bool:
+        """Always True: without a command the limits of the joints apply."""
+        return True
+
+    def set_joint_motion_profile(self, msg: SetJointMotionProfile) -> None:
+        """Set the profiles; ignored, and counted, unless there is one of the right kind for each joint."""
+        records, links = msg.joint_motion_profile_list, self._arm.geometry.links
+        revolute = [isinstance(record, SetJointMotionProfile.RevoluteJointMotionProfileRec) for record in records]
+        if revolute != [link.is_revolute for link in links]:
+            self.host.count("wrong_joints", f"{msg}")
+            return
+        self._arm.profiles = tuple(
+            limited_profile(
+                MotionProfile(r.joint_max_speed, r.joint_max_acceleration_rate, r.joint_max_deceleration_rate),
+                MotionProfile.of(link.joint),
+            )
+            for r, link in zip(records, links, strict=True)
+        )
+
+    def report_joint_motion_profile(self) -> ReportJointMotionProfile:
+        """The profiles in force."""
+        rows = zip(self._arm.profiles, self._arm.geometry.links, strict=True)
+        return ReportJointMotionProfile([_record(profile, link) for profile, link in rows])
+
+
+def limited_profile(profile: MotionProfile, limits: MotionProfile) -> MotionProfile:
+    """The profile limited to that of the joint; a zero, with which the joint would not move, means no limit."""
+    return MotionProfile(
+        min(profile.speed or limits.speed, limits.speed),
+        min(profile.acceleration or limits.acceleration, limits.acceleration),
+        min(profile.deceleration or limits.deceleration, limits.deceleration),
+    )
+
+
+def _record(
+    profile: MotionProfile, link: DHLink
+) -> ReportJointMotionProfile.RevoluteJointMotionProfileRec | ReportJointMotionProfile.PrismaticJointMotionProfileRec:
+    values = (profile.speed, profile.acceleration, profile.deceleration)
+    if link.is_revolute:
+        return ReportJointMotionProfile.RevoluteJointMotionProfileRec(*values)
+    return ReportJointMotionProfile.PrismaticJointMotionProfileRec(*values)
+
+
+class ToolOffset(Service, urn="urn:jaus:jss:manipulator:ManipulatorToolOffsetService"):
+    """The tool point in the last joint's frame, metres; at first that of the URDF."""
+
+    def __init__(self, arm: Arm) -> None:
+        self._arm = arm
+
+    def set_tool_offset(self, msg: SetToolOffset) -> None:
+        """Use this point in the services of the end effector."""
+        self._arm.tool = (msg.tool_point_coordinate_x, msg.tool_point_coordinate_y, msg.tool_point_coordinate_z)
+
+    def report_tool_offset(self) -> ReportToolOffset:
+        """The tool point."""
+        return ReportToolOffset(*self._arm.tool)

@@ -1,19 +1,14 @@
 """Mobility services (AS6009) over the contracts of `jauspy.platform`."""
 
-from jauspy.services.mobility.acceleration_state_sensor import AccelerationStateSensor
-from jauspy.services.mobility.global_frame import GlobalPose
-from jauspy.services.mobility.global_pose_sensor import GlobalPoseSensor
-from jauspy.services.mobility.global_vector_driver import GlobalVectorDriver
-from jauspy.services.mobility.global_waypoint_driver import GlobalWaypointDriver
-from jauspy.services.mobility.global_waypoint_list_driver import GlobalWaypointListDriver
-from jauspy.services.mobility.local_pose_sensor import LocalPoseSensor
-from jauspy.services.mobility.local_vector_driver import LocalVectorDriver
-from jauspy.services.mobility.local_waypoint_driver import LocalWaypointDriver
-from jauspy.services.mobility.local_waypoint_list_driver import LocalWaypointListDriver
-from jauspy.services.mobility.primitive_driver import PrimitiveDriver
+from jauspy.services.mobility.driver import PrimitiveDriver
+from jauspy.services.mobility.motion_sensors import AccelerationStateSensor, VelocityStateSensor
+from jauspy.services.mobility.pose_sensors import GlobalPoseSensor, LocalPoseSensor
+from jauspy.services.mobility.reference_frames import GlobalPose
+from jauspy.services.mobility.vector_drivers import GlobalVectorDriver, LocalVectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.velocity_state_driver import VelocityStateDriver
-from jauspy.services.mobility.velocity_state_sensor import VelocityStateSensor
+from jauspy.services.mobility.waypoint_drivers import GlobalWaypointDriver, LocalWaypointDriver
+from jauspy.services.mobility.waypoint_list_drivers import GlobalWaypointListDriver, LocalWaypointListDriver
 
 __all__ = [
     "AccelerationStateSensor",

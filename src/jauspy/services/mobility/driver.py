@@ -1,53 +1,83 @@
-"""The base of the services that drive the platform."""
+"""The base of the services that drive the platform, and PrimitiveDriver, which sets efforts (AS6009)."""
 
 from __future__ import annotations
 
 from typing import Any, ClassVar
 
-from jauspy.services.mobility.speeds import ground_speed
+from jauspy.messages.mobility import ReportWrenchEffort, SetWrenchEffort
+from jauspy.services.mobility.field_ranges import ground_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
+from jauspy.services.units import percent
 
 
 class Driver(Service):
-    """Drives through the pilot, which it shares with the other driver services of its component."""
+    """Drives by the pilot, which all driver services of a component share."""
 
-    travels: ClassVar[bool] = False
-    """True for those to whom the pilot's travel speed belongs."""
+    uses_travel_speed: ClassVar[bool] = False
+    """See `DriveOwner`."""
 
     def __init__(self, vehicle: Vehicle) -> None:
         self.vehicle = vehicle
 
     def attached(self) -> None:
-        """Give the pilot the component's clock."""
+        """Give the pilot the clock of the component."""
         super().attached()
         self.vehicle.pilot.attach(self.host)
 
     @property
-    def drives(self) -> bool:
-        """True while the platform follows the command of this very service."""
+    def is_driving(self) -> bool:
+        """True while the platform carries out a command of this service."""
         return self.vehicle.pilot.driver is self
 
     def usable_speed(self, msg: Any) -> float | None:
-        """The speed of a message, m/s; None, and counted, when it is of a kind that a platform on tracks has not."""
+        """The speed of a message in m/s; None, and counted, for a kind of speed that is not one over ground."""
         speed = ground_speed(msg.speed)
         if speed is None:
             self.host.count("unsupported_speed", f"{msg}")
             self.host.begin_command()(False)
         return speed
 
-    def arrived(self) -> None:
-        """Called when there is nothing more to do on the course; the platform slows down already."""
+    def on_arrival(self) -> None:
+        """Stop."""
         self.vehicle.pilot.release(self)
 
-    def taken_over(self) -> None:
-        """Called when another driver's command, or a stop, ends what this one was doing."""
+    def on_preempted(self) -> None:
+        """Called when another service's command, or a stop, ends this service's motion."""
 
     def reset_travel_speed(self) -> None:
-        """Runs when Ready is left, for whatever reason (the JSIDL of most drivers names it)."""
+        """Stop when Ready is left; an action of most drivers' JSIDL."""
         self.vehicle.pilot.stop()
 
     def control_lost(self) -> None:
-        """Another client's motion must not go on under a new one, which may not know of it."""
+        """Stop: the next client must not inherit a motion."""
         super().control_lost()
         self.vehicle.pilot.stop()
+
+
+class PrimitiveDriver(Driver, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
+    """Open-loop efforts along x and about z, in percent; other axes and resistive efforts are ignored.
+
+    An effort that a command leaves out is zero.
+    """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        super().__init__(vehicle)
+        self._linear_x = 0.0
+        self._rotational_z = 0.0
+
+    def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
+        """Drive with these efforts until the next command; positive z turns right."""
+        self._linear_x = percent(msg.propulsive_linear_effort_x)
+        self._rotational_z = percent(msg.propulsive_rotational_effort_z)
+        self.vehicle.pilot.set_effort(self, forward=self._linear_x / 100.0, right=self._rotational_z / 100.0)
+
+    def on_preempted(self) -> None:
+        """The reported efforts become zero."""
+        self._linear_x = self._rotational_z = 0.0
+
+    def report_wrench_effort(self) -> ReportWrenchEffort:
+        """The commanded efforts in percent; zero after a stop, and while another service drives."""
+        return ReportWrenchEffort(
+            propulsive_linear_effort_x=self._linear_x, propulsive_rotational_effort_z=self._rotational_z
+        )

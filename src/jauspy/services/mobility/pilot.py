@@ -1,85 +1,104 @@
-"""Who drives: the driver services of a component share one chassis, and the newest command has it.
+"""The pilot steers the chassis for the driver services of a component; the newest command preempts the others.
 
 See docs/adr/0037-guidance.md.
 """
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Final
+from typing import Final, Protocol
 
 from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
-from jauspy.services.mobility.guidance.course import Course, Halt
-from jauspy.services.mobility.guidance.motion import STANDSTILL, Limits, Motion, approach
-from jauspy.services.mobility.guidance.velocity_control import VelocityControl, limit
-
-if TYPE_CHECKING:
-    from jauspy.services.mobility.driver import Driver
-    from jauspy.services.service import ServiceHost
+from jauspy.services.mobility.courses import Course, Halt
+from jauspy.services.mobility.velocity_control import (
+    STANDSTILL,
+    AccelerationLimits,
+    PlanarVelocity,
+    VelocityControl,
+    ramped,
+)
+from jauspy.services.service import ServiceHost
 
 PERIOD: Final = 0.02
-"""Seconds between two looks at where the platform is."""
-LONGEST: Final = 0.1
-"""Seconds of which guidance knows at most at once: after a stall it does not jump."""
+"""Seconds between two steps of the control loop."""
+MAX_TIME_STEP: Final = 0.1
+"""Seconds that one step counts at most, so that the velocity does not jump after a stall."""
 _TIMER: Final = "pilot"
 
 
+class DriveOwner(Protocol):
+    """A service that can command the chassis."""
+
+    @property
+    def uses_travel_speed(self) -> bool:
+        """True if the pilot's travel speed stays while this service drives."""
+        ...
+
+    def on_arrival(self) -> None:
+        """Called at the end of the course; the platform slows down until the next command."""
+        ...
+
+    def on_preempted(self) -> None:
+        """Called when another service's command, or a stop, ends this service's motion."""
+        ...
+
+
 class Pilot:
-    """Steers the chassis along the course of the driver service that commanded last."""
+    """Follows the course, or sets the effort, of the service that commanded last."""
 
     def __init__(self, drive: DriveBase, chassis: Chassis) -> None:
         self._drive = drive
         self._chassis = chassis
-        self.limits = Limits(
+        self.limits = AccelerationLimits(
             chassis.acceleration, chassis.deceleration, chassis.turn_acceleration, chassis.turn_acceleration
         )
         self._control = VelocityControl()
         self._host: ServiceHost | None = None
         self._course: Course | None = None
-        self._motion = STANDSTILL
+        self._velocity = STANDSTILL
         self._last = 0.0
-        self.driver: Driver | None = None
-        """Whose command the platform follows; None while it just stands."""
+        self.driver: DriveOwner | None = None
+        """The service whose command is carried out; None while the platform stands."""
         self.travel_speed = 0.0
-        """Of the waypoint drivers, m/s, negative backward; zero while another driver or none has the chassis."""
+        """m/s, negative backward, of the waypoint drivers; zero while another service, or none, drives."""
 
     def attach(self, host: ServiceHost) -> None:
-        """Keep time with this component; each of its drivers calls this."""
+        """Use the clock and the timers of this component; each of its drivers calls this."""
         self._host = host
 
-    def push(self, driver: Driver, forward: float, right: float) -> None:
-        """Open loop: fractions of the full effort, at once."""
-        self._hand_to(driver)
+    def set_effort(self, driver: DriveOwner, forward: float, right: float) -> None:
+        """Open loop: fractions of the full effort, -1..1, at once."""
+        self._set_driver(driver)
         self._end_course()
         self._drive.set_effort(linear_x=forward, rotational_z=-right)
 
-    def follow(self, driver: Driver, course: Course) -> None:
-        """Closed loop: go over from the motion that the platform has to that of the course."""
-        self._hand_to(driver)
+    def follow(self, driver: DriveOwner, course: Course) -> None:
+        """Closed loop: change from the measured velocity to that of the course."""
+        self._set_driver(driver)
         if self._course is None:
             self._control.reset()
-            self._motion = self._measured()
-            self._start(self._clock)
+            self._velocity = self._measured()
+            self._start_steering(self._clock)
         self._course = course
 
-    def release(self, driver: Driver) -> None:
-        """That driver is done; stops at once, unless another one has the chassis."""
+    def release(self, driver: DriveOwner) -> None:
+        """Stop at once if this service drives."""
         if self.driver is driver:
             self.stop()
 
     def stop(self) -> None:
-        """Stop at once, whoever drives. Twice is fine."""
+        """Stop at once, whichever service drives. May be called twice."""
         self._end_course()
         self._drive.stop()
-        self._hand_to(None)
+        self._set_driver(None)
 
-    def _hand_to(self, driver: Driver | None) -> None:
+    def _set_driver(self, driver: DriveOwner | None) -> None:
         before, self.driver = self.driver, driver
-        if driver is None or not driver.travels:
+        if driver is None or not driver.uses_travel_speed:
             self.travel_speed = 0.0
         if before is not None and before is not driver:
-            before.taken_over()
+            before.on_preempted()
 
     @property
     def _clock(self) -> ServiceHost:
@@ -87,7 +106,7 @@ class Pilot:
             raise RuntimeError("no driver service has attached the pilot to its component")
         return self._host
 
-    def _start(self, host: ServiceHost) -> None:
+    def _start_steering(self, host: ServiceHost) -> None:
         self._last = host.now
         host.set_timer(_TIMER, host.now, self._steer)
 
@@ -100,33 +119,30 @@ class Pilot:
         host, course = self._clock, self._course
         if course is None:
             return
-        dt, self._last = min(LONGEST, host.now - self._last), host.now
+        dt, self._last = min(MAX_TIME_STEP, host.now - self._last), host.now
         host.set_timer(_TIMER, host.now + PERIOD, self._steer)
         wanted = course.steer(jaus_pose(self._drive.pose()))
         if wanted is None:
-            self._arrive()
+            self._end_of_course()
         else:
-            self._move(self._possible(wanted), course.limits or self.limits, dt)
+            wanted = wanted.clamped(self._chassis.max_speed, self._chassis.max_turn_rate)
+            self._move(wanted, course.limits or self.limits, dt)
 
-    def _arrive(self) -> None:
-        """The driver says what comes next; until it does, the platform slows down."""
+    def _end_of_course(self) -> None:
+        """End the course; the driver may command another one."""
         self._course = Halt()
         if self.driver is not None:
-            self.driver.arrived()
+            self.driver.on_arrival()
 
-    def _move(self, wanted: Motion, limits: Limits, dt: float) -> None:
-        self._motion = approach(self._motion, wanted, limits, dt)
-        if self._motion == wanted == STANDSTILL:
+    def _move(self, wanted: PlanarVelocity, limits: AccelerationLimits, dt: float) -> None:
+        self._velocity = ramped(self._velocity, wanted, limits, dt)
+        if self._velocity == wanted == STANDSTILL:
             self._control.reset()
             self._drive.stop()
             return
-        forward, right = self._control.efforts(self._motion, self._measured(), dt)
+        forward, right = self._control.efforts(self._velocity, self._measured(), dt)
         self._drive.set_effort(linear_x=forward, rotational_z=-right)
 
-    def _possible(self, wanted: Motion) -> Motion:
-        chassis = self._chassis
-        return Motion(limit(wanted.speed, chassis.max_speed), limit(wanted.turn_rate, chassis.max_turn_rate))
-
-    def _measured(self) -> Motion:
+    def _measured(self) -> PlanarVelocity:
         twist = jaus_twist(self._drive.twist())
-        return Motion(twist.vx, twist.wz)
+        return PlanarVelocity(twist.vx, twist.wz)

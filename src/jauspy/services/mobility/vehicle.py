@@ -1,23 +1,18 @@
-"""What the mobility services of a component share: the chassis, its frames, and who drives it."""
+"""The vehicle: chassis, pilot, reference frames and waypoint, which the mobility services of a component share."""
 
 from __future__ import annotations
-
-from typing import TYPE_CHECKING
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, jaus_pose
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
-from jauspy.services.mobility.global_frame import GlobalFrame, GlobalPose
-from jauspy.services.mobility.local_frame import LocalFrame
 from jauspy.services.mobility.pilot import Pilot
-
-if TYPE_CHECKING:
-    from jauspy.services.mobility.waypoint import Waypoint
+from jauspy.services.mobility.reference_frames import GlobalFrame, GlobalPose, LocalFrame
+from jauspy.services.mobility.waypoints import Waypoint
 
 
 class Vehicle:
-    """One platform, as one component sees it. `origin`: where its world lies on the globe, None for nowhere."""
+    """One platform. `origin`: global pose of the world's origin; services on the globe need it."""
 
     def __init__(
         self,
@@ -31,25 +26,25 @@ class Vehicle:
         self.name = name
         self.chassis = chassis or Chassis()
         self.pilot = Pilot(drive, self.chassis)
-        self.local = LocalFrame()
-        self._globe = GlobalFrame(origin) if origin else None
+        self.local_frame = LocalFrame()
+        self._global_frame = GlobalFrame(origin) if origin else None
         self.goal: Waypoint | None = None
-        """The waypoint that the client in control has set for one of the waypoint drivers, in whichever frame."""
+        """The waypoint that the controlling client has set, local or global."""
         self.waypoint: Waypoint | None = None
-        """The waypoint that was last set, or that a list last went for."""
+        """The waypoint that was last set, or that a list last drove to."""
 
     @property
     def pose(self) -> Pose:
-        """Where it is in the world, in JAUS axes."""
+        """The pose in the world, in JAUS axes."""
         return jaus_pose(self.drive.pose())
 
     @property
     def has_origin(self) -> bool:
-        """True when it is known where the world lies on the globe."""
-        return self._globe is not None
+        """True if the pose of the world on the globe is known."""
+        return self._global_frame is not None
 
-    def georeference(self) -> GlobalFrame:
-        """Where the world lies on the globe; `ConfigError` when nobody has said so."""
-        if self._globe is None:
+    def global_frame(self) -> GlobalFrame:
+        """The global frame. Raises `ConfigError` without an origin."""
+        if self._global_frame is None:
             raise ConfigError("services on the globe need an origin: latitude, longitude, altitude and heading")
-        return self._globe
+        return self._global_frame

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from typing import Any, Final, TypeAlias
 
@@ -16,19 +17,71 @@ from jauspy.messages.mobility import (
     SetVelocityCommand,
     SetVelocityCommandExt,
 )
+from jauspy.platform.chassis import Chassis
+from jauspy.services.mobility.courses import VelocityCourse
 from jauspy.services.mobility.driver import Driver
-from jauspy.services.mobility.guidance.course import VelocityCourse
-from jauspy.services.mobility.guidance.motion import STANDSTILL, Motion
 from jauspy.services.mobility.vehicle import Vehicle
-from jauspy.services.mobility.velocity_limits import VelocityRange, possible, with_acceleration
+from jauspy.services.mobility.velocity_control import STANDSTILL, AccelerationLimits, PlanarVelocity
+
+ROUNDING: Final = 1e-3
+"""m/s, rad/s: a velocity at its limit may have been rounded up by its field, whose steps are as large."""
+MIN_ACCELERATION_LIMIT: Final = 0.05
+"""m/s^2, rad/s^2; with a limit of zero a moving platform would never stop."""
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityRange:
+    """The least and the greatest velocity of both axes."""
+
+    least: PlanarVelocity
+    most: PlanarVelocity
+
+    @classmethod
+    def of(cls, chassis: Chassis) -> VelocityRange:
+        """The limits of the chassis."""
+        return cls(
+            PlanarVelocity(-chassis.max_speed, -chassis.max_turn_rate),
+            PlanarVelocity(chassis.max_speed, chassis.max_turn_rate),
+        )
+
+    def contains(self, velocity: PlanarVelocity) -> bool:
+        """True for a velocity within the range, but for `ROUNDING`."""
+        return _within(self.least.speed, velocity.speed, self.most.speed) and _within(
+            self.least.turn_rate, velocity.turn_rate, self.most.turn_rate
+        )
+
+
+def _within(least: float, value: float, most: float) -> bool:
+    return least - ROUNDING <= value <= most + ROUNDING
+
+
+def updated_limits(limits: AccelerationLimits, msg: SetAccelerationLimit, chassis: Chassis) -> AccelerationLimits:
+    """The limits after a command, at most those of the chassis; what the command leaves out stays."""
+    x, yaw = msg.acceleration_x, msg.yaw_acceleration
+    if msg.command_type == SetAccelerationLimit.CommandType.MAX_ACCELERATION:
+        return replace(
+            limits,
+            acceleration=_limit(x, limits.acceleration, chassis.acceleration),
+            turn_acceleration=_limit(yaw, limits.turn_acceleration, chassis.turn_acceleration),
+        )
+    return replace(
+        limits,
+        deceleration=_limit(x, limits.deceleration, chassis.deceleration),
+        turn_deceleration=_limit(yaw, limits.turn_deceleration, chassis.turn_acceleration),
+    )
+
+
+def _limit(wanted: float | None, present: float, most: float) -> float:
+    return present if wanted is None else min(most, max(MIN_ACCELERATION_LIMIT, abs(wanted)))
+
 
 Command: TypeAlias = SetVelocityCommand | SetVelocityCommandExt
 
 _KINDS: Final = 4
-"""The wider form has each kind of command twice: over ground, and relative to the medium, here the same."""
+"""Kinds of command; the wide form has each twice, over ground and relative to the medium, which is the same here."""
 
 
-class Kind(IntEnum):
+class CommandKind(IntEnum):
     """What a velocity command sets."""
 
     CURRENT = 0
@@ -38,10 +91,10 @@ class Kind(IntEnum):
 
 
 class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver"):
-    """Drives at a speed along x and turns at a rate about z, within limits that the client may narrow.
+    """Speed along x and turn rate about z, within limits that the client may narrow.
 
-    A current or default command counts as a whole: what it leaves out is zero. A limit that is left out stays. What is
-    set for other axes is ignored, and not reported.
+    What a current or default command leaves out is zero; a limit that is left out stays. Values for other axes are
+    ignored, and not reported.
     """
 
     def __init__(self, vehicle: Vehicle) -> None:
@@ -54,12 +107,12 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
     # --- predicates
 
     def is_current_velocity_cmd(self, msg: Command) -> bool:
-        """The command is to be carried out, rather than to be kept."""
-        return _kind(msg) is Kind.CURRENT
+        """True if the command is to be carried out, not kept as a limit or default."""
+        return _kind(msg) is CommandKind.CURRENT
 
     def is_command_value_valid(self, msg: Command) -> bool:
-        """The velocities are within the limits."""
-        valid = self._range.contains(_motion(msg))
+        """True if the velocities are within the limits; else counted."""
+        valid = self._range.contains(_velocity(msg))
         if not valid:
             self.host.count("velocity_out_of_range", f"{msg}")
         return valid
@@ -67,8 +120,8 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
     # --- actions
 
     def set_current_velocity_command(self, msg: Command) -> None:
-        """Drive so, from now on."""
-        self._current = _motion(msg)
+        """Drive at this velocity until the next command."""
+        self._current = _velocity(msg)
         self.vehicle.pilot.follow(self, VelocityCourse(self._current, self._limits))
 
     def set_current_velocity_command_ext(self, msg: Command) -> None:
@@ -76,67 +129,68 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
         self.set_current_velocity_command(msg)
 
     def set_velocity_limit(self, msg: Command) -> None:
-        """Keep a limit, or the default. Limits beyond what the chassis can do are what it can do."""
+        """Keep a limit, at most that of the chassis, or the default."""
         match _kind(msg):
-            case Kind.MAX:
+            case CommandKind.MAX:
                 self._range = VelocityRange(self._range.least, self._limited(msg, self._range.most))
-            case Kind.MIN:
+            case CommandKind.MIN:
                 self._range = VelocityRange(self._limited(msg, self._range.least), self._range.most)
-            case Kind.DEFAULT:
-                self._default = _motion(msg)
+            case CommandKind.DEFAULT:
+                self._default = _velocity(msg)
 
     def set_velocity_limit_ext(self, msg: Command) -> None:
         """As `set_velocity_limit`."""
         self.set_velocity_limit(msg)
 
     def set_acceleration_limit(self, msg: SetAccelerationLimit) -> None:
-        """How fast the motion may change; acts on the present command, too."""
-        self._limits = with_acceleration(self._limits, msg, self.vehicle.chassis)
-        if self.drives:
+        """Limit the acceleration, also of the present command."""
+        self._limits = updated_limits(self._limits, msg, self.vehicle.chassis)
+        if self.is_driving:
             self.vehicle.pilot.follow(self, VelocityCourse(self._current, self._limits))
 
     def reset_cmd_velocity_to_default(self) -> None:
-        """Runs when Ready is left: the platform stops. The default is what is reported; it drives nothing."""
+        """Stop when Ready is left. The default is reported then; it does not move the platform."""
         self.vehicle.pilot.stop()
         self._current = self._default
 
     def control_lost(self) -> None:
-        """The next client finds the limits of the chassis, and no default."""
+        """Restore the limits of the chassis for the next client."""
         super().control_lost()
         self._range, self._limits = VelocityRange.of(self.vehicle.chassis), self.vehicle.pilot.limits
         self._default = self._current = STANDSTILL
 
-    def taken_over(self) -> None:
-        """The command ends."""
+    def on_preempted(self) -> None:
+        """The reported command becomes the default."""
         self._current = self._default
 
-    def _limited(self, msg: Command, present: Motion) -> Motion:
+    def _limited(self, msg: Command, present: PlanarVelocity) -> PlanarVelocity:
         speed = present.speed if msg.velocity_x is None else msg.velocity_x
         turn_rate = present.turn_rate if msg.yaw_rate is None else msg.yaw_rate
-        return possible(Motion(speed, turn_rate), self.vehicle.chassis)
+        chassis = self.vehicle.chassis
+        return PlanarVelocity(speed, turn_rate).clamped(chassis.max_speed, chassis.max_turn_rate)
 
     # --- reports
 
     def report_velocity_command(self, query: QueryVelocityCommand) -> ReportVelocityCommand:
-        """The command of the kind that is asked for; of an unknown kind the current one."""
-        kind, motion = self._asked(query.command_type)
-        return ReportVelocityCommand(command_type=kind, velocity_x=motion.speed, yaw_rate=motion.turn_rate)
+        """The command of the queried kind; the current one for an unknown kind."""
+        kind, velocity = self._queried(query.command_type)
+        return ReportVelocityCommand(command_type=kind, velocity_x=velocity.speed, yaw_rate=velocity.turn_rate)
 
     def report_velocity_command_ext(self, query: QueryVelocityCommandExt) -> ReportVelocityCommandExt:
         """As `report_velocity_command`."""
-        _, motion = self._asked(query.command_type % _KINDS)
-        kind = query.command_type if query.command_type < 2 * _KINDS else Kind.CURRENT
-        return ReportVelocityCommandExt(command_type=kind, velocity_x=motion.speed, yaw_rate=motion.turn_rate)
+        _, velocity = self._queried(query.command_type % _KINDS)
+        kind = query.command_type if query.command_type < 2 * _KINDS else CommandKind.CURRENT
+        return ReportVelocityCommandExt(command_type=kind, velocity_x=velocity.speed, yaw_rate=velocity.turn_rate)
 
-    def _asked(self, kind: int) -> tuple[Kind, Motion]:
-        motions = {
-            Kind.CURRENT: self._current,
-            Kind.MAX: self._range.most,
-            Kind.MIN: self._range.least,
-            Kind.DEFAULT: self._default,
+    def _queried(self, kind: int) -> tuple[CommandKind, PlanarVelocity]:
+        commands = {
+            CommandKind.CURRENT: self._current,
+            CommandKind.MAX: self._range.most,
+            CommandKind.MIN: self._range.least,
+            CommandKind.DEFAULT: self._default,
         }
-        known = Kind(kind) if kind in tuple(Kind) else Kind.CURRENT
-        return known, motions[known]
+        known = CommandKind(kind) if kind in tuple(CommandKind) else CommandKind.CURRENT
+        return known, commands[known]
 
     def report_acceleration_limit(self, query: QueryAccelerationLimit) -> ReportAccelerationLimit:
         """The limits of acceleration, or those of deceleration."""
@@ -148,9 +202,9 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
         return ReportAccelerationLimit(command_type=kind, acceleration_x=x, yaw_acceleration=yaw)
 
 
-def _kind(msg: Any) -> Kind:
-    return Kind(msg.command_type % _KINDS)
+def _kind(msg: Any) -> CommandKind:
+    return CommandKind(msg.command_type % _KINDS)
 
 
-def _motion(msg: Command) -> Motion:
-    return Motion(msg.velocity_x or 0.0, msg.yaw_rate or 0.0)
+def _velocity(msg: Command) -> PlanarVelocity:
+    return PlanarVelocity(msg.velocity_x or 0.0, msg.yaw_rate or 0.0)

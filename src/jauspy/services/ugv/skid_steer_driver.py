@@ -20,13 +20,13 @@ class SkidSteerDriver(Driver, urn="urn:jaus:jss:ugv:SkidSteerDriver"):
         self._left = percent(msg.left_side_propulsive_effort)
         self._right = percent(msg.right_side_propulsive_effort)
         forward, right = (self._left + self._right) / 200.0, (self._left - self._right) / 200.0
-        self.vehicle.pilot.push(self, forward=forward, right=right)
+        self.vehicle.pilot.set_effort(self, forward=forward, right=right)
 
     def stop_motion(self) -> None:
         """Runs when Ready is left, for whatever reason."""
         self.vehicle.pilot.stop()
 
-    def taken_over(self) -> None:
+    def on_preempted(self) -> None:
         """The efforts end."""
         self._left = self._right = 0.0
 

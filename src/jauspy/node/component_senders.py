@@ -1,0 +1,215 @@
+"""Sending to components: a socket and a bounded queue for each, so that a slow one delays no other."""
+
+from __future__ import annotations
+
+import asyncio
+import errno
+import socket
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Final
+
+from jauspy.node.liveness import remove_socket
+from jauspy.protocol import junior
+from jauspy.protocol.addressing import LocalPort
+from jauspy.protocol.counters import Counters
+from jauspy.protocol.directory import ComponentPort
+from jauspy.protocol.routing import Router
+from jauspy.transport.base import SendQueue
+
+SEND_BURST: Final = 64
+"""Datagrams sent from a queue before others get their turn."""
+RETRY_EVERY: Final = 8
+"""Queued datagrams after which sending is tried without waiting for a writable socket. In a flood that would take too
+long: the ten datagrams that a component's socket holds are read long before the event loop gets its turn."""
+
+_NOT_LISTENING: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
+
+
+class ComponentSender:
+    """Sends to one component by a connected socket, with a queue for datagrams that the component has no room for.
+
+    An unread datagram occupies the receive queue of the component and the send buffer of its sender. With one socket
+    for all, a component that stops reading would block the others as soon as that buffer is full.
+    `gone(path)` is called when nobody listens on the socket any more.
+    """
+
+    def __init__(self, path: str, counters: Counters, gone: Callable[[str], None]) -> None:
+        self._path = path
+        self._counters = counters
+        self._gone = gone
+        self._loop = asyncio.get_running_loop()
+        self._socket: socket.socket | None = None
+        self._fast_path: Callable[[bytes], object] | None = None
+        """The socket's `send`; only while it is connected and the queue is empty."""
+        self._queue = SendQueue()
+        self._watched = False
+        self._since_attempt = 0
+
+    def __len__(self) -> int:
+        return len(self._queue)
+
+    def send(self, datagram: bytes) -> None:
+        """Send now, or as soon as the component reads; what the queue has no room for is dropped and counted."""
+        if self._fast_path is not None:
+            try:
+                self._fast_path(datagram)
+            except OSError:
+                self._slow_path(datagram)
+        else:
+            self._slow_path(datagram)
+
+    def _slow_path(self, datagram: bytes) -> None:
+        if not self._queue:
+            if self._try(datagram):
+                return
+            self._wait_until_writable()
+        for _ in range(self._queue.push(datagram)):
+            self._counters.drop("queue_full", self._path)
+        self._since_attempt += 1
+        if self._since_attempt == RETRY_EVERY:
+            self._drain()
+
+    def reconnect(self) -> None:
+        """Connect again: a new component may have a new socket of the same name."""
+        self._disconnect()
+        if self._queue:
+            self._drain()
+
+    def close(self) -> None:
+        """Close the socket, and count queued datagrams as dropped; a second call does nothing."""
+        self._disconnect()
+        for _ in range(len(self._queue)):
+            self._counters.drop("component_gone", self._path)
+        self._queue = SendQueue()
+
+    def _drain(self) -> None:
+        self._since_attempt = 0
+        try:
+            if self._socket is not None:
+                self._queue.drain(self._socket.send, SEND_BURST)
+        except BlockingIOError:
+            return
+        except OSError:
+            self._disconnect()
+        if self._queue and self._socket is None and self._try(self._queue.peek()) and self._queue:
+            self._queue.pop()
+        if self._queue:
+            self._wait_until_writable()
+        elif self._socket is not None:
+            self._stop_watching(self._socket)
+            self._fast_path = self._socket.send
+
+    def _wait_until_writable(self) -> None:
+        self._fast_path, self._since_attempt = None, 0
+        if self._socket is not None and not self._watched:
+            self._loop.add_writer(self._socket.fileno(), self._drain)
+            self._watched = True
+
+    def _stop_watching(self, sock: socket.socket) -> None:
+        if self._watched:
+            self._loop.remove_writer(sock.fileno())
+            self._watched = False
+
+    def _try(self, datagram: bytes) -> bool:
+        """False when the socket is full; true when it was sent, or is lost because the component is dead."""
+        try:
+            self._attempt(datagram)
+        except BlockingIOError:
+            return False
+        except OSError as error:
+            self._lost(error)
+        return True
+
+    def _attempt(self, datagram: bytes) -> None:
+        if self._socket is not None:
+            try:
+                self._socket.send(datagram)
+            except OSError as error:
+                if error.errno not in _NOT_LISTENING:
+                    raise
+                self._disconnect()
+            else:
+                return
+        self._connect().send(datagram)
+
+    def _lost(self, error: OSError) -> None:
+        self._counters.drop("component_gone" if error.errno in _NOT_LISTENING else "local_send", error)
+        if error.errno in _NOT_LISTENING:
+            if self._queue:
+                self._queue.pop()  # which was counted just now
+            self.close()
+            self._gone(self._path)
+
+    def _connect(self) -> socket.socket:
+        sock = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        try:
+            sock.setblocking(False)
+            sock.connect(self._path)
+        except OSError:
+            sock.close()
+            raise
+        self._socket = sock
+        if not self._queue:
+            self._fast_path = sock.send
+        return sock
+
+    def _disconnect(self) -> None:
+        sock, self._socket, self._fast_path = self._socket, None, None
+        if sock is not None:
+            self._stop_watching(sock)
+            sock.close()
+
+
+class ComponentSenders:
+    """The senders of all components, by the path of their socket; the router removes dead components.
+
+    A sender is made when it is first needed, and closed when its component is gone.
+    """
+
+    def __init__(self, root: Path, router: Router) -> None:
+        self._root = root
+        self._router = router
+        self._senders: dict[str, ComponentSender] = {}
+
+    @property
+    def queued(self) -> Mapping[str, int]:
+        """The number of queued datagrams of each component."""
+        return {path: len(sender) for path, sender in self._senders.items()}
+
+    def send(self, path: str, datagram: bytes) -> None:
+        """Send to a component; a control message of the Junior protocol goes to a socket that may be new."""
+        sender = self.sender_for(path)
+        if junior.parse(datagram) is not None:
+            sender.reconnect()
+        sender.send(datagram)
+
+    def sender_for(self, path: str) -> ComponentSender:
+        """The sender for this path."""
+        sender = self._senders.get(path)
+        if sender is None:
+            self._remove_cancelled()
+            sender = self._senders[path] = ComponentSender(path, self._router.counters, self._gone)
+        return sender
+
+    def remove_dead(self, port: ComponentPort) -> None:
+        """Remove a component that is dead and whose socket is removed."""
+        if isinstance(port, LocalPort) and (sender := self._senders.pop(port.path, None)) is not None:
+            sender.close()
+        self._router.remove_dead(port)
+
+    def close(self) -> None:
+        """Close all senders; a second call does nothing."""
+        for sender in self._senders.values():
+            sender.close()
+        self._senders.clear()
+
+    def _gone(self, path: str) -> None:
+        self._senders.pop(path, None)
+        self._router.remove_dead(LocalPort(path))
+        remove_socket(self._root, path)
+
+    def _remove_cancelled(self) -> None:
+        alive = {port.path for _, port in self._router.components if isinstance(port, LocalPort)}
+        for path in [path for path in self._senders if path not in alive]:
+            self._senders.pop(path).close()

@@ -1,0 +1,204 @@
+"""Courses: what the pilot follows. At each pose a course gives the velocity that is wanted (docs/adr/0037-guidance.md).
+
+Poses are in the world, in JAUS axes: metres, and headings in radians, positive to the right.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Final, Protocol
+
+from jauspy.geometry.poses import PlanarPoint, Pose
+from jauspy.services.mobility.velocity_control import STANDSTILL, AccelerationLimits, PlanarVelocity, clamp
+
+TURN_GAIN: Final = 1.8
+"""Turn rate per heading error, 1/s."""
+MAX_DRIVING_ERROR: Final = 0.8
+"""Heading error, rad, above which the robot turns on the spot."""
+HEADING_TOLERANCE: Final = 0.03
+"""Heading error, rad, below which a robot that stands does not turn."""
+MIN_LOOK_AHEAD: Final = 0.6
+"""Metres ahead on the leg that the robot steers for when it is slow."""
+LOOK_AHEAD_TIME: Final = 0.7
+"""Seconds of driving ahead when it is fast."""
+DEFAULT_TOLERANCE: Final = 0.3
+"""Metres within which a waypoint without a tolerance counts as reached."""
+STOP_TOLERANCE: Final = 0.1
+"""Metres to which the robot approaches a waypoint where it stops, whatever the tolerance."""
+FINAL_SPEED: Final = 0.1
+"""m/s of the last centimetres to a stop."""
+PASSING_SPEED: Final = 0.4
+"""m/s at which a waypoint is passed when more follow."""
+
+
+class Course(Protocol):
+    """What the pilot follows."""
+
+    @property
+    def limits(self) -> AccelerationLimits | None:
+        """How fast the velocity may change; None for the limits of the chassis."""
+        ...
+
+    def steer(self, pose: Pose, /) -> PlanarVelocity | None:
+        """The velocity wanted at a pose; None at the end of the course."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Halt:
+    """Slows down, and stands."""
+
+    limits: None = None
+
+    def steer(self, _: Pose) -> PlanarVelocity:
+        """Zero."""
+        return STANDSTILL
+
+
+@dataclass(frozen=True, slots=True)
+class VelocityCourse:
+    """A constant velocity."""
+
+    velocity: PlanarVelocity
+    limits: AccelerationLimits
+
+    def steer(self, _: Pose) -> PlanarVelocity:
+        """The same at each pose."""
+        return self.velocity
+
+
+@dataclass(frozen=True, slots=True)
+class VectorCourse:
+    """A heading, which is read anew each time since its frame may be set, and a speed (m/s, negative backward)."""
+
+    heading: Callable[[], float]
+    speed: float
+    max_turn_rate: float
+    limits: None = None
+
+    def steer(self, pose: Pose) -> PlanarVelocity:
+        """Towards the heading; never None."""
+        error = heading_error(pose.yaw, self.heading())
+        if self.speed == 0.0 and abs(error) < HEADING_TOLERANCE:
+            return STANDSTILL
+        return steer_to_heading(error, self.speed, self.max_turn_rate)
+
+
+def steer_to_heading(error: float, speed: float, max_turn_rate: float) -> PlanarVelocity:
+    """The velocity that reduces a heading error (rad, positive when the heading lies to the right).
+
+    The speed (m/s, negative backward) falls as the error grows: the slower a curve is driven, the narrower it is.
+    """
+    fade = max(0.0, 1.0 - (error / MAX_DRIVING_ERROR) ** 2)
+    return PlanarVelocity(speed * fade, clamp(TURN_GAIN * error, max_turn_rate))
+
+
+def heading_error(heading: float, wanted: float) -> float:
+    """The smaller angle from one heading to another, -pi..pi, positive to the right."""
+    return math.remainder(wanted - heading, math.tau)
+
+
+def reversed_yaw(yaw: float) -> float:
+    """The direction of travel of a robot that drives backward."""
+    return math.remainder(yaw + math.pi, math.tau)
+
+
+@dataclass(frozen=True, slots=True)
+class Leg:
+    """The straight line from where the robot was to its waypoint."""
+
+    start: PlanarPoint
+    end: PlanarPoint
+
+    def ahead(self, here: PlanarPoint, look_ahead: float) -> PlanarPoint:
+        """The point of the leg to steer for: `look_ahead` metres beyond the one abeam of the robot."""
+        length, direction = self.start.to(self.end)
+        along = min(length, max(0.0, self._covered(here, direction)) + look_ahead)
+        return PlanarPoint(self.start.x + along * math.cos(direction), self.start.y + along * math.sin(direction))
+
+    def passed(self, here: PlanarPoint) -> bool:
+        """True if the robot is abeam of the end, or beyond it."""
+        length, direction = self.start.to(self.end)
+        return self._covered(here, direction) >= length
+
+    def _covered(self, here: PlanarPoint, direction: float) -> float:
+        return (here.x - self.start.x) * math.cos(direction) + (here.y - self.start.y) * math.sin(direction)
+
+
+def look_ahead(speed: float, path_tolerance: float | None) -> float:
+    """Metres to look ahead at a speed; less where the path tolerance is narrow."""
+    wanted = max(MIN_LOOK_AHEAD, LOOK_AHEAD_TIME * abs(speed))
+    return wanted if path_tolerance is None else min(wanted, max(0.2, path_tolerance))
+
+
+@dataclass(frozen=True, slots=True)
+class Goal:
+    """A waypoint in the world. Metres and radians; None for what is not commanded."""
+
+    point: PlanarPoint
+    heading: float | None = None
+    tolerance: float = DEFAULT_TOLERANCE
+    path_tolerance: float | None = None
+    is_last: bool = True
+    """The robot stops here."""
+
+
+class WaypointCourse:
+    """Along a straight leg to `goal`, slower towards its end, then to its heading, if it has one.
+
+    `goal` and `speed` (m/s; negative drives backward, zero waits) are read anew each time, since the frame of the
+    waypoint and the speed may be set. `deceleration` (m/s^2) and `max_turn_rate` (rad/s) are those of the chassis.
+    """
+
+    limits: None = None
+
+    def __init__(
+        self, goal: Callable[[], Goal], speed: Callable[[], float], *, deceleration: float, max_turn_rate: float
+    ) -> None:
+        self._goal = goal
+        self._speed = speed
+        self._deceleration = deceleration
+        self._max_turn_rate = max_turn_rate
+        self._start: PlanarPoint | None = None
+        self._reached = False
+
+    def steer(self, pose: Pose) -> PlanarVelocity | None:
+        """The velocity wanted at a pose; None once the waypoint, and its heading, are reached."""
+        goal, speed = self._goal(), self._speed()
+        here = PlanarPoint(pose.x, pose.y)
+        self._start = self._start or here
+        if speed == 0.0:
+            return STANDSTILL
+        leg = Leg(self._start, goal.point)
+        self._reached = self._reached or is_reached(goal, leg, here)
+        if self._reached:
+            return self._align(pose.yaw, goal.heading)
+        return self._drive(pose, leg, goal, speed)
+
+    def _drive(self, pose: Pose, leg: Leg, goal: Goal, speed: float) -> PlanarVelocity:
+        here = PlanarPoint(pose.x, pose.y)
+        _, bearing = here.to(leg.ahead(here, look_ahead(speed, goal.path_tolerance)))
+        yaw = reversed_yaw(pose.yaw) if speed < 0.0 else pose.yaw
+        remaining, _ = here.to(goal.point)
+        slowed = min(abs(speed), self._approach_speed(remaining, goal))
+        return steer_to_heading(heading_error(yaw, bearing), math.copysign(slowed, speed), self._max_turn_rate)
+
+    def _approach_speed(self, remaining: float, goal: Goal) -> float:
+        """The speed from which half of the chassis' deceleration suffices to slow down."""
+        final = FINAL_SPEED if goal.is_last or goal.heading is not None else PASSING_SPEED
+        return math.sqrt(final**2 + self._deceleration * remaining)
+
+    def _align(self, yaw: float, heading: float | None) -> PlanarVelocity | None:
+        if heading is None or abs(error := heading_error(yaw, heading)) < HEADING_TOLERANCE:
+            return None
+        return steer_to_heading(error, 0.0, self._max_turn_rate)
+
+
+def is_reached(goal: Goal, leg: Leg, here: PlanarPoint) -> bool:
+    """Within the tolerance; at the last waypoint also abeam of the point or within `STOP_TOLERANCE` of it."""
+    distance, _ = here.to(goal.point)
+    if distance > goal.tolerance:
+        return False
+    return not goal.is_last or distance <= STOP_TOLERANCE or leg.passed(here)

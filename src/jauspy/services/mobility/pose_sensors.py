@@ -1,0 +1,165 @@
+"""LocalPoseSensor and GlobalPoseSensor: the pose of the platform in the local frame and on the globe (AS6009)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Final
+
+from jauspy.geometry.poses import Pose, jaus_twist, wrap_angle
+from jauspy.messages.mobility import (
+    ReportGeomagneticProperty,
+    ReportGlobalPose,
+    ReportGlobalPoseExt,
+    ReportLocalPose,
+    ReportLocalPoseExt,
+    SetGeomagneticProperty,
+    SetGlobalPose,
+    SetGlobalPoseExt,
+    SetLocalPose,
+    SetLocalPoseExt,
+    ZPosition,
+)
+from jauspy.services.mobility.field_ranges import MAX_XY_EXT, MAX_XYZ, MAX_Z_EXT, encodable, encodable_altitude
+from jauspy.services.mobility.reference_frames import GlobalPose
+from jauspy.services.mobility.vehicle import Vehicle
+from jauspy.services.service import Service
+from jauspy.services.units import epoch_seconds, time_stamp
+
+MIN_COURSE_SPEED: Final = 0.05
+"""m/s below which no course is reported."""
+
+
+class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
+    """Latitude and longitude (degrees, WGS 84), altitude (m above its ellipsoid), heading (rad from true north), time.
+
+    The vehicle needs an origin. The controlling client may set latitude, longitude, altitude and yaw; roll and pitch
+    are measured against gravity. The wide form has no altitude, since its datums are not supported.
+    """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        self._vehicle = vehicle
+        self._magnetic_variation = 0.0
+
+    def attached(self) -> None:
+        """Raises `ConfigError` without an origin."""
+        self._vehicle.global_frame()
+
+    def _pose(self) -> GlobalPose:
+        return self._vehicle.global_frame().from_world(self._vehicle.pose)
+
+    def update_global_pose(self, msg: SetGlobalPose) -> None:
+        """Move the global frame so that the platform has this pose; the local frame stays."""
+        self._set(msg.latitude, msg.longitude, msg.altitude, msg.yaw)
+
+    def update_global_pose_ext(self, msg: SetGlobalPoseExt) -> None:
+        """As `update_global_pose`, without the height, whose datums are not supported."""
+        self._set(msg.latitude, msg.longitude, None, msg.heading)
+
+    def _set(
+        self, latitude: float | None, longitude: float | None, altitude: float | None, heading: float | None
+    ) -> None:
+        given = {"latitude": latitude, "longitude": longitude, "altitude": altitude, "heading": heading}
+        shown = replace(self._pose(), **{name: value for name, value in given.items() if value is not None})
+        self._vehicle.global_frame().set(self._vehicle.pose, shown)
+
+    def update_geomagnetic_property(self, msg: SetGeomagneticProperty) -> None:
+        """Keep the magnetic variation for reports; headings are true ones and do not change."""
+        self._magnetic_variation = msg.magnetic_variation
+
+    def report_geomagnetic_property(self) -> ReportGeomagneticProperty:
+        """The variation that was set; at first zero."""
+        return ReportGeomagneticProperty(magnetic_variation=self._magnetic_variation)
+
+    def report_global_pose(self) -> ReportGlobalPose:
+        """All fields but the errors (RMS), which are not estimated."""
+        shown, attitude = self._pose(), self._vehicle.pose
+        return ReportGlobalPose(
+            latitude=shown.latitude,
+            longitude=shown.longitude,
+            altitude=encodable_altitude(shown.altitude),
+            roll=attitude.roll,
+            pitch=attitude.pitch,
+            yaw=shown.heading,
+            time_stamp=time_stamp(self.host.utc_time),
+        )
+
+    def report_global_pose_ext(self) -> ReportGlobalPoseExt:
+        """As `report_global_pose`, with the course while the platform moves, and epoch time."""
+        shown, attitude = self._pose(), self._vehicle.pose
+        seconds, nanoseconds = epoch_seconds(self.host.utc_time)
+        return ReportGlobalPoseExt(
+            latitude=shown.latitude,
+            longitude=shown.longitude,
+            roll=attitude.roll,
+            pitch=attitude.pitch,
+            heading=shown.heading,
+            course=self._course(shown.heading),
+            time_seconds=seconds,
+            time_nano_seconds=nanoseconds,
+        )
+
+    def _course(self, heading: float) -> float | None:
+        twist = jaus_twist(self._vehicle.drive.twist())
+        if math.hypot(twist.vx, twist.vy) < MIN_COURSE_SPEED:
+            return None
+        return wrap_angle(heading + math.atan2(twist.vy, twist.vx))
+
+
+class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
+    """Position (m), attitude (rad) and time.
+
+    The controlling client may set x, y, z and yaw; roll and pitch are measured against gravity. Local waypoints and
+    vectors are in the same frame.
+    """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        self._vehicle = vehicle
+
+    @property
+    def pose(self) -> Pose:
+        """The pose in the local frame."""
+        return self._vehicle.local_frame.from_world(self._vehicle.pose)
+
+    def update_local_pose(self, msg: SetLocalPose) -> None:
+        """Move the local frame so that the platform has this pose."""
+        self._set(msg.x, msg.y, msg.z, msg.yaw)
+
+    def update_local_pose_ext(self, msg: SetLocalPoseExt) -> None:
+        """As `update_local_pose`; a height above a datum is ignored."""
+        z = msg.z_position
+        local = z is not None and z.choice == ZPosition.Choice.Z_LOCAL
+        self._set(msg.x, msg.y, z.value if z is not None and local else None, msg.heading)
+
+    def _set(self, x: float | None, y: float | None, z: float | None, yaw: float | None) -> None:
+        given = {"x": x, "y": y, "z": z, "yaw": yaw}
+        shown = replace(self.pose, **{name: value for name, value in given.items() if value is not None})
+        self._vehicle.local_frame.set(self._vehicle.pose, shown)
+
+    def report_local_pose(self) -> ReportLocalPose:
+        """All fields that fit, but the errors (RMS), which are not estimated."""
+        pose = self.pose
+        return ReportLocalPose(
+            x=encodable(pose.x, MAX_XYZ),
+            y=encodable(pose.y, MAX_XYZ),
+            z=encodable(pose.z, MAX_XYZ),
+            roll=pose.roll,
+            pitch=pose.pitch,
+            yaw=pose.yaw,
+            time_stamp=time_stamp(self.host.utc_time),
+        )
+
+    def report_local_pose_ext(self) -> ReportLocalPoseExt:
+        """As `report_local_pose`, with epoch time."""
+        pose = self.pose
+        seconds, nanoseconds = epoch_seconds(self.host.utc_time)
+        return ReportLocalPoseExt(
+            x=encodable(pose.x, MAX_XY_EXT),
+            y=encodable(pose.y, MAX_XY_EXT),
+            z_local=encodable(pose.z, MAX_Z_EXT),
+            roll=pose.roll,
+            pitch=pose.pitch,
+            heading=pose.yaw,
+            time_seconds=seconds,
+            time_nano_seconds=nanoseconds,
+        )

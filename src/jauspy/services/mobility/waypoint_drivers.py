@@ -1,0 +1,193 @@
+"""LocalWaypointDriver and GlobalWaypointDriver: drive to one waypoint once a travel speed is set (AS6009)."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from jauspy.geometry.poses import PlanarPoint
+from jauspy.messages.mobility import (
+    ReportGlobalWaypoint,
+    ReportGlobalWaypointExt,
+    ReportLocalWaypoint,
+    ReportLocalWaypointExt,
+    ReportTravelSpeed,
+    ReportTravelSpeedExt,
+    SetGlobalWaypoint,
+    SetGlobalWaypointExt,
+    SetLocalWaypoint,
+    SetLocalWaypointExt,
+)
+from jauspy.services.mobility.courses import DEFAULT_TOLERANCE, Goal, WaypointCourse
+from jauspy.services.mobility.driver import Driver
+from jauspy.services.mobility.field_ranges import speed_over_ground, unsigned_speed
+from jauspy.services.mobility.vehicle import Vehicle
+from jauspy.services.mobility.waypoints import GlobalWaypoint, LocalWaypoint, Waypoint, global_waypoint, local_waypoint
+from jauspy.services.state_machine import CommandCompletion
+
+
+class WaypointFollower(Driver):
+    """The base of all waypoint drivers: drives to a waypoint at the pilot's travel speed."""
+
+    uses_travel_speed = True
+
+    def drive_to(self, waypoint: Waypoint, speed: float, *, is_last: bool) -> None:
+        """Start for a waypoint, at m/s, negative backward; the robot stops there if it is the last one."""
+        vehicle = self.vehicle
+        course = WaypointCourse(
+            lambda: goal_of(vehicle, waypoint, is_last=is_last),
+            lambda: vehicle.pilot.travel_speed,
+            deceleration=vehicle.chassis.deceleration,
+            max_turn_rate=vehicle.chassis.max_turn_rate,
+        )
+        vehicle.pilot.follow(self, course)
+        vehicle.pilot.travel_speed = speed
+        vehicle.waypoint = waypoint
+
+    def report_travel_speed(self) -> ReportTravelSpeed:
+        """Zero unless the platform drives to a waypoint; without direction, which only the wide form has."""
+        return ReportTravelSpeed(speed=unsigned_speed(self.vehicle.pilot.travel_speed))
+
+    def report_travel_speed_ext(self) -> ReportTravelSpeedExt:
+        """As `report_travel_speed`, negative backward."""
+        return ReportTravelSpeedExt(speed=speed_over_ground(self.vehicle.pilot.travel_speed))
+
+
+def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> Goal:
+    """A waypoint in the world, as its frame is set now."""
+    attitude = waypoint.attitude
+    point, heading = _point_and_heading(vehicle, waypoint)
+    tolerance = DEFAULT_TOLERANCE if attitude.tolerance is None else attitude.tolerance
+    return Goal(point, heading, tolerance, attitude.path_tolerance, is_last)
+
+
+def _point_and_heading(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoint, float | None]:
+    yaw = waypoint.attitude.yaw
+    if isinstance(waypoint, LocalWaypoint):
+        frame = vehicle.local_frame
+        return frame.to_world(waypoint.x, waypoint.y), None if yaw is None else frame.heading_to_world(yaw)
+    globe = vehicle.global_frame()
+    return globe.to_world(waypoint.latitude, waypoint.longitude), None if yaw is None else globe.heading_to_world(yaw)
+
+
+class WaypointDriver(WaypointFollower):
+    """The waypoint may be set before Ready. A new waypoint on the way keeps the speed; at the waypoint the drive ends.
+
+    SetTravelSpeed starts that driver of a component whose waypoint was set last. The command that started the drive,
+    or last changed it, is completed when the waypoint is reached.
+    """
+
+    def __init__(self, vehicle: Vehicle) -> None:
+        super().__init__(vehicle)
+        self._command = CommandCompletion()
+
+    def waypoint_exists(self, msg: Any) -> bool:
+        """For a command: this client has set a waypoint. For a query: any of this kind was set or driven to."""
+        if msg.IS_COMMAND:
+            return self.vehicle.goal is not None and self.accepts(self.vehicle.goal)
+        return self.accepts(self.vehicle.waypoint)
+
+    def accepts(self, waypoint: Waypoint | None) -> bool:
+        """True for waypoints in this driver's frame."""
+        raise NotImplementedError(f"{type(self).__name__}.is_mine")
+
+    def set_target(self, waypoint: Waypoint) -> None:
+        """Keep the waypoint; if this driver is driving, drive to it at once."""
+        self.vehicle.goal = self.vehicle.waypoint = waypoint
+        if self.is_driving:
+            self._start(waypoint, self.vehicle.pilot.travel_speed)
+
+    def set_travel_speed(self, msg: Any) -> None:
+        """Start for the waypoint, or change the speed; zero waits."""
+        speed, goal = self.usable_speed(msg), self.vehicle.goal
+        if speed is None or goal is None:
+            return
+        if not self.is_driving:
+            self._start(goal, speed)
+            return
+        self.vehicle.pilot.travel_speed = speed
+        if speed:
+            self._begin_command()
+
+    def set_travel_speed_ext(self, msg: Any) -> None:
+        """As `set_travel_speed`; ignored, and counted, for a speed that is not one over ground."""
+        self.set_travel_speed(msg)
+
+    def on_arrival(self) -> None:
+        """The command is completed."""
+        self._command(True)
+        super().on_arrival()
+
+    def on_preempted(self) -> None:
+        """The command has failed."""
+        self._command(False)
+
+    def _start(self, waypoint: Waypoint, speed: float) -> None:
+        self.drive_to(waypoint, speed, is_last=True)
+        self._begin_command()
+
+    def _begin_command(self) -> None:
+        """The command that is being handled replaces the one before, which has failed."""
+        self._command(False)
+        self._command = self.host.begin_command()
+
+    def control_lost(self) -> None:
+        """Forget the waypoint: the next client has to set its own."""
+        super().control_lost()
+        self.vehicle.goal = None
+
+
+class LocalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:LocalWaypointDriver"):
+    """Along the straight line from the present position; if the local frame is set, the waypoint moves with it."""
+
+    def accepts(self, waypoint: Waypoint | None) -> bool:
+        """Local waypoints."""
+        return isinstance(waypoint, LocalWaypoint)
+
+    def set_waypoint(self, msg: SetLocalWaypoint) -> None:
+        """Accepted from the controlling client, also in Standby."""
+        self.set_target(local_waypoint(msg))
+
+    def set_waypoint_ext(self, msg: SetLocalWaypointExt) -> None:
+        """As `set_waypoint`; the height is only reported."""
+        self.set_target(local_waypoint(msg))
+
+    def report_local_waypoint(self) -> ReportLocalWaypoint | None:
+        """The waypoint; None if there is none of this kind."""
+        waypoint = self.vehicle.waypoint
+        return waypoint.report() if isinstance(waypoint, LocalWaypoint) else None
+
+    def report_local_waypoint_ext(self) -> ReportLocalWaypointExt | None:
+        """The waypoint; None if there is none of this kind."""
+        waypoint = self.vehicle.waypoint
+        return waypoint.report_ext() if isinstance(waypoint, LocalWaypoint) else None
+
+
+class GlobalWaypointDriver(WaypointDriver, urn="urn:jaus:jss:mobility:GlobalWaypointDriver"):
+    """Waypoints are latitude, longitude and true heading. The vehicle needs an origin."""
+
+    def attached(self) -> None:
+        """Raises `ConfigError` without an origin."""
+        super().attached()
+        self.vehicle.global_frame()
+
+    def accepts(self, waypoint: Waypoint | None) -> bool:
+        """Global waypoints."""
+        return isinstance(waypoint, GlobalWaypoint)
+
+    def set_waypoint(self, msg: SetGlobalWaypoint) -> None:
+        """Accepted from the controlling client, also in Standby."""
+        self.set_target(global_waypoint(msg))
+
+    def set_waypoint_ext(self, msg: SetGlobalWaypointExt) -> None:
+        """As `set_waypoint`; the height is only reported."""
+        self.set_target(global_waypoint(msg))
+
+    def report_global_waypoint(self) -> ReportGlobalWaypoint | None:
+        """The waypoint; None if there is none of this kind."""
+        waypoint = self.vehicle.waypoint
+        return waypoint.report() if isinstance(waypoint, GlobalWaypoint) else None
+
+    def report_global_waypoint_ext(self) -> ReportGlobalWaypointExt | None:
+        """The waypoint; None if there is none of this kind."""
+        waypoint = self.vehicle.waypoint
+        return waypoint.report_ext() if isinstance(waypoint, GlobalWaypoint) else None

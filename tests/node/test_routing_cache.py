@@ -1,0 +1,170 @@
+"""The short way gives what the whole way gives: same datagrams, same order, same counters."""
+
+import asyncio
+import random
+from pathlib import Path
+
+import pytest
+
+from jauspy.ids import EVERYONE, JausID
+from jauspy.node import NodeConfig, NodeManager, routing_cache
+from jauspy.node.routing_cache import RoutingCache
+from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import LocalPort, Port, UdpPort
+from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
+from jauspy.protocol.routing import Router
+
+HERE, THERE, FAR, AWAY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "43.1.1"))
+IDS = (HERE, THERE, FAR, AWAY)
+ANYBODY = (*IDS, EVERYONE, JausID(101, 1, 255), JausID(0, 0, 0), JausID(7, 7, 7))
+PORTS: tuple[Port, ...] = (
+    *(LocalPort(f"/tmp/{int(id)}") for id in IDS),
+    LocalPort(""),
+    UdpPort("10.0.0.2", 3794),
+    UdpPort("10.0.0.2", 4000),
+    UdpPort("10.0.0.3", 3794),
+    UdpPort("127.0.0.1", 5000),
+)
+
+
+class CountingRouter:
+    """A router, with a routing cache or without."""
+
+    def __init__(self, *, cached: bool) -> None:
+        self.out: list[tuple[Port, bytes]] = []
+        self.cached = 0
+        self.router = Router("/tmp", changed=self._changed)
+        self.cache = RoutingCache(self.router, self._open if cached else lambda _: None)
+
+    def _open(self, port: LocalPort | UdpPort) -> routing_cache.Send:
+        def send(datagram: bytes) -> None:
+            self.cached += 1
+            self.out.append((port, datagram))
+
+        return send
+
+    def _changed(self, id: int | None) -> None:
+        self.cache.invalidate(id)
+
+    def take(self, datagram: bytes, port: Port, now: float) -> None:
+        if not self.cache.forward(datagram, port):
+            self.router.receive(datagram, port, now)
+            self.out += self.router.poll_output()
+
+
+def any_datagram(chance: random.Random, number: int) -> bytes:
+    """Mostly plain packets between ids that are used again and again."""
+    source, destination = chance.choice(IDS), chance.choice(IDS if chance.random() < 0.8 else ANYBODY)
+    plain = judp.pack(
+        Packet(
+            source,
+            destination,
+            b"\x02\x20" + number.to_bytes(4, "little"),
+            number & 0xFFFF,
+            chance.choice(list(Priority)),
+            chance.choice(list(Broadcast)),
+            chance.choice(list(Ack)),
+            chance.choice(list(DataFlag)),
+        )
+    )
+    match chance.randrange(40):
+        case 0:
+            return junior.connect(source)
+        case 1:
+            return junior.cancel(source)
+        case 2:
+            return plain[: chance.randrange(len(plain))]
+        case 3:
+            return plain + plain[1:]
+        case 4:
+            return plain[:1] + bytes([chance.randrange(256)]) + plain[2:]
+        case 5:
+            return plain[:2] + bytes([chance.randrange(40)]) + plain[3:]
+        case 6:
+            return bytes([chance.randrange(4)]) + plain[1:]
+        case _:
+            return plain
+
+
+@pytest.mark.parametrize("seed", range(5))
+async def test_nobody_can_tell_the_difference(seed: int) -> None:
+    chance = random.Random(seed)
+    quick, whole = CountingRouter(cached=True), CountingRouter(cached=False)
+    now = asyncio.get_running_loop().time()
+    for number in range(4000):
+        datagram, port = any_datagram(chance, number), chance.choice(PORTS)
+        gone = chance.choice(PORTS) if chance.random() < 0.01 else None
+        for router in (quick, whole):
+            if isinstance(gone, LocalPort | UdpPort):
+                router.router.remove_dead(gone)
+            router.take(datagram, port, now)
+        assert quick.out == whole.out, f"datagram {number}: {datagram.hex()} from {port}"
+        quick.out.clear()
+        whole.out.clear()
+    assert quick.router.counters == whole.router.counters
+    assert quick.cached > 100
+    quick.cache.clear()
+
+
+async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(routing_cache, "CACHE_LIFETIME", 0.0)
+    router = CountingRouter(cached=True)
+    now = asyncio.get_running_loop().time()
+    port = LocalPort(f"/tmp/{int(HERE)}")
+    for id in (HERE, THERE):
+        router.take(junior.connect(id), LocalPort(f"/tmp/{int(id)}"), now)
+    router.take(judp.pack(Packet(HERE, THERE, b"\x02\x20")), port, now)
+    assert len(router.cache) == 1
+    async with asyncio.timeout(20):
+        while len(router.cache):
+            await asyncio.sleep(0)
+
+
+async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(routing_cache, "MAX_ROUTES", 3)
+    router = CountingRouter(cached=True)
+    now = asyncio.get_running_loop().time()
+    sender = JausID(101, 1, 1)
+    for number in range(1, 20):
+        id = JausID(101, 1, number)
+        router.take(junior.connect(id), LocalPort(f"/tmp/{int(id)}"), now)
+    for number in range(1, 20):
+        datagram = judp.pack(Packet(sender, JausID(101, 1, number), b"\x02\x20"))
+        router.take(datagram, LocalPort(f"/tmp/{int(sender)}"), now)
+        assert len(router.cache) <= 3
+    router.cache.clear()
+
+
+async def test_rules_that_are_loaded_hold_for_the_next_packet(root: Path, introduce, udp) -> None:
+    config = NodeConfig(address="127.0.0.1", port=0, local_root=root)
+    query = judp.pack(Packet(FAR, HERE, b"\x02\x20"))
+    async with NodeManager(config) as node:
+        component, peer = introduce(HERE), udp()
+        loop = asyncio.get_running_loop()
+        assert await loop.sock_recv(component, 100) == junior.accept(HERE)
+        async with asyncio.timeout(20):
+            for _ in range(5):
+                peer.sendto(query, ("127.0.0.1", node.port))
+                assert await loop.sock_recv(component, 100) == query
+        node.reload(config.model_copy(update={"rate_limit": 0.001, "rate_burst": 1.0}))
+        for _ in range(5):
+            peer.sendto(query, ("127.0.0.1", node.port))
+        async with asyncio.timeout(20):
+            while node.counters["dropped.rate"] < 4:
+                await asyncio.sleep(0)
+
+
+async def test_a_mirror_sees_what_could_take_the_short_way(root: Path, tmp_path: Path, introduce) -> None:
+    file = tmp_path / "all.pcapng"
+    texts = [b"\x02\x20" + bytes([n]) * 8 for n in range(20)]
+    async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, mirror=str(file))) as node:
+        loop = asyncio.get_running_loop()
+        here, there = introduce(HERE), introduce(THERE)
+        async with asyncio.timeout(20):
+            for sock in (here, there):
+                await loop.sock_recv(sock, 100)
+            for text in texts:
+                here.sendto(judp.pack(Packet(HERE, THERE, text)), str(node.path))
+                await loop.sock_recv(there, 100)
+    mirrored = file.read_bytes()
+    assert all(text in mirrored for text in texts)
