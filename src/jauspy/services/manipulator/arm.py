@@ -13,7 +13,7 @@ from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
 from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
-from jauspy.platform.motion import ACCELERATION_TIME
+from jauspy.platform.setpoint import ACCELERATION_TIME
 from jauspy.services.service import Service
 
 POSITION_TOLERANCE: Final = 0.01
