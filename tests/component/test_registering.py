@@ -17,7 +17,7 @@ from jauspy.messages.core import (
     ReportIdentification,
 )
 from jauspy.services.core import Discovery, Liveness
-from jauspy.services.core.discovery import REGISTER_AGAIN
+from jauspy.services.core.discovery import REGISTRATION_INTERVAL
 from jauspy.testing import VirtualNetwork
 
 MASTER, PUMP, ELSEWHERE = "101.1.1", "101.1.7", "101.1.8"
@@ -40,7 +40,7 @@ async def listed(ocu: jauspy.OCU) -> list[int]:
 async def test_it_is_listed_while_it_runs(virtual_network, ocu):
     async with master(virtual_network):
         async with pump(virtual_network):
-            await asyncio.sleep(2 * REGISTER_AGAIN)
+            await asyncio.sleep(2 * REGISTRATION_INTERVAL)
             assert await listed(ocu) == [1, 7]
             assert len(virtual_network.sent(RegisterServices)) == 3
         assert await listed(ocu) == [1]
@@ -51,7 +51,7 @@ async def test_it_is_listed_again_by_a_master_that_was_away(virtual_network, ocu
         await asyncio.sleep(1.0)
         async with master(virtual_network):
             assert await listed(ocu) == [1]
-            await asyncio.sleep(REGISTER_AGAIN)
+            await asyncio.sleep(REGISTRATION_INTERVAL)
             assert await listed(ocu) == [1, 7]
 
 

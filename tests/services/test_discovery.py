@@ -25,7 +25,13 @@ from jauspy.messages.core import (
 from jauspy.protocol.header import MAX_PAYLOAD
 from jauspy.services.core import Discovery, Identity, Liveness, directory
 from jauspy.services.core.directory import MAX_COMPONENTS, OfferedService
-from jauspy.services.core.discovery import LIFETIME, MAX_FILTERS, MAX_REGISTRATION, MAX_REPORT, offered_services
+from jauspy.services.core.discovery import (
+    MAX_FILTERS,
+    MAX_REGISTRATION,
+    MAX_REPORT,
+    REGISTRATION_LIFETIME,
+    offered_services,
+)
 from jauspy.services.host import Host
 
 A = "42.1.1"
@@ -212,11 +218,11 @@ def test_the_own_services_are_reported_as_far_as_they_fit(rig) -> None:
 
 @pytest.mark.parametrize("sign", [RegisterServices([MANIPULATOR]), QueryIdentification(2), QuerySubsystemList()])
 def test_registrations_end_unless_the_component_is_heard(rig, sign) -> None:
-    rig.run(LIFETIME - 1)
+    rig.run(REGISTRATION_LIFETIME - 1)
     rig.tell("101.1.5", sign)
     rig.run(2)
     assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1), (1, 5)}
-    rig.run(LIFETIME)
+    rig.run(REGISTRATION_LIFETIME)
     assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1)}
     assert rig.ask(A, QueryConfiguration(2)).node_list[0].component_list == [ComponentRec(1, 0)]
 
@@ -225,7 +231,7 @@ def test_what_ended_makes_room(rig) -> None:
     flood(rig, MAX_COMPONENTS)
     rig.tell("101.99.1", RegisterServices([MANIPULATOR]))
     assert listed(rig.ask(A, services((99, 1)))) == {}
-    rig.run(LIFETIME)
+    rig.run(REGISTRATION_LIFETIME)
     rig.tell("101.99.1", RegisterServices([MANIPULATOR]))
     assert listed(rig.ask(A, services((99, 1)))) == {(99, 1): [MANIPULATOR.uri]}
 

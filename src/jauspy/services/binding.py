@@ -39,7 +39,16 @@ from jauspy.services.state_machine import (
 
 MethodKind: TypeAlias = Literal["action", "predicate", "report"]
 
+SendReply: TypeAlias = Callable[[object, Trigger, bool], None]
+"""Sends a report: (what the method returned, the trigger, whether to its source or else to the controlling client)."""
+
 _RESULT: Final = {"action": "None", "predicate": "bool"}
+_GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
+    "msg": attrgetter("msg"),
+    "query": attrgetter("msg"),
+    "source": attrgetter("source"),
+}
+_ASYNC: Final = "{} is `async def`, and nothing awaits it; start a task there, which calls `wake()` of the component"
 
 
 @dataclass(slots=True)
@@ -95,9 +104,9 @@ def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
     for machine in definition.behavior.machines if definition.behavior else ():
         for _, state in walk_states(machine.states):
             for action in (*state.entry, *state.exit):
-                _called(found, action, outputs).in_states.append(state.name)
+                _required_by_action(found, action, outputs).in_states.append(state.name)
             for transition in (*state.transitions, *state.default_transitions):
-                _add(found, transition, outputs)
+                _add_transition(found, transition, outputs)
     return tuple(found.values())
 
 
@@ -107,38 +116,36 @@ def required_method(definition: model.Service, name: str) -> RequiredMethod:
     return next((each for each in required_methods(definition) if each.jsidl == short), RequiredMethod(short, "action"))
 
 
-def _add(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
-    called = [_called(found, action, outputs) for action in transition.actions]
+def _add_transition(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
+    called = [_required_by_action(found, action, outputs) for action in transition.actions]
     if transition.guard.strip():
-        called += [_predicate(found, call) for call in behavior.calls(behavior.parse(transition.guard))]
+        called += [_required_by_guard(found, call) for call in behavior.calls(behavior.parse(transition.guard))]
     event = short_name(transition.trigger)
     for each in called:
         if event == "Receive" and transition.parameters:
-            _once(each.messages, transition.parameters[0].type)
+            _append_new(each.messages, transition.parameters[0].type)
         else:
-            _once(each.events, event)
+            _append_new(each.events, event)
 
 
-def _called(found: dict[str, RequiredMethod], action: model.Action, outputs: set[str]) -> RequiredMethod:
+def _required_by_action(found: dict[str, RequiredMethod], action: model.Action, outputs: set[str]) -> RequiredMethod:
     short, kind = short_name(action.name), "action"
-    literals = [text[1:-1] for text in action.arguments if text[:1] in ("'", '"')]
-    literals = [text for text in literals if text != "transportData"]
+    literals = [text for text in _literals(action.arguments) if text != "transportData"]
     if short == "Send" and literals:
         short, kind, literals = literals[0], "report", literals[1:]
-    return _entry(found, short, "report" if kind == "report" else "action", _reported(short, outputs), literals)
+    return _required(found, short, "report" if kind == "report" else "action", _reported(short, outputs), literals)
 
 
-def _predicate(found: dict[str, RequiredMethod], call: behavior.Call) -> RequiredMethod:
-    literals = [text[1:-1] for text in call.arguments if text[:1] in ("'", '"')]
-    return _entry(found, short_name(call.name), "predicate", "", literals)
+def _required_by_guard(found: dict[str, RequiredMethod], call: behavior.Call) -> RequiredMethod:
+    return _required(found, short_name(call.name), "predicate", "", _literals(call.arguments))
 
 
-def _entry(
+def _required(
     found: dict[str, RequiredMethod], name: str, kind: MethodKind, reports: str, literals: Iterable[str]
 ) -> RequiredMethod:
     entry = found.setdefault(name, RequiredMethod(name, kind, reports))
     for literal in literals:
-        _once(entry.literals, literal)
+        _append_new(entry.literals, literal)
     return entry
 
 
@@ -150,21 +157,9 @@ def _reported(name: str, outputs: set[str]) -> str:
     return exact or max(begun, key=len, default="")
 
 
-def _once(names: list[str], name: str) -> None:
+def _append_new(names: list[str], name: str) -> None:
     if name not in names:
         names.append(name)
-
-
-SendReply: TypeAlias = Callable[[object, Trigger, bool], None]
-"""Sends a report: (what the method returned, the trigger, whether to its source or else to the controlling client)."""
-
-_GETTERS: Final[Mapping[str, Callable[[Trigger], object]]] = {
-    "msg": attrgetter("msg"),
-    "query": attrgetter("msg"),
-    "source": attrgetter("source"),
-}
-
-_ASYNC: Final = "{} is `async def`, and nothing awaits it; start a task there, which calls `wake()` of the component"
 
 
 class Binder:

@@ -1,4 +1,4 @@
-"""Where a component's definitions and messages come from: what is built in, and what its services bring along."""
+"""The definitions and messages that a component runs: built-in ones, and those that its services provide."""
 
 from __future__ import annotations
 
@@ -17,24 +17,24 @@ from jauspy.services.service import Service
 
 
 def schema_for(services: Iterable[Service]) -> Schema:
-    """The definitions of these services and of all they inherit from; those that services bring along come first.
+    """The definitions of these services and of all they inherit from; those that services provide come first.
 
-    Raises `SchemaError` with file and line when one that is brought along cannot run: it was loaded for its messages.
+    Raises `SchemaError` with file and line when the behaviour of a provided one is wrong, which loading does not check.
     """
     services = list(services)
     schema = _schema(services, every_version=False)
     ids = [each.id for each in schema.services]
     if len(set(ids)) < len(ids):
-        # Two versions of one parent: some service must be content with an older version of itself.
+        # Two versions of one parent: an older version of some service may fit.
         schema = _schema(services, every_version=True)
-    brought = {service.urn for service in services if service.definitions is not None}
-    check_behavior([each for each in schema.services if each.id in brought], schema.services)
+    provided = {service.urn for service in services if service.definitions is not None}
+    check_behavior([each for each in schema.services if each.id in provided], schema.services)
     return schema
 
 
 def _schema(services: Iterable[Service], *, every_version: bool) -> Schema:
-    brought = [registry.schema for registry in _registries(services) if registry.schema is not None]
-    own = {each.key: each for schema in brought for each in schema.services}
+    provided = [registry.schema for registry in _registries(services) if registry.schema is not None]
+    own = {each.key: each for schema in provided for each in schema.services}
     parents = [each.inherits_from for each in own.values() if each.inherits_from is not None]
     wanted: set[Wanted] = {parent.key for parent in parents if parent.key not in own}
     defined = {urn for urn, _ in own}
@@ -47,13 +47,13 @@ def _schema(services: Iterable[Service], *, every_version: bool) -> Schema:
 
 
 def registry_for(services: Iterable[Service]) -> Registry:
-    """The messages of these services, and all that are built in."""
-    brought = _registries(services)
-    if len(brought) == 1:
-        return brought[0]
-    if not brought:
+    """The messages that these services provide, and all built-in ones."""
+    provided = _registries(services)
+    if len(provided) == 1:
+        return provided[0]
+    if not provided:
         return messages.registry
-    return Registry(dict.fromkeys(entry for each in brought for entry in each.entries))
+    return Registry(dict.fromkeys(entry for each in provided for entry in each.entries))
 
 
 def _registries(services: Iterable[Service]) -> list[Registry]:
@@ -62,17 +62,20 @@ def _registries(services: Iterable[Service]) -> list[Registry]:
 
 
 def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Definition]:
-    """Definitions by URN, most derived first, all ancestors included."""
+    """The definitions that a component runs, by URN, most derived first, all ancestors included.
+
+    Raises `ConfigError` when there is none for a service, or when services need different versions of one parent.
+    """
     parent_of = _parents(schema)
     found: dict[str, Definition] = {}
-    # Those with the fewest versions to choose from, and those that others inherit from, decide before the rest.
+    # Services with the fewest versions, and services that no other one inherits from, choose first.
     services = sorted(services, key=lambda service: len(_versions(service, schema)))
     for service in services:
         if service.version is not None or not _inherited(service.urn, services, schema, parent_of):
-            _add(found, _fitting(found, service, schema, parent_of), parent_of)
+            _add(found, _choose(found, service, schema, parent_of), parent_of)
     for service in services:
         if service.urn not in found:
-            _add(found, _fitting(found, service, schema, parent_of), parent_of)
+            _add(found, _choose(found, service, schema, parent_of), parent_of)
     return {each.id: each for each in most_derived_first(found.values(), parent_of)}
 
 
@@ -89,10 +92,10 @@ def _versions(service: Service, schema: Schema) -> list[Definition]:
     return [each for each in schema.services if each.id == service.urn and service.version in (None, each.version)]
 
 
-def _fitting(
+def _choose(
     found: Mapping[str, Definition], service: Service, schema: Schema, parent_of: ParentOf[Definition]
 ) -> Definition:
-    """The newest version whose parents are those of the others; the newest of all when none fits."""
+    """The newest version that shares its ancestors with those found; the newest of all when none does."""
     newest = _lookup(schema, service.urn, service.version, type(service).__name__)
     return next((each for each in reversed(_versions(service, schema)) if _fits(found, each, parent_of)), newest)
 
@@ -124,12 +127,12 @@ def _lookup(schema: Schema, urn: str, version: str | None, who: str) -> Definiti
     if not any(service.id == urn and version in (None, service.version) for service in schema.services):
         known = ", ".join(f"{service.version}" for service in schema.services if service.id == urn)
         which = f"{urn} {version}" if version else urn
-        hint = f"versions there: {known}" if known else _meant(schema, urn)
+        hint = f"versions there: {known}" if known else _suggestion(schema, urn)
         raise ConfigError(f"{who}: no definition of {which} is loaded ({hint})")
     return schema.service(urn, version)
 
 
-def _meant(schema: Schema, urn: str) -> str:
+def _suggestion(schema: Schema, urn: str) -> str:
     known = {each.id for each in schema.services} | {each.service for each in registry.entries}
     by_end = sorted(each for each in known if each.endswith(f":{urn}"))
     meant = (by_end or get_close_matches(urn, known, 1, 0.9))[:1]

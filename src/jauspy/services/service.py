@@ -49,7 +49,7 @@ def check_services(services: object) -> list[Service]:
 
 
 class Service:
-    """What one JAUS service does.
+    """A JAUS service: the actions, predicates and reports of one definition.
 
     A subclass names its definition: `class PrimitiveDriver(Service, urn="urn:jaus:jss:mobility:PrimitiveDriver")`.
     Every action and predicate of the JSIDL is a method with its name in snake_case (`isControllingClient` ->
@@ -62,14 +62,14 @@ class Service:
 
     urn: ClassVar[str] = ""
     version: ClassVar[str | None] = None
-    """The version of the definition; None takes what the services that inherit from it ask for, else the newest."""
+    """The version of the definition; None: the one that inheriting services need, else the newest."""
     definitions: ClassVar[Registry | None] = None
-    """Where the definition and its messages are, if they are not built in."""
+    """Has the definition and its messages, if they are not built in."""
     private: ClassVar[bool] = False
-    """True when services that inherit from this one must not use its actions as theirs."""
+    """True when services that inherit from this one must not use its actions."""
 
     omits: ClassVar[frozenset[str]] = frozenset()
-    """Methods for actions that are never reached, since a predicate of this class rules them out."""
+    """Methods for actions that are never called, since a predicate of this class excludes them."""
 
     host: ServiceHost
     """The component this service runs in; set before `attached`."""

@@ -10,7 +10,8 @@ from typing import Final, TypeAlias
 Due: TypeAlias = tuple[float, int, Hashable]
 """A deadline, a serial number and the key."""
 
-_SLACK: Final = 64
+_MAX_STALE: Final = 64
+"""Cancelled entries that the heap may have beyond the number of active timers."""
 
 
 class Timers:
@@ -29,11 +30,11 @@ class Timers:
         serial = next(self._serial)
         self._active[key] = (serial, call)
         heapq.heappush(self._heap, (at, serial, key))
-        if len(self._heap) > 2 * len(self._active) + _SLACK:
+        if len(self._heap) > 2 * len(self._active) + _MAX_STALE:
             self._compact()
 
     def cancel(self, key: Hashable) -> None:
-        """Forget the timer; fine when there is none."""
+        """Cancel the timer, if it is set."""
         self._active.pop(key, None)
 
     def next(self) -> float | None:
@@ -43,7 +44,7 @@ class Timers:
         return self._heap[0][0] if self._heap else None
 
     def due(self, now: float) -> list[Due]:
-        """What has come due, earliest first. `take` each: what an earlier one calls may cancel or move a later one."""
+        """Timers that are due, earliest first. `take` each: an earlier one may cancel or move a later one."""
         found: list[Due] = []
         while self._heap and self._heap[0][0] <= now:
             entry = heapq.heappop(self._heap)
@@ -52,7 +53,7 @@ class Timers:
         return found
 
     def take(self, due: Due) -> Callable[[], None] | None:
-        """Remove a due timer and return what it calls; None when it was cancelled or moved meanwhile."""
+        """Remove a due timer and return its callback; None when it was cancelled or moved meanwhile."""
         return None if self._stale(due) else self._active.pop(due[2])[1]
 
     def _stale(self, entry: Due) -> bool:

@@ -31,49 +31,49 @@ class OfferedService(NamedTuple):
 
     @property
     def size(self) -> int:
-        """Bytes that it takes in a message: the URI, its length, two version numbers."""
+        """Bytes in a message: the URI, its length, two version numbers."""
         return len(self.uri) + 3
 
 
 @dataclass(slots=True)
-class _Entry:
+class _Registration:
     offers: tuple[OfferedService, ...]
     until: float
 
 
 class Directory:
-    """Services by component, each until some time (seconds). The component itself stays, and is never pushed out."""
+    """Services by component, each until some time (s). The own component does not expire, and always has room."""
 
     def __init__(self) -> None:
-        self._entries: dict[JausID, _Entry] = {}
+        self._entries: dict[JausID, _Registration] = {}
 
     def register(self, id: JausID, offers: Iterable[OfferedService], until: float = math.inf) -> bool:
-        """Replace what is known of a component; False when the table is full."""
+        """Register or replace the services of a component; False when the table is full."""
         if id not in self._entries and len(self._entries) > MAX_COMPONENTS:
             return False
         # A registration that is repeated keeps its place, see `matching`.
-        self._entries[id] = _Entry(tuple(dict.fromkeys(offers))[:MAX_SERVICES], until)
+        self._entries[id] = _Registration(tuple(dict.fromkeys(offers))[:MAX_SERVICES], until)
         return True
 
     def renew(self, id: JausID, until: float) -> None:
-        """Keep a component for longer; fine when it is not there."""
+        """Extend the time of a component, if it is registered."""
         entry = self._entries.get(id)
         if entry is not None:
             entry.until = max(entry.until, until)
 
     def expire(self, now: float) -> None:
-        """Forget those whose time is over."""
+        """Remove the components whose time is over."""
         self._entries = {id: entry for id, entry in self._entries.items() if entry.until > now}
 
     def forget(self, id: JausID) -> None:
-        """Take a component off; fine when it is not there."""
+        """Remove a component, if it is registered."""
         self._entries.pop(id, None)
 
     def matching(self, wanted: Mapping[AddressPattern, SearchFilters]) -> dict[JausID, tuple[OfferedService, ...]]:
-        """What the components addressed offer, wildcards understood; those known for the longest time come first.
+        """The services of the components addressed, which may be wildcards; those registered first come first.
 
-        A service is offered when one of the filters for its component is part of its URI; the empty one always is.
-        However much is asked for, each component is looked up eight times.
+        A service is included when its URI contains one of the filters for its component; an empty filter matches all.
+        Each component is looked up eight times, whatever the size of the query.
         """
         found: dict[JausID, tuple[OfferedService, ...]] = {}
         for id, entry in self._entries.items():
@@ -83,17 +83,17 @@ class Directory:
         return found
 
     def all(self) -> Mapping[JausID, tuple[OfferedService, ...]]:
-        """Everything, in order of the ids."""
+        """All components in the order of their ids."""
         return {id: entry.offers for id, entry in sorted(self._entries.items())}
 
 
 def _addresses(id: JausID) -> Iterator[AddressPattern]:
-    """Everything that addresses a component, from its own id to all wildcards."""
+    """The addresses that match a component, from its own id to all wildcards."""
     return product((id.subsystem, ANY_SUBSYSTEM), (id.node, ANY_NODE), (id.component, ANY_COMPONENT))
 
 
 def within(offers: Iterable[OfferedService], size: int) -> tuple[OfferedService, ...]:
-    """As many of the first offers as take up to `size` bytes together."""
+    """The first offers, as many as take up to `size` bytes together."""
     kept: list[OfferedService] = []
     for offer in offers:
         size -= offer.size

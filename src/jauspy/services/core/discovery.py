@@ -28,41 +28,22 @@ from jauspy.messages.core import (
 from jauspy.services.core.directory import AddressPattern, Directory, OfferedService, SearchFilters, within
 from jauspy.services.service import Service, ServiceHost
 
-
-def offered_services(host: ServiceHost) -> list[OfferedService]:
-    """The services of a component and all they inherit from."""
-    offers = []
-    for urn, definition in host.definitions.items():
-        major, _, minor = definition.version.partition(".")
-        offers.append(OfferedService(urn, int(major), int(minor or 0)))
-    return sorted(offers)
-
-
-def service_record(offer: OfferedService) -> ServiceRec:
-    """One service's record."""
-    return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
-
-
-def node_records(report: Any, found: Mapping[JausID, Iterable[OfferedService]]) -> list[Any]:
-    """The nodes of a `ReportServices` or `ReportServiceList`, which look alike and are classes of their own."""
-    return [
-        report.NodeSeq(
-            node_rec=report.NodeRec(node_id=node),
-            component_list=[_component(report, each, found[each]) for each in ids],
-        )
-        for node, ids in groupby(sorted(found), key=attrgetter("node"))
-    ]
-
-
-def _component(report: Any, id: JausID, offers: Iterable[OfferedService]) -> Any:
-    return report.ComponentSeq(
-        component_rec=ComponentRec(component_id=id.component, instance_id=0),
-        service_list=[service_record(offer) for offer in offers],
-    )
-
-
 SYSTEM, SUBSYSTEM, NODE, COMPONENT = 1, 2, 3, 4
 """The levels of a query (its field QueryType)."""
+REGISTRATION_LIFETIME: Final = 300.0
+"""Seconds that a registration lasts after the last message from the component. AS5710 has no renewal: components renew
+it by queries or by registering again."""
+REGISTRATION_INTERVAL: Final = 30.0
+"""Seconds between registrations of this component with another one, which may restart or expire them."""
+MAX_REGISTRATION: Final = 2048
+"""Bytes of services that one component may register."""
+MAX_REPORT: Final = 4000
+"""Bytes of services in one report: it fits one packet (4079), also inside an Event, so that every client takes it."""
+MAX_FILTERS: Final = 64
+"""Search filters of one query that are applied."""
+_ALL: Final = frozenset({""})
+_RECORDS: Final = 8
+"""Bytes around the services of a component: the records of subsystem, node and component with their counts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +59,7 @@ class Identity:
         except UnicodeEncodeError:
             fits = False
         if not fits:
-            raise ConfigError(f"identity {self.name!r}: a name on the wire is Latin-1 text of up to 255 bytes")
+            raise ConfigError(f"identity {self.name!r}: a name in a message is Latin-1 text of up to 255 bytes")
 
 
 DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
@@ -89,28 +70,12 @@ DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
 }
 
 
-LIFETIME: Final = 300.0
-"""Seconds that a registration lasts after Discovery last heard from the component. AS5710 has no renewal: components
-that look for services do it by asking now and then, others by registering again."""
-REGISTER_AGAIN: Final = 30.0
-"""Seconds between two registrations of this component with another, which may have been away, or forget."""
-MAX_REGISTRATION: Final = 2048
-"""Bytes of services that one component may register."""
-MAX_REPORT: Final = 4000
-"""Bytes of services in one report: it fits one packet (4079), also inside an Event, so that every client takes it."""
-MAX_FILTERS: Final = 64
-"""Search filters of one query that are looked at."""
-_ALL: Final = frozenset({""})
-_RECORDS: Final = 8
-"""Bytes around the services of a component: the records of subsystem, node and component with their counts."""
-
-
 class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     """Answers for its own component, for those passed to `add_local`, and for those of its subsystem that registered.
 
     `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
-    Registrations end `LIFETIME` seconds after the component last registered or asked. Reports name as many components
-    as fit one packet, this one first, then those known for the longest time; what is left out is counted.
+    Registrations end `REGISTRATION_LIFETIME` seconds after the last message from the component. Reports name as many
+    components as fit one packet, this one first, then those registered first; what is left out is counted.
 
     `register_with`: the id of a component of the same subsystem whose Discovery is to list this one as long as it
     runs, for clients that ask only there.
@@ -145,7 +110,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.set_timer(self._repeat_registration, self.host.now, self._repeat_registration)
 
     def _repeat_registration(self) -> None:
-        self.host.set_timer(self._repeat_registration, self.host.now + REGISTER_AGAIN, self._repeat_registration)
+        self.host.set_timer(self._repeat_registration, self.host.now + REGISTRATION_INTERVAL, self._repeat_registration)
         self._register(offered_services(self.host))
 
     def _register(self, offers: Iterable[OfferedService]) -> None:
@@ -177,7 +142,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         kept = within(offers, MAX_REGISTRATION)
         if len(kept) < len(offers):
             self.host.count("registration_cut", f"{source} with {len(offers)} services")
-        if not self.directory.register(source, kept, self.host.now + LIFETIME):
+        if not self.directory.register(source, kept, self.host.now + REGISTRATION_LIFETIME):
             self.host.count("registration_dropped", str(source))
 
     def client_lost(self, client: JausID) -> None:
@@ -186,7 +151,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.directory.forget(client)
 
     def _renew(self, source: JausID) -> None:
-        self.directory.renew(source, self.host.now + LIFETIME)
+        self.directory.renew(source, self.host.now + REGISTRATION_LIFETIME)
         self.directory.expire(self.host.now)
 
     def report_identification(self, query: QueryIdentification, source: JausID) -> ReportIdentification | None:
@@ -287,3 +252,35 @@ def _one_component(id: str | JausID) -> JausID:
     if not found.subsystem or not found.node:
         raise ConfigError(f"register_with: {found} is not whole; give the id of one component, as in 101.1.1")
     return found
+
+
+def offered_services(host: ServiceHost) -> list[OfferedService]:
+    """The services of a component and all they inherit from."""
+    offers = []
+    for urn, definition in host.definitions.items():
+        major, _, minor = definition.version.partition(".")
+        offers.append(OfferedService(urn, int(major), int(minor or 0)))
+    return sorted(offers)
+
+
+def service_record(offer: OfferedService) -> ServiceRec:
+    """The record of one service."""
+    return ServiceRec(uri=offer.uri, major_version_number=offer.major, minor_version_number=offer.minor)
+
+
+def node_records(report: Any, found: Mapping[JausID, Iterable[OfferedService]]) -> list[Any]:
+    """The node records of a `ReportServices` or `ReportServiceList`, which have classes of their own."""
+    return [
+        report.NodeSeq(
+            node_rec=report.NodeRec(node_id=node),
+            component_list=[_component(report, each, found[each]) for each in ids],
+        )
+        for node, ids in groupby(sorted(found), key=attrgetter("node"))
+    ]
+
+
+def _component(report: Any, id: JausID, offers: Iterable[OfferedService]) -> Any:
+    return report.ComponentSeq(
+        component_rec=ComponentRec(component_id=id.component, instance_id=0),
+        service_list=[service_record(offer) for offer in offers],
+    )
