@@ -16,10 +16,10 @@ from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
-from jauspy.platform.joint_control import Motion
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
 from jauspy.platform.ranging import Scanner
+from jauspy.platform.setpoint import SetpointGenerator
 
 
 class KinematicJoints:
@@ -31,7 +31,9 @@ class KinematicJoints:
     def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
         self._joints = tuple(description.joint(name) for name in setup.joints)
         self._chain = description.chain(setup.base, setup.tip)
-        self._motions = [Motion(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)]
+        self._motions = [
+            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
+        ]
         self._efforts = [0.0] * len(self._joints)
 
     @property

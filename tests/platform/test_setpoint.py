@@ -5,14 +5,14 @@ from itertools import pairwise
 import pytest
 
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.platform.joint_control import Motion
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.setpoint import SetpointGenerator
 
 JOINT = Joint("elbow", JointKind.REVOLUTE, "a", "b", lower=-2.0, upper=1.0, effort=10.0, velocity=0.5)
 DT = 0.002
 
 
-def run(motion: Motion, seconds: float) -> list[tuple[float, float]]:
+def run(motion: SetpointGenerator, seconds: float) -> list[tuple[float, float]]:
     path = []
     for _ in range(round(seconds / DT)):
         motion.advance(DT)
@@ -22,7 +22,7 @@ def run(motion: Motion, seconds: float) -> list[tuple[float, float]]:
 
 @pytest.mark.parametrize("goal", [0.9, -1.7, 0.001, 0.0])
 def test_arrives_without_overshoot_within_speed_and_acceleration(goal: float) -> None:
-    motion = Motion(JOINT, 0.0)
+    motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.POSITION, goal, speed=0.4, acceleration=2.0, deceleration=2.0)
     path = run(motion, 6.0)
     assert path[-1] == (goal, 0.0)
@@ -33,26 +33,26 @@ def test_arrives_without_overshoot_within_speed_and_acceleration(goal: float) ->
 
 
 def test_a_goal_beyond_the_limit_is_the_limit() -> None:
-    motion = Motion(JOINT, 0.0)
+    motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.POSITION, 9.0)
     assert run(motion, 5.0)[-1] == (1.0, 0.0)
 
 
 def test_velocity_ends_at_the_limit() -> None:
-    motion = Motion(JOINT, 0.0)
+    motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.VELOCITY, -0.3)
     assert run(motion, 1.0)[-1][1] == pytest.approx(-0.3)
     assert run(motion, 10.0)[-1] == (-2.0, 0.0)
 
 
 def test_velocity_is_limited() -> None:
-    motion = Motion(JOINT, -2.0)
+    motion = SetpointGenerator(JOINT, -2.0)
     motion.target = Target(ControlMode.VELOCITY, 7.0)
     assert max(velocity for _, velocity in run(motion, 2.0)) == pytest.approx(0.5)
 
 
 def test_turns_round_when_the_goal_changes() -> None:
-    motion = Motion(JOINT, 0.0)
+    motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.POSITION, 1.0)
     run(motion, 1.0)
     motion.target = Target(ControlMode.POSITION, -1.0)
@@ -60,13 +60,13 @@ def test_turns_round_when_the_goal_changes() -> None:
 
 
 def test_under_effort_it_stands() -> None:
-    motion = Motion(JOINT, 0.3)
+    motion = SetpointGenerator(JOINT, 0.3)
     motion.target = Target(ControlMode.EFFORT, 5.0)
     assert run(motion, 0.1)[-1] == (0.3, 0.0)
 
 
 def test_brakes_as_gently_as_told() -> None:
-    motion = Motion(JOINT, 0.0)
+    motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.POSITION, 0.9, acceleration=4.0, deceleration=0.25)
     path = run(motion, 9.0)
     assert path[-1] == (0.9, 0.0)
