@@ -11,7 +11,7 @@ from jauspy.messages.environment_sensing import (
     RegisterDigitalResourceEndpoint as Register,
     RemoveDigitalResourceEndpoint as Remove,
 )
-from jauspy.video.decoder import H264Decoder
+from jauspy.video.h264 import H264Decoder
 from jauspy.video.receiver import RtpReceiver
 
 CAMERA = "101.1.106"

@@ -50,7 +50,7 @@ def test_others_are_an_attribute_error():
         jauspy.Ocu  # noqa: B018
 
 
-def test_rooms_are_there_without_an_import_of_their_own():
+def test_packages_are_imported_on_first_use():
     code = "import jauspy; print(jauspy.sync.OCU, jauspy.testing.until, jauspy.ocu.Appeared, jauspy.messages.registry)"
     subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
 

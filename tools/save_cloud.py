@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from typing import Final
 
-from jauspy.cloud.files import save
+from jauspy.cloud.message import save
 from jauspy.cloud.socket import CloudSubscriber
 from jauspy.errors import JausError
 

@@ -1,9 +1,9 @@
-"""Ten minutes of everything at once: the node manager must lose nothing that is valid, and its memory must stay flat.
+"""Soak test: under mixed load the node manager must lose no valid message, and its memory must not grow.
 
 python tools/soak.py [--seconds 600]
 
-Valid messages between two components, malformed datagrams, made-up sources and destinations, components that come and
-go without a word. Memory is compared after a warm-up, in which the bounded tables fill.
+The load: valid messages between two components, malformed datagrams, made-up sources and destinations, components
+that start and end without Cancel. Memory is compared after a warm-up in which the bounded tables fill.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ TOLERANCE = 1.03
 
 
 class Soak:
-    """One node manager, and what plagues it."""
+    """The load on one node manager."""
 
     def __init__(self, root: Path, port: int, seed: int) -> None:
         self._root = root
@@ -51,18 +51,18 @@ class Soak:
         return sock
 
     def turn(self) -> None:
-        """Some of everything; raises `SystemExit` when a valid message is lost."""
+        """Send one round of the load; raises `SystemExit` when a valid message is lost."""
         chance = self._chance
         valid = judp.pack(Packet(HERE, THERE, b"\x02\x20" + bytes(chance.randrange(200)), self._number & 0xFFFF))
         self._number += 1
         self._here.sendto(valid, str(self._root / junior.SOCKET_NAME))
         for _ in range(5):
             self._udp.sendto(chance.randbytes(chance.randrange(300)), self._node)
-            stranger = JausID(chance.randrange(200, 60000), chance.randrange(1, 255), chance.randrange(1, 255))
-            self._udp.sendto(judp.pack(Packet(stranger, JausID(999, 1, 1), b"\x02\x20")), self._node)
+            unknown = JausID(chance.randrange(200, 60000), chance.randrange(1, 255), chance.randrange(1, 255))
+            self._udp.sendto(judp.pack(Packet(unknown, JausID(999, 1, 1), b"\x02\x20")), self._node)
         self._udp.sendto(judp.pack(Packet(FAR, EVERYONE, b"\x02\x20", broadcast=Broadcast.GLOBAL)), self._node)
-        nowhere = JausID(chance.randrange(300, 60000), 1, 1)
-        self._here.sendto(judp.pack(Packet(HERE, nowhere, bytes(500))), str(self._root / junior.SOCKET_NAME))
+        unreachable = JausID(chance.randrange(300, 60000), 1, 1)
+        self._here.sendto(judp.pack(Packet(HERE, unreachable, bytes(500))), str(self._root / junior.SOCKET_NAME))
         if self._number % 50 == 0:
             self._component(JausID(101, 2, chance.randrange(1, 255))).close()
         self._expect(valid)
@@ -78,7 +78,7 @@ class Soak:
 
 
 def main() -> None:
-    """Run, watch, judge."""
+    """Run the load, and compare the memory."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--seconds", type=float, default=600.0)
     parser.add_argument("--seed", type=int, default=1)
@@ -97,7 +97,7 @@ def main() -> None:
         try:
             assert child.stdout is not None
             print(child.stdout.readline(), end="")
-            judge(watch(Soak(root, port, options.seed), psutil.Process(child.pid), options.seconds))
+            compare(watch(Soak(root, port, options.seed), psutil.Process(child.pid), options.seconds))
         finally:
             child.terminate()
             child.wait(20)
@@ -105,20 +105,20 @@ def main() -> None:
 
 
 def watch(soak: Soak, child: psutil.Process, seconds: float) -> list[int]:
-    """Resident memory in KiB, twenty looks in all."""
-    looks: list[int] = []
+    """Twenty samples of the resident memory, in KiB."""
+    samples: list[int] = []
     begin = time.monotonic()
     while (passed := time.monotonic() - begin) < seconds:
         soak.turn()
-        if passed >= len(looks) * seconds / 20:
-            looks.append(child.memory_info().rss // 1024)
-            print(f"{passed:6.0f} s  {looks[-1]} KiB", flush=True)
-    return looks
+        if passed >= len(samples) * seconds / 20:
+            samples.append(child.memory_info().rss // 1024)
+            print(f"{passed:6.0f} s  {samples[-1]} KiB", flush=True)
+    return samples
 
 
-def judge(looks: list[int]) -> None:
-    """The last quarter against the second: the tables are full by then."""
-    early, late = max(looks[5:10]), max(looks[-5:])
+def compare(samples: list[int]) -> None:
+    """Compare the last quarter with the second, when the tables are full; raises `SystemExit` when memory grows."""
+    early, late = max(samples[5:10]), max(samples[-5:])
     if late > early * TOLERANCE:
         raise SystemExit(f"memory grows: {early} KiB, later {late} KiB")
     print(f"memory is flat: {early} KiB, later {late} KiB")

@@ -63,15 +63,15 @@ _EXPORTS = {
     "Subscription": "jauspy.ocu",
     "TransportError": "jauspy.errors",
 }
-"""Public names and where they live; imported on first use, so that `import jauspy` stays light."""
+"""Public names and their modules; imported on first use, so that `import jauspy` is fast."""
 
 
-_ROOMS = ("messages", "ocu", "sync", "testing")
-"""Packages that are there without an import of their own, as `jauspy.sync.OCU`."""
+_PACKAGES = ("messages", "ocu", "sync", "testing")
+"""Packages that are imported on first use, as in `jauspy.sync.OCU`."""
 
 
 def __getattr__(name: str) -> object:
-    if name in _ROOMS:
+    if name in _PACKAGES:
         return import_module(f"jauspy.{name}")
     if name not in _EXPORTS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
@@ -81,4 +81,4 @@ def __getattr__(name: str) -> object:
 
 
 def __dir__() -> list[str]:
-    return sorted({*globals(), *_EXPORTS, *_ROOMS})
+    return sorted({*globals(), *_EXPORTS, *_PACKAGES})

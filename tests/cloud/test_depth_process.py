@@ -18,8 +18,7 @@ pytest.importorskip("numpy", reason="the extra 'cloud' is not installed")
 
 import numpy as np
 
-from jauspy.cloud.depth import DepthSettings, DepthStream
-from jauspy.cloud.depth_process import DepthProcess
+from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.message import XYZ_RGB, Cloud
 from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
@@ -99,7 +98,7 @@ async def test_a_process_that_dies_is_started_again(
         while (await next_cloud(subscriber)).stream == first.stream:
             pass
     assert process.counters["started"] == 2
-    assert "clouds of front: their process ended (-9); it starts again in 0.5 s" in caplog.text
+    assert "depth camera front: its process ended (-9); it starts again in 0.5 s" in caplog.text
 
 
 async def test_it_ends_when_it_is_closed(stream: DepthStream, subscriber: CloudSubscriber) -> None:

@@ -17,9 +17,8 @@ from jauspy.modules.robot import announced
 from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
-from jauspy.platform.video_settings import Still, StillSettings
-from jauspy.video.camera_process import CameraProcess
-from jauspy.video.still_orders import Then
+from jauspy.platform.stills import Still, StillSettings
+from jauspy.video.camera_process import CameraProcess, StillCallback
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
 TARGET = JausID(105, 1, 255)
@@ -36,7 +35,7 @@ def _model(name: str) -> RobotModel:
 class Cameraman(CameraProcess):
     """Has each picture at once."""
 
-    def take(self, settings: StillSettings, then: Then) -> None:
+    def take(self, settings: StillSettings, then: StillCallback) -> None:
         then(Still(b"", 0.0))
 
 

@@ -95,7 +95,7 @@ def test_angles_of_a_transform_are_those_it_was_made_of(pose: Pose) -> None:
     )
 
 
-def test_one_frame_as_another_has_it() -> None:
+def test_the_pose_of_one_frame_in_another() -> None:
     base = Transform.from_pose(Pose(x=5.0, yaw=math.pi / 2))
     frames = FrameTree(INC1.description).frames(base, {}, "local")
     assert frames.pose("base_link", "local") == base

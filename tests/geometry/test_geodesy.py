@@ -31,7 +31,7 @@ def test_earth_centred_coordinates(latitude, longitude, height, expected) -> Non
 @pytest.mark.parametrize("latitude", [-90.0, -89.999, -45.0, 0.0, 1e-9, 38.6, 89.999, 90.0])
 @pytest.mark.parametrize("longitude", [-180.0, -77.2, 0.0, 179.999])
 @pytest.mark.parametrize("height", [-500.0, 0.0, 9000.0])
-def test_there_and_back_again(latitude, longitude, height) -> None:
+def test_ecef_and_back(latitude, longitude, height) -> None:
     point = to_ecef(place(latitude, longitude, height))
     assert to_ecef(from_ecef(point)) == pytest.approx(point, abs=1e-6)
     assert from_ecef(point).height == pytest.approx(height, abs=1e-6)
@@ -52,7 +52,7 @@ def test_a_nautical_mile_is_a_minute_of_latitude() -> None:
 
 
 @pytest.mark.parametrize("heading", [0.0, 0.7, -2.5, math.pi])
-def test_a_frame_shows_what_it_places(heading) -> None:
+def test_points_to_the_world_and_back(heading) -> None:
     frame = GlobalFrame(GlobalPose(38.6, -77.2, 20.0, heading))
     for x, y in ((0.0, 0.0), (100.0, 0.0), (-30.0, 400.0), (1000.0, 1000.0)):
         shown = frame.from_world(Pose(x=x, y=y))

@@ -46,7 +46,7 @@ def test_a_point_that_can_be_reached_is_reached_whatever_the_attitude(robot: str
         assert math.dist(tool_at(arm, list(found.positions)).position, point.position) < MILLIMETRE
 
 
-def test_of_attitudes_that_cannot_be_had_the_nearest_is_taken() -> None:
+def test_the_nearest_attitude_is_taken_if_the_goal_s_is_out_of_reach() -> None:
     arm = arm_of("inc1")
     reachable = tool_at(arm, list(arm.geometry.from_urdf((0.3, 1.2, -1.4, -0.4, 0.2))))
     aside = Transform(rotation_about((0.0, 0.0, 1.0), 0.3)) @ Transform(
@@ -60,7 +60,7 @@ def test_of_attitudes_that_cannot_be_had_the_nearest_is_taken() -> None:
 
 @pytest.mark.parametrize("robot", ROBOTS)
 @pytest.mark.parametrize("offset", [(3.0, 0.0, 0.0), (0.0, 0.0, -25.0), (-30.0, 30.0, 30.0)])
-def test_a_point_out_of_reach_is_not_there(robot: str, offset) -> None:
+def test_a_point_out_of_reach_is_not_reached(robot: str, offset) -> None:
     arm = arm_of(robot)
     tool = arm.kinematic_state().tool
     found = found_by(arm, Transform(tool.rotation, add(tool.position, offset)))
@@ -96,7 +96,7 @@ def test_arms_of_any_kind_reach_their_poses() -> None:
     assert {kind for _, kind in kinds} == {JointKind.REVOLUTE, JointKind.PRISMATIC}
 
 
-def test_a_search_works_bit_by_bit_and_ends() -> None:
+def test_a_search_advances_in_parts_and_ends() -> None:
     arm = arm_of("inc1")
     tool = arm.kinematic_state().tool
     goal = Transform(tool.rotation, add(tool.position, (3.0, 0.0, 0.0)))

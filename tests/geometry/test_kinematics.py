@@ -33,7 +33,7 @@ def test_velocities_are_differences_of_poses(seed: int) -> None:
 
 @pytest.mark.parametrize("axis", [X, Y, Z, (0.6, 0.0, -0.8)])
 @pytest.mark.parametrize("angle", [0.0, 1e-7, 0.5, 3.0, math.pi])
-def test_the_turn_between_two_attitudes_leads_from_one_to_the_other(axis, angle: float) -> None:
+def test_a_rotation_vector_leads_from_one_attitude_to_the_other(axis, angle: float) -> None:
     start = rotation_about((0.0, 0.8, 0.6), 1.1)
     end = (Transform(rotation_about(axis, angle)) @ Transform(start)).rotation
     turn = rotation_vector(start, end)

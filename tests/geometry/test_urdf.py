@@ -54,7 +54,7 @@ def test_chain_from_base_to_tip() -> None:
         ('<link name="tool"/>', '<link name="tool"/><link name="spare"/>', "one root link; it has: base, spare"),
     ],
 )
-def test_mistakes(old: str, new: str, said: str) -> None:
+def test_errors_name_the_joint(old: str, new: str, said: str) -> None:
     with pytest.raises(ConfigError, match=said):
         parse_urdf(TWO.replace(old, new))
 

@@ -22,7 +22,7 @@ def wall() -> OccupancyGrid:
     return grid
 
 
-def test_a_picture_and_where_it_is(tmp_path: Path) -> None:
+def test_image_and_metadata(tmp_path: Path) -> None:
     save_map(wall(), tmp_path / "yard")
     notes = yaml.safe_load((tmp_path / "yard.yaml").read_text())
     picture = cv2.imread(str(tmp_path / notes["image"]), cv2.IMREAD_GRAYSCALE)
@@ -44,6 +44,6 @@ def test_an_empty_map_is_a_map(tmp_path: Path) -> None:
     assert cv2.imread(str(picture), cv2.IMREAD_GRAYSCALE).tolist() == [[205]]
 
 
-def test_a_place_that_cannot_be_written(tmp_path: Path) -> None:
+def test_a_path_that_cannot_be_written(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match=r"nowhere/yard: the map cannot be written: No such file"):
         save_map(OccupancyGrid(), tmp_path / "nowhere" / "yard")

@@ -17,7 +17,7 @@ def cell(grid: OccupancyGrid, x: float, y: float) -> int:
     return int(grid.occupancy()[row, column])
 
 
-def test_a_ray_frees_its_way_and_marks_its_end() -> None:
+def test_a_ray_frees_the_cells_that_it_crosses_and_marks_its_end() -> None:
     grid = OccupancyGrid(10.0, 0.1)
     for _ in range(5):
         grid.add(START, np.array([[2.05, 1.05]]), np.array([True]))
@@ -35,7 +35,7 @@ def test_a_ray_without_echo_only_frees() -> None:
     assert not (grid.occupancy() == 100).any()
 
 
-def test_what_moved_away_is_forgotten() -> None:
+def test_an_obstacle_that_moved_away_is_cleared() -> None:
     grid = OccupancyGrid(10.0, 0.1)
     for _ in range(50):
         grid.add(START, np.array([[2.05, 0.05]]), np.array([True]))
@@ -57,7 +57,7 @@ def test_sizes_have_bounds(size: float, resolution: float) -> None:
         OccupancyGrid(size, resolution)
 
 
-def test_poses_of_poses() -> None:
+def test_composition_of_planar_poses() -> None:
     a, b = PlanarPose(1.0, 2.0, 0.5), PlanarPose(-0.3, 0.7, 3.0)
     assert (a @ b).relative_to(a) == pytest.approx(b)
     assert a @ a.inverse() == pytest.approx((0.0, 0.0, 0.0))

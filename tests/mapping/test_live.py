@@ -71,13 +71,13 @@ async def test_a_wall_is_on_the_map_where_it_is(walled: None, robot: RobotRunner
     assert columns.max() - columns.min() > 60
 
 
-async def test_a_sensor_that_is_not_there(robot: RobotRunner, ocu: OCU) -> None:
+async def test_a_missing_sensor(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     with pytest.raises(ConfigError, match=r"101\.1\.108: sensor 7 is not there, or not fixed"):
         await LiveMapping(found, Mapper(), sensor=7).run()
 
 
-async def test_a_robot_that_falls_silent_ends_it_with_one_error(robot: RobotRunner, ocu: OCU) -> None:
+async def test_a_robot_without_reports_raises_one_error(robot: RobotRunner, ocu: OCU) -> None:
     live = LiveMapping(await ocu.discover(101), Mapper())
     mapping = asyncio.create_task(live.run())
     await asyncio.sleep(1.0)

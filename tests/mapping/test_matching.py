@@ -41,7 +41,7 @@ def mapped(*, corridor: bool = False) -> OccupancyGrid:
 
 
 @pytest.mark.parametrize("off", [(0.1, 0.0, 0.0), (0.0, -0.1, 0.0), (0.0, 0.0, 0.06), (-0.08, 0.08, -0.05)])
-def test_finds_its_place_again(off: tuple[float, float, float]) -> None:
+def test_matching_finds_the_pose(off: tuple[float, float, float]) -> None:
     pose = PlanarPose(0.7, 0.4, 0.3)
     found = match(mapped(), ends(pose), pose @ PlanarPose(*off), DEVIATION)
     assert math.hypot(found.x - pose.x, found.y - pose.y) < 0.05, "a cell: the walls lie between two"
@@ -56,7 +56,7 @@ def test_along_a_corridor_the_guess_counts() -> None:
     assert found.yaw == pytest.approx(0.0, abs=0.005)
 
 
-def test_a_scan_that_sees_next_to_nothing_is_not_matched() -> None:
+def test_a_scan_with_few_echoes_is_not_matched() -> None:
     guess = PlanarPose(1.0, 2.0, 0.1)
     assert match(mapped(), ends(PlanarPose())[:10], guess, DEVIATION) == guess
 

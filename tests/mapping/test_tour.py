@@ -147,7 +147,9 @@ def test_its_files_are_the_floor_plan(
     assert occupied[true & observed].mean() > 0.9
 
 
-def test_without_matching_it_is_not(tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]) -> None:
+def test_without_matching_the_map_is_not_the_floor_plan(
+    tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float],
+) -> None:
     robot, mappers, _, _ = tour
     _, at_something, seen = shares(robot, mappers[False])
     assert at_something < 0.7

@@ -13,7 +13,7 @@ from jauspy.messages.ugv import QueryOdometry
 from jauspy.modules import catalogue, robots
 from jauspy.modules.robot import RobotRunner
 from jauspy.testing import VirtualNetwork
-from jauspy.testing.robot import VirtualTime
+from jauspy.testing.environment import VirtualTime
 
 MODULE = """
 import jauspy

@@ -257,7 +257,7 @@ async def test_a_client_watches_and_changes_a_real_camera():
     pytest.importorskip("av", reason="the extra 'video' is not installed")
     pytest.importorskip("cv2", reason="the extra 'video' is not installed")
     from jauspy.video.camera_process import CameraProcess
-    from jauspy.video.decoder import H264Decoder
+    from jauspy.video.h264 import H264Decoder
     from jauspy.video.receiver import RtpReceiver
 
     module = Module(video=lambda camera: CameraProcess(camera, VideoSettings(320, 240)))

@@ -200,7 +200,7 @@ async def test_a_silent_component_that_never_takes_control_back_counts_as_lost_t
     async with driver.control() as control:
         await asyncio.sleep(60)
         assert control.held
-        world.network.clock.pass_by(30)  # as if this program had been busy
+        world.network.clock.advance(30)  # as if this program had been busy
         await asyncio.sleep(5)
         assert control.held
         await crash(world, robot)

@@ -13,7 +13,7 @@ from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack, unpack
 from jauspy.services.core import AccessControl, Liveness
 from jauspy.testing import LocalNode, VirtualClock, VirtualNetwork, until
-from jauspy.testing.clock import START
+from jauspy.testing.clock import START_TIME
 
 PULSE = QueryHeartbeatPulse()
 
@@ -103,7 +103,7 @@ async def test_components_live_on_virtual_time():
 async def test_the_loop_is_as_before_afterwards():
     loop = asyncio.get_running_loop()
     with VirtualClock() as clock:
-        with pytest.raises(ConfigError, match="lives on a virtual clock already"), VirtualClock():
+        with pytest.raises(ConfigError, match="uses a virtual clock already"), VirtualClock():
             pass
         await asyncio.sleep(1000)
         assert clock.elapsed == pytest.approx(1000)
@@ -114,7 +114,7 @@ async def test_the_loop_is_as_before_afterwards():
 
 async def test_timers_keep_their_time_when_the_clock_is_changed():
     loop, fired = asyncio.get_running_loop(), []
-    loop.call_later(30, lambda: fired.append(loop.time() - START))
+    loop.call_later(30, lambda: fired.append(loop.time() - START_TIME))
     with VirtualClock():
         await asyncio.sleep(29)
         assert not fired

@@ -11,13 +11,12 @@ from functools import cache
 from pathlib import Path
 
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video.players import ffmpeg_source, gstreamer_source
-from jauspy.video.sdp import session
+from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 
 
 def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
     sdp = folder / "stream.sdp"
-    sdp.write_text(session("test", "127.0.0.1", port), newline="")
+    sdp.write_text(session_description("test", "127.0.0.1", port), newline="")
     source = ["ffmpeg", "-nostdin", "-loglevel", "warning", *ffmpeg_source(sdp)]
     return [*source, "-fps_mode", "passthrough", "-enc_time_base", "1:90000", "-f", "rawvideo", "-pix_fmt", "gray", "-"]
 

@@ -20,20 +20,20 @@ import cv2
 import numpy as np
 import psutil
 
-from jauspy import workers
+from jauspy import worker_process
 from jauspy.errors import ConfigError
 from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY
-from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
-from jauspy.video import camera_process, still_orders, worker_process
-from jauspy.video.camera_process import CameraProcess
-from jauspy.video.decoder import H264Decoder
+from jauspy.platform.stills import StillFormat, StillSettings
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video import camera_process
+from jauspy.video.camera_process import NICENESS, CameraProcess
+from jauspy.video.h264 import H264Decoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import MAX_RECEIVERS
 from jauspy.video.stamp import read
-from jauspy.video.worker import POLITENESS
 
 SMALL = VideoSettings(320, 240, 20)
 TINY = StillSettings(128, 96, StillFormat.PNG)
@@ -85,7 +85,7 @@ async def test_it_starts_when_it_is_first_wanted(camera):
 async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
     sim = pytest.importorskip("jauspy_sim.robot", reason="MuJoCo is not installed")
     monkeypatch.setenv("MUJOCO_GL", "disable")
-    monkeypatch.setattr(workers, "PAUSES", (0.01, 0.02))
+    monkeypatch.setattr(worker_process, "RESTART_DELAYS", (0.01, 0.02))
     setup = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
     robot = sim.SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)), "empty")
     async with CameraProcess(robot.cameras["front"], SMALL) as camera:
@@ -104,7 +104,7 @@ async def test_its_process_leaves_the_processor_to_the_robots(camera):
     camera.watch(("127.0.0.1", 2000), playing=False)
     await until(lambda: camera.description, PATIENCE)
     nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
-    assert nice == min(POLITENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
+    assert nice == min(NICENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
     assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
     assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
 
@@ -176,7 +176,7 @@ async def test_the_edges_of_stills_are_smooth_unless_they_are_large(camera, size
 
 
 async def test_too_many_stills_and_receivers_are_refused(camera):
-    for _ in range(still_orders.MOST):
+    for _ in range(camera_process.MAX_PENDING_STILLS):
         camera.take(TINY, lambda _: None)
     with pytest.raises(ConfigError, match="8 still images of this camera are under way"):
         camera.take(TINY, lambda _: None)
@@ -205,7 +205,7 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
 
 
 async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
-    monkeypatch.setattr(worker_process, "BACKLOG", 1000)
+    monkeypatch.setattr(worker_process, "MAX_UNREAD", 1000)
     camera.watch(("127.0.0.1", 2000))
     await until(lambda: camera.description, PATIENCE)
     os.kill(camera.pid, signal.SIGSTOP)

@@ -8,17 +8,16 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import numpy as np
 
 from jauspy.errors import ConfigError
-from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoSettings
-from jauspy.video import nal
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.depacketiser import Picture
-from jauspy.video.encoder import H264Encoder
-from jauspy.video.packetiser import MAX_PAYLOAD
+from jauspy.platform.h264 import H264Settings, Preset, Profile
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video import h264_payload
+from jauspy.video.h264 import H264Decoder, H264Encoder
+from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
 from jauspy.video.stamp import read
 
 
 def kinds(nals):
-    return [nal.kind(unit) for unit in nals]
+    return [h264_payload.nal_type(unit) for unit in nals]
 
 
 def test_every_idr_comes_with_its_parameter_sets(scene):
@@ -26,8 +25,8 @@ def test_every_idr_comes_with_its_parameter_sets(scene):
     pictures = [kinds(encoder.encode(scene(number))) for number in range(11)]
     for number, found in enumerate(pictures):
         if number % 5 == 0:
-            assert found[:2] == [nal.SPS, nal.PPS]
-            assert nal.IDR in found
+            assert found[:2] == [h264_payload.SPS, h264_payload.PPS]
+            assert h264_payload.IDR in found
         else:
             assert set(found) == {1}
 
@@ -35,7 +34,7 @@ def test_every_idr_comes_with_its_parameter_sets(scene):
 def test_an_idr_is_had_for_the_asking(scene):
     encoder = H264Encoder()
     wanted = [2, 3, 7]
-    found = [nal.IDR in kinds(encoder.encode(scene(number), idr=number in wanted)) for number in range(9)]
+    found = [h264_payload.IDR in kinds(encoder.encode(scene(number), idr=number in wanted)) for number in range(9)]
     assert [number for number, idr in enumerate(found) if idr] == [0, *wanted]
 
 
@@ -59,7 +58,7 @@ def test_the_size_changes_with_the_next_picture(scene):
     for width, height in ((640, 480), (320, 240), (1280, 720)):
         encoder.settings = VideoSettings(width, height)
         nals = encoder.encode(scene(3, width, height))
-        assert nal.IDR in kinds(nals)
+        assert h264_payload.IDR in kinds(nals)
         assert decoder.decode(Picture(0, tuple(nals), whole=True)).shape == (height, width, 3)
 
 
@@ -105,7 +104,7 @@ def test_profile_and_level_are_those_of_the_stream(scene, profile, number, prese
         decoder = H264Decoder()
         pictures = [tuple(encoder.encode(scene(each))) for each in range(3)]
         sps = pictures[0][0]
-        assert (nal.kind(sps), sps[1], sps[3]) == (nal.SPS, number, told)
+        assert (h264_payload.nal_type(sps), sps[1], sps[3]) == (h264_payload.SPS, number, told)
         images = [decoder.decode(Picture(each, units, whole=True)) for each, units in enumerate(pictures)]
         assert [read(image) for image in images] == [[0], [1], [2]]
 
@@ -123,7 +122,7 @@ def test_gradual_refreshes_come_without_large_pictures(scene):
     """Only the first one is whole, and any that is asked for."""
     encoder = gradual()
     pictures = [encoder.encode(scene(number), idr=number == 30) for number in range(45)]
-    assert [number for number, units in enumerate(pictures) if nal.IDR in kinds(units)] == [0, 30]
+    assert [number for number, units in enumerate(pictures) if h264_payload.IDR in kinds(units)] == [0, 30]
     sizes = [sum(map(len, units)) for units in pictures]
     assert max(sizes[10:30]) < 0.5 * sizes[0]
 
@@ -135,5 +134,5 @@ def test_gradual_refreshes_mend_what_was_lost(scene):
         units = tuple(encoder.encode(scene(number)))
         if number not in {31, 32}:
             seen.append(decoder.decode(Picture(number, units, whole=True)))
-    assert nal.IDR not in kinds(units)
+    assert h264_payload.IDR not in kinds(units)
     assert np.abs(seen[-1].astype(int) - scene(69)).mean() < 12.0

@@ -20,10 +20,9 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import numpy as np
 
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import nal
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.depacketiser import Picture
-from jauspy.video.encoder import H264Encoder
+from jauspy.video import h264_payload
+from jauspy.video.h264 import H264Decoder, H264Encoder
+from jauspy.video.h264_payload import Picture
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.rtp import RtpPacket
 from jauspy.video.sender import RtpSender
@@ -90,7 +89,11 @@ class Film:
     def __init__(self, scene: Callable[..., np.ndarray]) -> None:
         encoder, decoder = H264Encoder(SETTINGS), H264Decoder()
         self.pictures = [encoder.encode(scene(n, SETTINGS.width, SETTINGS.height)) for n in range(PICTURES)]
-        self.idrs = {n for n, nals in enumerate(self.pictures) if any(nal.kind(unit) == nal.IDR for unit in nals)}
+        self.idrs = {
+            n
+            for n, nals in enumerate(self.pictures)
+            if any(h264_payload.nal_type(unit) == h264_payload.IDR for unit in nals)
+        }
         whole = (Picture(n, tuple(nals), whole=True) for n, nals in enumerate(self.pictures))
         self.true = [decoder.decode(picture) @ LUMA for picture in whole]
 

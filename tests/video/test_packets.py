@@ -4,11 +4,10 @@ import pytest
 from hypothesis import given, strategies as st
 
 from jauspy.errors import ProtocolError
-from jauspy.video import nal
-from jauspy.video.depacketiser import MAX_PICTURE, Depacketiser
-from jauspy.video.packetiser import FU_A, MAX_PACKET, STAP_A, payloads
+from jauspy.video import h264_payload
+from jauspy.video.h264_payload import FU_A, MAX_PACKET, MAX_PICTURE_SIZE, STAP_A, Depacketiser, packetise
 from jauspy.video.rtp import RtpPacket
-from jauspy.video.stream import RtpStream
+from jauspy.video.sender import RtpStream
 
 SPS, PPS = b"\x67\x42\xc0\x1e", b"\x68\xce\x38\x80"
 IDR = b"\x65" + bytes(range(1, 251)) * 40
@@ -24,7 +23,7 @@ units = st.lists(
 
 
 def packets(stream: RtpStream, nals: list[bytes], now: float) -> list[RtpPacket]:
-    return [RtpPacket.decode(data) for data in stream.packets(payloads(nals), idr=True, now=now)]
+    return [RtpPacket.decode(data) for data in stream.packets(packetise(nals), idr=True, now=now)]
 
 
 def feed(receiver: Depacketiser, arrived: list[RtpPacket]) -> list:
@@ -32,17 +31,17 @@ def feed(receiver: Depacketiser, arrived: list[RtpPacket]) -> list:
 
 
 def test_parameter_sets_travel_together_and_a_large_unit_in_parts():
-    made = payloads([SPS, PPS, IDR], 1000)
+    made = packetise([SPS, PPS, IDR], 1000)
     assert made[0] == bytes([0x60 | STAP_A]) + b"\x00\x04" + SPS + b"\x00\x04" + PPS
     assert [part[0] & 0x1F for part in made[1:]] == [FU_A] * 11
     assert [part[1] >> 6 for part in made[1:]] == [2] + [0] * 9 + [1]
-    assert {part[1] & 0x1F for part in made[1:]} == {nal.IDR}
+    assert {part[1] & 0x1F for part in made[1:]} == {h264_payload.IDR}
     assert max(map(len, made)) == 1000
 
 
 @given(units, st.integers(16, 200))
 def test_what_is_packed_comes_out_again(nals, limit):
-    made = payloads(nals, limit)
+    made = packetise(nals, limit)
     assert max(map(len, made)) <= limit
     receiver = Depacketiser()
     last = len(made) - 1
@@ -53,11 +52,11 @@ def test_what_is_packed_comes_out_again(nals, limit):
 @given(units)
 def test_a_byte_stream_is_split_where_it_was_joined(nals):
     plain = [unit.replace(b"\x00", b"\x03") for unit in nals]  # an encoder never leaves start codes inside
-    assert nal.split(nal.join(plain)) == plain
+    assert h264_payload.split_nals(h264_payload.join_nals(plain)) == plain
 
 
 def test_packets_are_short_and_end_with_the_marker():
-    made = list(RtpStream("test").packets(payloads([SPS, PPS, IDR]), idr=True, now=1.0))
+    made = list(RtpStream("test").packets(packetise([SPS, PPS, IDR]), idr=True, now=1.0))
     assert max(map(len, made)) <= MAX_PACKET
     assert [RtpPacket.decode(data).marker for data in made] == [False] * (len(made) - 1) + [True]
 
@@ -132,7 +131,7 @@ def test_a_picture_without_end_is_given_up():
     receiver = Depacketiser()
     part = bytes([FU_A, 0x05]) + bytes(60_000)
     receiver.feed(RtpPacket(0, 1, 1, bytes([FU_A, 0x85, 1])))
-    for number in range(1, MAX_PICTURE // 60_000 + 100):
+    for number in range(1, MAX_PICTURE_SIZE // 60_000 + 100):
         assert receiver.feed(RtpPacket(number & 0xFFFF, 1, 1, part)) == []
     assert receiver.counters["oversize"] > 0
     assert receiver._fragment is None

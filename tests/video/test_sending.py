@@ -10,14 +10,14 @@ import pytest
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
+from jauspy import video as extra
 from jauspy.errors import ConfigError, TransportError
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import extra, rtcp
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.encoder import H264Encoder
+from jauspy.video import rtp
+from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
-from jauspy.video.sender import IDR_PAUSE, MAX_RECEIVERS, RtpSender
+from jauspy.video.sender import MAX_RECEIVERS, MIN_IDR_INTERVAL, RtpSender
 from jauspy.video.stamp import read
 
 RATE = 15
@@ -126,20 +126,20 @@ def test_wishes_for_whole_pictures_do_not_come_faster_than_they_may(sender, rece
     sender.add(at(receiver))
     sender.send([b"\x67\x01", b"\x65\x01"], 10.0, 1e9)
     sender._asked = True
-    assert not sender.needs_idr(10.0 + IDR_PAUSE / 2)
-    assert sender.needs_idr(10.0 + IDR_PAUSE)
+    assert not sender.needs_idr(10.0 + MIN_IDR_INTERVAL / 2)
+    assert sender.needs_idr(10.0 + MIN_IDR_INTERVAL)
 
 
 def test_a_report_says_which_time_a_stamp_means(sender):
     sender._sockets.clear()
-    report = rtcp.sender_report(7, "front", utc=1.5, timestamp=90, packets=3, octets=400)
+    report = rtp.sender_report(7, "front", utc=1.5, timestamp=90, packets=3, octets=400)
     first = struct.unpack_from("!BBHIIIIII", report)
     assert first == (0x80, 200, 6, 7, 2_208_988_801, 1 << 31, 90, 3, 400)
     assert report[28:30] == b"\x81\xca"
     assert len(report) % 4 == 0
-    assert not rtcp.asks_for_picture(report)
-    assert rtcp.asks_for_picture(report + rtcp.picture_loss(1, 7))
-    assert not rtcp.asks_for_picture(report + rtcp.picture_loss(1, 7)[:8])
+    assert not rtp.requests_picture(report)
+    assert rtp.requests_picture(report + rtp.picture_loss_indication(1, 7))
+    assert not rtp.requests_picture(report + rtp.picture_loss_indication(1, 7)[:8])
 
 
 def test_there_is_a_limit_to_receivers_and_names_are_not_looked_up(sender):
@@ -170,16 +170,15 @@ def test_a_taken_port_says_so(receivers):
 
 def test_with_lost_packets_the_picture_is_right_again_from_the_next_idr_on(scene):
     """2 % of the packets are lost; pictures from a whole IDR up to the next loss are what was sent."""
-    from jauspy.video.depacketiser import Depacketiser
-    from jauspy.video.packetiser import payloads
+    from jauspy.video.h264_payload import Depacketiser, packetise
     from jauspy.video.rtp import RtpPacket
-    from jauspy.video.stream import RtpStream
+    from jauspy.video.sender import RtpStream
 
     chance, encoder = random.Random(5), H264Encoder(VideoSettings(gop=10))
     stream, receiver, decoder = RtpStream("lossy"), Depacketiser(), H264Decoder()
     sound, checked, idrs = False, 0, 0
     for number in range(150):
-        packed = payloads(encoder.encode(scene(number)))
+        packed = packetise(encoder.encode(scene(number)))
         sent = stream.packets(packed, idr=number == 0, now=number / RATE)
         arrived = [data for data in sent if chance.random() >= 0.02]
         before = receiver.counters["lost"]

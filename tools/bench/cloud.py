@@ -13,8 +13,7 @@ import asyncio
 import statistics
 import time
 
-from jauspy.cloud.depth import DepthSettings, DepthStream
-from jauspy.cloud.depth_process import DepthProcess
+from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.message import Cloud
 from jauspy.cloud.socket import CloudSubscriber
 from jauspy.modules.realtime import RealTime

@@ -1,8 +1,8 @@
-"""How fast the node manager routes, beside a bare forwarder without any routing (`floor.py`) in the same run.
+"""Speed of the node manager, compared in the same run with a forwarder that does not route (`floor.py`).
 
 python tools/bench/node_manager.py [--rounds 5] [--messages 30000] [--seconds 1] [--uvloop]
 
-For three ways: messages per second with 64 and with 256 in flight, CPU seconds of the router per 100,000 messages, and
+For three routes: messages per second with 64 and 256 in flight, CPU seconds of the router per 100,000 messages, and
 round trips at a steady rate. A lost message ends it. The driver shares the machine, and others may, too: routers take
 turns, and the ratio is the median of those of each round.
 """
@@ -29,14 +29,14 @@ from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
 
 A, B = JausID.parse("126.1.11"), JausID.parse("126.1.20")
-WAYS = (("unix", "unix"), ("udp", "unix"), ("unix", "udp"))
+ROUTES = (("unix", "unix"), ("udp", "unix"), ("unix", "udp"))
 WINDOWS = (64, 256)
 RATES = (500, 5000)
 UVLOOP = "import uvloop; uvloop.install(); from jauspy.cli.main import main; main()"
 
 
 class End:
-    """One side of the way: its socket, and where it sends to."""
+    """One end of a route: its socket, and the address that it sends to."""
 
     def __init__(self, kind: str, id: JausID, root: Path) -> None:
         self.id = id
@@ -51,7 +51,7 @@ class End:
         self.target: str | tuple[str, int] = ""
 
     def send(self, datagram: bytes) -> bool:
-        """False when the router's queue is full."""
+        """Send; false when the queue of the router is full."""
         try:
             self.socket.sendto(datagram, self.target)
         except BlockingIOError:
@@ -69,7 +69,7 @@ class End:
 
 
 def free_port() -> int:
-    """A UDP port that nobody has."""
+    """A free UDP port."""
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sock:
         sock.bind(("127.0.0.1", 0))
         return int(sock.getsockname()[1])
@@ -77,7 +77,7 @@ def free_port() -> int:
 
 @contextmanager
 def process(command: list[str]) -> Iterator[psutil.Process]:
-    """A router, ready."""
+    """A running router."""
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True) as child:
         try:
             assert child.stdout is not None
@@ -88,7 +88,7 @@ def process(command: list[str]) -> Iterator[psutil.Process]:
 
 
 @contextmanager
-def way(kinds: tuple[str, str], router: str) -> Iterator[tuple[End, End, psutil.Process]]:
+def connected_ends(kinds: tuple[str, str], router: str) -> Iterator[tuple[End, End, psutil.Process]]:
     """Both ends, connected by the node manager or by the floor."""
     root = Path(tempfile.mkdtemp(prefix="jb"))
     a, b = End(kinds[0], A, root), End(kinds[1], B, root)
@@ -132,7 +132,7 @@ def cpu(child: psutil.Process) -> float:
 
 def throughput(kinds: tuple[str, str], router: str, count: int, window: int) -> tuple[float, float]:
     """Messages per second, and CPU seconds per 100,000."""
-    with way(kinds, router) as (a, b, child):
+    with connected_ends(kinds, router) as (a, b, child):
         datagram = judp.pack(Packet(A, B, bytes(32), 1))
         sent = received = 0
         used, begin = cpu(child), time.perf_counter()
@@ -151,7 +151,7 @@ def throughput(kinds: tuple[str, str], router: str, count: int, window: int) -> 
 def round_trips(kinds: tuple[str, str], router: str, rate: int, seconds: float) -> list[float]:
     """Microseconds; sent at a steady rate, later only when the one before is still under way."""
     there, back = (judp.pack(Packet(one, other, bytes(32), 1)) for one, other in ((A, B), (B, A)))
-    with way(kinds, router) as (a, b, _):
+    with connected_ends(kinds, router) as (a, b, _):
         found = []
         due = time.perf_counter()
         for _ in range(int(rate * seconds)):
@@ -183,7 +183,7 @@ def main() -> None:
     )
     options = parser.parse_args()
     routers = ["floor", "jauspy", *(["uvloop"] if options.uvloop else [])]
-    for kinds in WAYS:
+    for kinds in ROUTES:
         print("-".join(kinds))
         for window in WINDOWS:
             compare_throughput(kinds, routers, options.rounds, options.messages, window)

@@ -34,10 +34,9 @@ from jauspy.modules.robots import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess
-from jauspy.video.decoder import H264Decoder
-from jauspy.video.players import ffmpeg_source, gstreamer_source
+from jauspy.video.h264 import H264Decoder
 from jauspy.video.receiver import RtpReceiver
-from jauspy.video.sdp import session
+from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 from jauspy.video.stamp import read
 
 LOUD = {**os.environ, "GST_DEBUG": "2", "GST_DEBUG_NO_COLOR": "1"}
@@ -81,7 +80,7 @@ class Seen:
 def ffmpeg(folder: Path, port: int, _: VideoSettings) -> list[str]:
     """Decodes to grey pictures on standard output."""
     sdp = folder / f"{port}.sdp"
-    sdp.write_text(session("bench", "127.0.0.1", port), newline="")
+    sdp.write_text(session_description("bench", "127.0.0.1", port), newline="")
     source = ["ffmpeg", "-nostdin", "-loglevel", "warning", *ffmpeg_source(sdp)]
     raw = ["-f", "rawvideo", "-pix_fmt", "gray", "-threads", "1", "-"]  # with more threads it is one picture late
     return [*source, "-fps_mode", "passthrough", "-enc_time_base", "1:90000", *raw]

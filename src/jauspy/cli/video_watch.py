@@ -22,8 +22,7 @@ from jauspy.messages.environment_sensing import (
 )
 from jauspy.ocu import OCU
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP
-from jauspy.video.players import ffmpeg_source, gstreamer_source
-from jauspy.video.sdp import session
+from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 
 AGAIN: Final = 60.0
 """Seconds between two entries; the robot forgets after five minutes."""
@@ -76,7 +75,7 @@ async def record(
     ocu: OCU, camera: JausID, sensor: int, address: tuple[str, int], *, file: Path, seconds: float | None
 ) -> None:
     """Write the video to a film; ends when the size of the pictures changes, too."""
-    from jauspy.video.extra import need_video
+    from jauspy.video import need_video
 
     need_video()
     from jauspy.video.receiver import RtpReceiver
@@ -114,7 +113,7 @@ async def record(
 def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> None:
     """Write the SDP, and say how to watch; with `show` open a window, if there is a screen."""
     try:
-        file.write_text(session(name, *address), newline="")
+        file.write_text(session_description(name, *address), newline="")
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error}; name another file with --sdp") from error
     ffplay = ["ffplay", *ffmpeg_source(file)]

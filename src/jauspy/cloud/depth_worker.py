@@ -1,89 +1,77 @@
-"""The process of a depth camera's clouds, started by `depth_process`: looks, measures, publishes.
-
-Standard input brings what to publish, and ends when the robot's process does; on standard output it says, as lines of
-JSON, how it comes to its pictures and what it has counted.
-"""
+"""The worker process of a depth camera: measures, computes points, publishes them."""
 
 from __future__ import annotations
 
-import json
-import os
-import pickle
-import select
-import sys
+import math
 import time
 from collections import Counter
-from collections.abc import Callable
-from typing import Final, TypeAlias
+from typing import Final
 
-from jauspy.cloud.depth import DepthStream
-from jauspy.cloud.depth_points import coloured_points
+import numpy as np
+
+from jauspy.cloud.depth import DepthSettings, DepthStream
 from jauspy.cloud.message import XYZ_RGB
 from jauspy.cloud.socket import CloudPublisher
-from jauspy.platform.camera import Eye
-from jauspy.workers import give_way
+from jauspy.platform.camera import DepthFrame, Eye
+from jauspy.worker_process import CountersReport, Parent, WorkerReady
 
-POLITENESS: Final = 5
-"""By how much it is nicer than the robot's process: clouds never delay control."""
-
-COUNTED: Final = 1.0
+COUNTER_INTERVAL: Final = 1.0
 """Seconds between two reports of the counters."""
 
-Say: TypeAlias = Callable[[dict[str, object]], None]
-"""Tells the robot's process something."""
 
-
-def main() -> None:
-    """Publish until standard input ends."""
-    say = _speaker()
-    give_way(POLITENESS)
-    source = sys.stdin.buffer
-    stream = pickle.load(source)  # noqa: S301 - the robot's process wrote it
-    if not isinstance(stream, DepthStream):
-        raise TypeError(f"{type(stream)} is not a DepthStream")
+def run(stream: DepthStream, parent: Parent) -> None:
+    """Publish clouds until the parent closes the connection."""
     with CloudPublisher(stream.address) as publisher:
-        eye = stream.camera.open()
+        camera = stream.camera.open()
         try:
-            say({"description": eye.description})
-            _publish(stream, eye, publisher, source.fileno(), say)
+            parent.send(WorkerReady(camera.description))
+            _publish(stream, camera, publisher, parent)
         finally:
-            eye.close()
+            camera.close()
 
 
-def _publish(stream: DepthStream, eye: Eye, publisher: CloudPublisher, source: int, say: Say) -> None:
+def _publish(stream: DepthStream, camera: Eye, publisher: CloudPublisher, parent: Parent) -> None:
     counters: Counter[str] = Counter()
     period = 1.0 / stream.settings.rate
-    due = told = time.monotonic()
-    while not select.select([source], [], [], max(0.0, due - time.monotonic()))[0]:
-        late = max(0, int((time.monotonic() - due) / period))
-        due += period * (1 + late)
-        counters["skipped"] += late
-        counters["points"] += _look(stream, eye, publisher)
+    due = reported_at = time.monotonic()
+    while True:
+        for _ in parent.receive(max(0.0, due - time.monotonic())):
+            pass
+        if parent.ended:
+            return
+        skipped = max(0, int((time.monotonic() - due) / period))
+        due += period * (1 + skipped)
+        counters["skipped"] += skipped
+        counters["points"] += _publish_cloud(stream, camera, publisher)
         counters["published"] += 1
-        if time.monotonic() - told >= COUNTED:
-            told = time.monotonic()
-            say({"counters": counters})
+        if time.monotonic() - reported_at >= COUNTER_INTERVAL:
+            reported_at = time.monotonic()
+            parent.send(CountersReport(dict(counters)))
 
 
-def _look(stream: DepthStream, eye: Eye, publisher: CloudPublisher) -> int:
-    """Publish one cloud; how many points it has."""
+def _publish_cloud(stream: DepthStream, camera: Eye, publisher: CloudPublisher) -> int:
+    """Publish one cloud; returns its number of points."""
     setup, settings = stream.camera.setup, stream.settings
-    frame = eye.measure(settings.width, settings.height)
+    frame = camera.measure(settings.width, settings.height)
     points = coloured_points(frame, setup.fov, settings)
     age = time.monotonic() - frame.taken
     publisher.publish(points, setup.link, time.time() - age, XYZ_RGB)
     return len(points) // (4 * XYZ_RGB)
 
 
-def _speaker() -> Say:
-    """Standard output for these lines alone; what libraries print goes to standard error."""
-    out = os.fdopen(os.dup(sys.stdout.fileno()), "w", buffering=1)
-    os.dup2(sys.stderr.fileno(), sys.stdout.fileno())
-    return lambda words: print(json.dumps(words), file=out)
+def coloured_points(frame: DepthFrame, fov: float, settings: DepthSettings) -> bytes:
+    """The pixels in range as points, in the frame of the camera's link.
 
-
-if __name__ == "__main__":
-    try:
-        main()
-    except BrokenPipeError:  # nobody is there to hear
-        sys.exit()
+    `fov` is the horizontal field of view in radians. Returns float32 rows of shape (points, 6): x, y, z in metres, and
+    red, green, blue from 0 to 1.
+    """
+    along = frame.distances
+    rows, columns = np.nonzero((along >= settings.least) & (along <= settings.most))
+    height, width = along.shape
+    pixel = 2.0 * math.tan(fov / 2.0) / width
+    points = np.empty((len(rows), 6), "<f4")
+    points[:, 0] = x = along[rows, columns]
+    points[:, 1] = x * (pixel * ((width - 1) / 2.0 - columns))
+    points[:, 2] = x * (pixel * ((height - 1) / 2.0 - rows))
+    points[:, 3:] = frame.image[rows, columns] * np.float32(1.0 / 255.0)
+    return points.tobytes()

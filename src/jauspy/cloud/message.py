@@ -17,12 +17,13 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Final
 
-from jauspy.errors import DecodeError
+from jauspy.errors import ConfigError, DecodeError
 
 MAGIC: Final = b"JPC1"
-MOST_POINTS: Final = 1_000_000
+MAX_POINTS: Final = 1_000_000
 """Of one message."""
 XYZ: Final = 3
 XYZ_RGB: Final = 6
@@ -54,8 +55,8 @@ class Cloud:
         """As bytes; `ValueError` for points that are not whole, or too many."""
         if self.values not in (XYZ, XYZ_RGB) or len(self.points) != len(self) * _FLOAT * self.values:
             raise ValueError(f"{len(self.points)} bytes are no points of {self.values} float32 values (3 or 6)")
-        if len(self) > MOST_POINTS:
-            raise ValueError(f"{len(self)} points are too many for one message; {MOST_POINTS} are possible")
+        if len(self) > MAX_POINTS:
+            raise ValueError(f"{len(self)} points are too many for one message; {MAX_POINTS} are possible")
         name = self.frame.encode()
         header = _HEADER.pack(MAGIC, self.values, len(name), len(self), self.stream, self.number, self.time)
         return header + name + self.points
@@ -66,8 +67,8 @@ def decode(data: bytes) -> Cloud:
     if len(data) < _HEADER.size or data[:4] != MAGIC:
         raise DecodeError("not a point cloud: it does not begin with JPC1 and a header of 32 bytes")
     _, values, length, points, stream, number, time = _HEADER.unpack_from(data)
-    if values not in (XYZ, XYZ_RGB) or points > MOST_POINTS:
-        raise DecodeError(f"{points} points of {values} values; there may be {MOST_POINTS}, of 3 or 6")
+    if values not in (XYZ, XYZ_RGB) or points > MAX_POINTS:
+        raise DecodeError(f"{points} points of {values} values; there may be {MAX_POINTS}, of 3 or 6")
     start = _HEADER.size + length
     if len(data) != start + points * values * _FLOAT:
         raise DecodeError(f"{len(data)} bytes; the header says {start + points * values * _FLOAT}")
@@ -76,3 +77,57 @@ def decode(data: bytes) -> Cloud:
     except UnicodeDecodeError as error:
         raise DecodeError("the frame's name is not UTF-8") from error
     return Cloud(data[start:], frame, time, values, stream, number)
+
+
+_SHADES: Final = 255.0
+
+
+def save(cloud: Cloud, path: Path) -> None:
+    """Write a cloud as the path's ending says, `.pcd` or `.ply`; `ConfigError` for another, or a wrong place."""
+    formats = {".pcd": pcd, ".ply": ply}
+    if path.suffix not in formats:
+        raise ConfigError(f"{path}: clouds are written as .pcd or .ply")
+    try:
+        path.write_bytes(formats[path.suffix](cloud))
+    except OSError as error:
+        raise ConfigError(f"{path}: the cloud cannot be written: {error.strerror}") from error
+
+
+def pcd(cloud: Cloud) -> bytes:
+    """Binary PCD 0.7; colours are float fields r, g, b from 0 to 1."""
+    names = ["x", "y", "z", "r", "g", "b"][: cloud.values]
+    header = (
+        "# .PCD v0.7 - Point Cloud Data file format",
+        "VERSION 0.7",
+        f"FIELDS {' '.join(names)}",
+        f"SIZE {' '.join('4' for _ in names)}",
+        f"TYPE {' '.join('F' for _ in names)}",
+        f"COUNT {' '.join('1' for _ in names)}",
+        f"WIDTH {len(cloud)}",
+        "HEIGHT 1",
+        "VIEWPOINT 0 0 0 1 0 0 0",
+        f"POINTS {len(cloud)}",
+        "DATA binary",
+    )
+    return "".join(f"{line}\n" for line in header).encode() + cloud.points
+
+
+def ply(cloud: Cloud) -> bytes:
+    """Binary little-endian PLY; colours are bytes."""
+    colours = ["red", "green", "blue"] if cloud.values == XYZ_RGB else []
+    header = (
+        "ply",
+        "format binary_little_endian 1.0",
+        f"comment frame {cloud.frame}",
+        f"element vertex {len(cloud)}",
+        *(f"property float {name}" for name in "xyz"),
+        *(f"property uchar {name}" for name in colours),
+        "end_header",
+    )
+    body = b"".join(_coloured(row) for row in cloud.rows()) if colours else cloud.points
+    return "".join(f"{line}\n" for line in header).encode() + body
+
+
+def _coloured(row: tuple[float, ...]) -> bytes:
+    shades = (round(_SHADES * min(1.0, max(0.0, value))) for value in row[3:])
+    return struct.pack("<3f3B", *row[:3], *shades)

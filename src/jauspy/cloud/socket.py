@@ -12,9 +12,9 @@ from typing import Any, Final, Self
 from jauspy.cloud.message import Cloud, decode
 from jauspy.errors import ConfigError, DecodeError, TransportError
 
-BACKLOG: Final = 8
+SEND_QUEUE_SIZE: Final = 8
 """Messages that wait for a subscriber that does not read; more are lost, and show as gaps in the numbers."""
-MOST_BYTES: Final = 32_000_000
+MAX_MESSAGE_SIZE: Final = 32_000_000
 """Of a message that a subscriber takes; a million coloured points are 24 MB."""
 
 
@@ -49,7 +49,7 @@ class CloudPublisher(_Socket):
 
     def __init__(self, address: str) -> None:
         nng = _pynng()
-        self._socket = nng.Pub0(send_buffer_size=BACKLOG)
+        self._socket = nng.Pub0(send_buffer_size=SEND_QUEUE_SIZE)
         try:
             self._socket.listen(address)
         except nng.NNGException as error:
@@ -70,7 +70,7 @@ class CloudSubscriber(_Socket):
     def __init__(self, address: str) -> None:
         nng = _pynng()
         self._timeout = nng.Timeout
-        self._socket = nng.Sub0(topics=b"", recv_buffer_size=BACKLOG, recv_max_size=MOST_BYTES)
+        self._socket = nng.Sub0(topics=b"", recv_buffer_size=SEND_QUEUE_SIZE, recv_max_size=MAX_MESSAGE_SIZE)
         try:
             self._socket.dial(address, block=False)
         except nng.NNGException as error:

@@ -31,6 +31,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema import model as m
 from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
+from jauspy.schema.wire import digest
 
 JAUS_MESSAGE: Final = "jaus message"
 """The format of bytes that are a message."""
@@ -72,10 +73,7 @@ def build(schema: m.Schema, package: str, base: Registry | None = None) -> Packa
     Raises `SchemaError` for what cannot be decoded in bounded time, and for lists that are nested too deeply.
     """
     planned = _planned(schema)
-    entries = (
-        MessageEntry(p.message.code, p.message.name, p.service.id, p.service.version, f"{package}.{p.module}", p.name)
-        for p in planned
-    )
+    entries = (one.entry(package) for one in planned)
     files = {service.key: service.where.file for service in schema.services if service.where}
     registry = Registry(entries, base, files)
     shared = _SharedTypes(package, {service.id for service in schema.services}, registry)
@@ -107,6 +105,11 @@ class _Planned:
     message: m.Message
     is_query: bool
     answer: _Planned | None = None
+
+    def entry(self, package: str) -> MessageEntry:
+        """What the registry knows of it."""
+        message, module = self.message, f"{package}.{self.module}"
+        return MessageEntry(message.code, message.name, *self.service.key, module, self.name, digest(message.body))
 
 
 def _planned(schema: m.Schema) -> list[_Planned]:

@@ -2,11 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field, fields, is_dataclass
+from dataclasses import dataclass, field
 from difflib import get_close_matches
-from enum import IntEnum
-from typing import Any, Final
+from typing import Any
 
 from jauspy.codec.items import Count, Item, check_class, cut, integer_of, join, shown
 from jauspy.codec.message import Nesting, Struct, counted
@@ -247,26 +245,3 @@ class Grid(Item):
             raise EncodeError(f"{shown(data)} is not a list of {self.sizes[0]}", path=path)
         inner = self._inner()
         return [inner.from_json(part, f"{path}[{number}]", nesting) for number, part in enumerate(data)]
-
-
-_NAMES: Final = frozenset(("cls", "name", "jaus", "units"))
-
-
-def same_layout(one: Item, other: Item) -> bool:
-    """True when the same bytes are the same values."""
-    return bool(_shape(one) == _shape(other))
-
-
-def _shape(part: Any) -> Any:
-    if is_dataclass(part):
-        inside = (_shape(getattr(part, field.name)) for field in fields(part) if field.name not in _NAMES)
-        return (type(part).__name__, *inside)
-    if isinstance(part, type) and issubclass(part, IntEnum):
-        return tuple(map(int, part))
-    if isinstance(part, Mapping):
-        return tuple((key if isinstance(key, int) else "", _shape(value)) for key, value in part.items())
-    if isinstance(part, tuple):
-        return tuple(map(_shape, part))
-    if part is None or isinstance(part, (str, int, float, frozenset)):
-        return part
-    return type(part).__name__  # a registry; which one it is does not matter

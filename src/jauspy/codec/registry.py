@@ -12,7 +12,6 @@ from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, overload
 
 from jauspy.codec import slow_path
 from jauspy.codec.items import join, shown
-from jauspy.codec.layout import same_layout
 from jauspy.codec.message import FAST_ERRORS, Deviation, Message, Nesting, as_bytes, too_short
 from jauspy.errors import ConfigError, DecodeError, EncodeError
 from jauspy.ids import is_called
@@ -34,6 +33,8 @@ class MessageEntry:
     version: str
     module: str
     cls: str
+    wire: str = ""
+    """Digest of the body (`jauspy.schema.wire`): the same for bodies with the same bytes for the same values."""
 
     def load(self) -> type[Message]:
         """The message class."""
@@ -54,9 +55,9 @@ class MessageEntry:
 
 
 def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[MessageEntry]:
-    """The entries of one module: for each message its code and name, and its class where that has another name."""
-    for code, name, *cls in messages:
-        yield MessageEntry(code, name, service, version, module, cls[0] if cls else name)
+    """The entries of one module: for each message code, name and digest, and its class where that has another name."""
+    for code, name, wire, *cls in messages:
+        yield MessageEntry(code, name, service, version, module, cls[0] if cls else name, wire)
 
 
 @dataclass(frozen=True, slots=True)
@@ -108,13 +109,11 @@ class Collision:
 
 
 def meanings(entries: Iterable[MessageEntry]) -> tuple[MessageEntry, ...]:
-    """The first entry of each name and layout."""
-    names: dict[str, list[MessageEntry]] = {}
+    """The first entry of each name and body, those of one name together."""
+    names: dict[str, dict[str, MessageEntry]] = {}
     for entry in entries:
-        same_name = names.setdefault(entry.name, [])
-        if not any(same_layout(other.load().layout(), entry.load().layout()) for other in same_name):
-            same_name.append(entry)
-    return tuple(entry for same_name in names.values() for entry in same_name)
+        names.setdefault(entry.name, {}).setdefault(entry.wire, entry)
+    return tuple(entry for same_name in names.values() for entry in same_name.values())
 
 
 M = TypeVar("M", bound=Message)

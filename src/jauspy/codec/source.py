@@ -271,9 +271,12 @@ def _root(package: str, base: str | None) -> str:
 def _table(built: Package, *, with_files: bool) -> str:
     """`_table.py`: code, name, service, version and module of every message; and the file of every service."""
     rows: list[str] = []
+    wires = {(entry.module, entry.cls): entry.wire for entry in built.registry.entries}
     for module in sorted(built.modules, key=lambda module: module.name):
         place = ", ".join(map(quote, (f"{built.name}.{module.name}", module.service, module.version)))
-        messages = [_row(cls) for cls in module.classes if issubclass(cls, Message)]
+        messages = [
+            _row(cls, wires[cls.__module__, cls.__name__]) for cls in module.classes if issubclass(cls, Message)
+        ]
         if messages:
             rows += ["*entries(", *indent([f"{place},", *filled(messages)]), "),"]
     places = sorted(built.registry.files.items())
@@ -297,9 +300,9 @@ def _table(built: Package, *, with_files: bool) -> str:
     )
 
 
-def _row(cls: type[Message]) -> str:
+def _row(cls: type[Message], wire: str) -> str:
     other = f", {quote(cls.__name__)}" if cls.__name__ != cls.NAME else ""
-    return f"(0x{cls.CODE:04X}, {quote(cls.NAME)}{other}),"
+    return f"(0x{cls.CODE:04X}, {quote(cls.NAME)}, {quote(wire)}{other}),"
 
 
 def _packages(built: Package) -> dict[str, str]:

@@ -11,8 +11,7 @@ from collections.abc import AsyncIterator, Iterable, Mapping
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from typing import Final, Protocol
 
-from jauspy.cloud.depth import DepthStream
-from jauspy.cloud.depth_process import DepthProcess
+from jauspy.cloud.depth import DepthProcess, DepthStream
 from jauspy.cloud.socket import CloudPublisher
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig

@@ -10,7 +10,7 @@ from typing import Annotated, Final, Literal, Self, TypeAlias
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
 
 from jauspy.cloud.depth import DepthSettings
-from jauspy.cloud.message import MOST_POINTS
+from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
@@ -157,8 +157,8 @@ class DepthConfig(StrictConfig):
     def _fits(self) -> Self:
         if self.range[0] >= self.range[1]:
             raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
-        if self.size[0] * self.size[1] > MOST_POINTS:
-            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MOST_POINTS}")
+        if self.size[0] * self.size[1] > MAX_POINTS:
+            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MAX_POINTS}")
         return self
 
     def settings(self) -> DepthSettings:

@@ -59,17 +59,6 @@ class ComponentSender:
         else:
             self._slow_path(datagram)
 
-    def _slow_path(self, datagram: bytes) -> None:
-        if not self._queue:
-            if self._try(datagram):
-                return
-            self._wait_until_writable()
-        for _ in range(self._queue.push(datagram)):
-            self._counters.drop("queue_full", self._path)
-        self._since_attempt += 1
-        if self._since_attempt == RETRY_EVERY:
-            self._drain()
-
     def reconnect(self) -> None:
         """Connect again: a new component may have a new socket of the same name."""
         self._disconnect()
@@ -82,6 +71,17 @@ class ComponentSender:
         for _ in range(len(self._queue)):
             self._counters.drop("component_gone", self._path)
         self._queue = SendQueue()
+
+    def _slow_path(self, datagram: bytes) -> None:
+        if not self._queue:
+            if self._try(datagram):
+                return
+            self._wait_until_writable()
+        for _ in range(self._queue.push(datagram)):
+            self._counters.drop("queue_full", self._path)
+        self._since_attempt += 1
+        if self._since_attempt == RETRY_EVERY:
+            self._drain()
 
     def _drain(self) -> None:
         self._since_attempt = 0

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Iterator
+from hashlib import sha256
 from typing import TypeAlias
 
 from jauspy.schema.model import (
@@ -35,6 +36,11 @@ Shape: TypeAlias = tuple[object, ...]
 def same_wire(one: Composite | None, other: Composite | None) -> bool:
     """True when two message bodies have the same bytes for the same numbers, within the same limits."""
     return shape(one) == shape(other)
+
+
+def digest(body: Composite | None) -> str:
+    """Eight hexadecimal digits of a message body's shape: equal for what `same_wire` finds equal."""
+    return sha256(repr(shape(body)).encode()).hexdigest()[:8]
 
 
 def shape(node: Node | None) -> Shape:
@@ -74,7 +80,13 @@ def _container(presence: str | None, members: tuple[Node, ...]) -> Shape:
 
 
 def _number(field: FixedField | TypeChoice) -> Shape:
-    return field.type, field.scale, value_shape(field.values)
+    scale = field.scale and (_exact(field.scale.lower), _exact(field.scale.upper), field.scale.function)
+    return field.type, scale, value_shape(field.values)
+
+
+def _exact(number: float) -> float:
+    """One form for a number that may be written as 1 or 1.0."""
+    return int(number) if math.isfinite(number) and number == int(number) else number
 
 
 def _bits(part: SubField) -> tuple[int, int, str]:
@@ -85,7 +97,9 @@ def value_shape(values: ValueSet | None) -> Shape:
     """The allowed values; a name for a value that a range allows anyway changes nothing."""
     if values is None:
         return ()
-    ranges = tuple(sorted((r.lower, r.upper, r.lower_inclusive, r.upper_inclusive) for r in values.ranges))
+    ranges = tuple(
+        sorted((_exact(r.lower), _exact(r.upper), r.lower_inclusive, r.upper_inclusive) for r in values.ranges)
+    )
     single = {enum.value for enum in values.enums if not any(low <= enum.value <= high for low, high, _, _ in ranges)}
     return tuple(sorted(single)), ranges
 

@@ -1,4 +1,4 @@
-"""The OCU without `await`, for scripts and notebooks: an event loop in a thread does the waiting."""
+"""The OCU without `await`, for scripts and notebooks; its event loop runs in a thread."""
 
 from jauspy.sync.facade import OCU, ComponentClient, Control, Elements, Robot, ServiceClient, Subscription
 

@@ -1,4 +1,4 @@
-"""What the generated classes have in common: an asynchronous object, and the portal to where it lives."""
+"""Base classes of the generated classes: an asynchronous object, and the portal to its event loop."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ A = TypeVar("A")
 
 
 class Facade(Generic[A]):
-    """`asynchronous` does the work, in the event loop of the portal's thread."""
+    """Calls the methods of `asynchronous` in the event loop of the portal."""
 
     def __init__(self, portal: Portal, asynchronous: A) -> None:
         self._portal = portal
@@ -31,10 +31,10 @@ class Facade(Generic[A]):
 
 
 class OpensPortal(Facade[OCU]):
-    """The OCU: its portal is open while it is. A program or notebook that ends closes it, too."""
+    """The OCU, whose portal is open while it is; it is closed at the end of the program."""
 
     def open(self) -> None:
-        """Connect; raises `TransportError` that says what to do, `ConfigError` for a wrong `connect`. Twice is fine."""
+        """Connect; without effect when open. Raises `TransportError`, and `ConfigError` for an invalid `connect`."""
         self._portal.open()
         try:
             self._portal.run(self._async.open())
@@ -44,7 +44,7 @@ class OpensPortal(Facade[OCU]):
         atexit.register(self.close)
 
     def close(self) -> None:
-        """Give back what is controlled, in Standby, disconnect, and end what still waits. Twice is fine."""
+        """Put controlled components in Standby, release them, cancel events, disconnect; without effect when closed."""
         atexit.unregister(self.close)
         if self._portal.is_open:
             try:

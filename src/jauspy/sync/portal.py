@@ -1,4 +1,4 @@
-"""An event loop in a thread of its own, for code that has none or must not block the one it has."""
+"""An event loop in its own thread, for code without an event loop, or that must not block its event loop."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ from jauspy.errors import TransportError
 
 T = TypeVar("T")
 
-CLEANUP: Final = 10.0
-"""Seconds that what was interrupted may take to tidy up: to leave a robot in Standby, to cancel an event."""
+CLEANUP_TIMEOUT: Final = 10.0
+"""Seconds for the clean-up of an interrupted call, such as sending Standby or cancelling an event."""
 
 
 class Portal:
-    """`portal.run(coroutine)` runs it in the thread and returns what it returns; any thread may call.
+    """`portal.run(coroutine)` runs a coroutine in the thread and returns its result; any thread may call this.
 
-    Ctrl-C while it waits cancels the coroutine, waits for its clean-up, and is raised on. The thread is a daemon: it
-    does not keep a program from ending.
+    Ctrl-C meanwhile cancels the coroutine, waits for its clean-up, and then raises `KeyboardInterrupt`. The thread is
+    a daemon: it does not keep a program from ending.
     """
 
     def __init__(self, name: str = "jauspy") -> None:
@@ -33,20 +33,20 @@ class Portal:
 
     @property
     def is_open(self) -> bool:
-        """True between `open` and `close`; false in a process that was forked, which has the thread no more."""
+        """True between `open` and `close`; false in a forked process, which does not have the thread."""
         return self._loop is not None and self._thread is not None and self._thread.is_alive()
 
     def open(self) -> None:
-        """Start the thread; twice is fine."""
+        """Start the thread; without effect when open."""
         with self._lock:
             if not self.is_open:
                 ready: Future[asyncio.AbstractEventLoop] = Future()
-                self._thread = threading.Thread(target=_live, args=(ready,), name=self._name, daemon=True)
+                self._thread = threading.Thread(target=_run_loop, args=(ready,), name=self._name, daemon=True)
                 self._thread.start()
                 self._loop = ready.result()
 
     def close(self) -> None:
-        """Cancel what still runs, wait for it, and end the thread; twice is fine."""
+        """Cancel running coroutines, wait for them, and end the thread; without effect when closed."""
         with self._lock:
             loop, self._loop = self._loop, None
             if loop is not None:
@@ -55,11 +55,11 @@ class Portal:
             self._thread.join()
 
     def run(self, coroutine: Coroutine[Any, Any, T]) -> T:
-        """What the coroutine returns or raises; `TransportError` when the portal is closed, or closes meanwhile."""
+        """The result of the coroutine; raises its errors, and `TransportError` when the portal is closed."""
         call: _Call[T] = _Call(coroutine)
         try:
-            with self._lock:  # so that what is handed in before `close` is begun before the loop stops
-                call.hand_to(self._usable())
+            with self._lock:  # so that a call made before `close` starts before the loop stops
+                call.schedule(self._usable())
             return call.ended.result()
         except asyncio.CancelledError:
             raise TransportError("this was closed while it waited") from None
@@ -68,12 +68,12 @@ class Portal:
             raise
 
     def leave(self, coroutine: Coroutine[Any, Any, object]) -> None:
-        """Run what ends a `with` block; fine when the portal was closed inside, which has ended it already."""
+        """Run the end of a `with` block; without effect when the portal was closed inside, which has ended it."""
         with suppress(TransportError):
             self.run(coroutine)
 
     def iterate(self, iterable: AsyncIterable[T]) -> Generator[T, None, None]:
-        """What `async for` would give; leaving the loop ends the asynchronous iterator, too."""
+        """The items of an asynchronous iterable; leaving the loop closes the asynchronous iterator."""
         iterator = aiter(iterable)
         try:
             while (item := self.run(_next(iterator))) is not _END:
@@ -100,7 +100,7 @@ class Portal:
 
 
 class _Call(Generic[T]):
-    """One coroutine on its way through the thread; `ended` is done when its clean-up is, too."""
+    """One coroutine that runs in the thread; `ended` is done after its clean-up."""
 
     def __init__(self, coroutine: Coroutine[Any, Any, T]) -> None:
         self.ended: Future[T] = Future()
@@ -108,27 +108,27 @@ class _Call(Generic[T]):
         self._loop: asyncio.AbstractEventLoop | None = None
         self._task: asyncio.Task[T] | None = None
 
-    def hand_to(self, loop: asyncio.AbstractEventLoop) -> None:
-        """Let it begin in the loop's thread."""
+    def schedule(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Start it in the loop's thread."""
         self._loop = loop
-        loop.call_soon_threadsafe(self._begin)
+        loop.call_soon_threadsafe(self._start)
 
     def interrupt(self) -> None:
-        """Cancel it unless it has ended, and wait until it has tidied up."""
+        """Cancel it unless it has ended, and wait for its clean-up."""
         if self._loop is None:
             self._coroutine.close()
         elif not self.ended.done():
             self._loop.call_soon_threadsafe(self._cancel)
-            wait({self.ended}, CLEANUP)
+            wait({self.ended}, CLEANUP_TIMEOUT)
 
-    def _begin(self) -> None:
+    def _start(self) -> None:
         self._task = asyncio.create_task(self._coroutine)
         self._task.add_done_callback(self._done)
 
     def _cancel(self) -> None:
         if self._task is not None:
             self._task.cancel()
-        else:  # interrupted on the way here: it was never begun
+        else:  # interrupted before it was started
             self._coroutine.close()
             self.ended.set_exception(asyncio.CancelledError())
 
@@ -151,8 +151,8 @@ async def _end(iterator: AsyncGenerator[Any, None]) -> None:
     await iterator.aclose()
 
 
-def _live(ready: Future[asyncio.AbstractEventLoop]) -> None:
-    with asyncio.Runner() as runner:  # on leaving it cancels what still runs, and waits for it
+def _run_loop(ready: Future[asyncio.AbstractEventLoop]) -> None:
+    with asyncio.Runner() as runner:  # on exit it cancels running tasks and waits for them
         loop = runner.get_loop()
         asyncio.set_event_loop(loop)
         ready.set_result(loop)

@@ -1,4 +1,4 @@
-"""For tests of what talks JAUS: a network in memory on virtual time, a real node manager; fixtures are in `plugin`."""
+"""Test helpers: a network in memory on virtual time, a real node manager; `plugin` has the pytest fixtures."""
 
 from __future__ import annotations
 
@@ -6,20 +6,20 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    from jauspy.testing.assertions import until as until
     from jauspy.testing.clock import VirtualClock as VirtualClock
+    from jauspy.testing.environment import TestEnvironment as TestEnvironment
     from jauspy.testing.network import VirtualNetwork as VirtualNetwork
     from jauspy.testing.node import LocalNode as LocalNode
-    from jauspy.testing.place import Place as Place
-    from jauspy.testing.waiting import until as until
 
 _EXPORTS = {
     "LocalNode": "jauspy.testing.node",
-    "Place": "jauspy.testing.place",
-    "until": "jauspy.testing.waiting",
+    "TestEnvironment": "jauspy.testing.environment",
+    "until": "jauspy.testing.assertions",
     "VirtualClock": "jauspy.testing.clock",
     "VirtualNetwork": "jauspy.testing.network",
 }
-"""Imported on first use: pytest loads the plugin, and so this package, in every project that has jauspy installed."""
+"""Public names, imported on first use: pytest loads this package in every project that has jauspy installed."""
 
 
 def __getattr__(name: str) -> object:

@@ -1,4 +1,4 @@
-"""Time that does not pass by itself: an event loop jumps to its next timer instead of waiting for it."""
+"""Virtual time: an event loop advances to its next timer instead of waiting for it."""
 
 from __future__ import annotations
 
@@ -11,25 +11,25 @@ from jauspy.errors import ConfigError
 
 EPOCH: Final = datetime(2026, 1, 1, tzinfo=UTC)
 """The wall clock's time when a virtual clock starts."""
-START: Final = 1000.0
-"""Seconds that the loop's clock shows when a virtual clock starts, always the same: sums of times are rounded alike."""
-TURN: Final = 1e-9
-"""Seconds that a turn of the loop takes. Were it none, a timer that is run early, within the loop's resolution, and
-sets itself again would be early for ever."""
+START_TIME: Final = 1000.0
+"""Seconds that the loop's clock shows at the start, always the same, so that sums of times are rounded alike."""
+ITERATION_TIME: Final = 1e-9
+"""Seconds that one iteration of the loop takes. With 0, a timer that runs early, within the resolution of the loop, and
+sets itself again would run early for ever."""
 
 
 class VirtualClock:
-    """Inside `with VirtualClock()` the running event loop lives on virtual time.
+    """Inside `with VirtualClock()` the running event loop uses virtual time.
 
-    While anything can run, no time passes; when nothing can, it is the next timer's time at once. An hour of timeouts
-    takes milliseconds, and the same test runs the same way each time. Threads, processes and real sockets live on real
-    time and are not waited for; do without them inside.
+    While a task can run, no time passes; when none can, time advances to the next timer. An hour of timeouts takes
+    milliseconds, and a test runs the same way each time. Threads, processes and real sockets use real time and are not
+    waited for: do not use them inside.
     """
 
     def __init__(self) -> None:
         self._loop: Any = None
         self._selector: Any = None
-        self._now = START
+        self._now = START_TIME
 
     def time(self) -> float:
         """Seconds of the loop's monotonic clock, as `loop.time()`."""
@@ -38,23 +38,23 @@ class VirtualClock:
     @property
     def elapsed(self) -> float:
         """Virtual seconds since it started."""
-        return self._now - START
+        return self._now - START_TIME
 
     def utc_now(self) -> datetime:
-        """The wall clock: midnight of 1 January 2026, and what has passed since."""
+        """The wall clock, which starts at midnight of 1 January 2026."""
         return EPOCH + timedelta(seconds=self.elapsed)
 
     def __enter__(self) -> Self:
         loop: Any = asyncio.get_running_loop()
-        if self._loop is not None or isinstance(loop.__dict__.get("_selector"), _Jumps):
-            raise ConfigError("this event loop lives on a virtual clock already; one is enough")
+        if self._loop is not None or isinstance(loop.__dict__.get("_selector"), _VirtualSelector):
+            raise ConfigError("this event loop uses a virtual clock already")
         if "_selector" not in vars(loop):
-            raise ConfigError(f"{type(loop).__name__} cannot live on a virtual clock; use asyncio's own event loop")
-        self._now = START
-        _put_off(loop, START - loop.time())
-        # asyncio has no public way to do this to a loop that runs; a loop is its `time` and its `select` (ADR 36).
+            raise ConfigError(f"{type(loop).__name__} cannot use a virtual clock; use asyncio's own event loop")
+        self._now = START_TIME
+        _shift_timers(loop, START_TIME - loop.time())
+        # asyncio has no public interface to replace the clock and the selector of a running loop (ADR 36).
         self._loop, self._selector = loop, loop._selector  # noqa: SLF001
-        loop._selector, loop.time = _Jumps(self._selector, self), self.time  # noqa: SLF001
+        loop._selector, loop.time = _VirtualSelector(self._selector, self), self.time  # noqa: SLF001
         return self
 
     def __exit__(
@@ -63,21 +63,21 @@ class VirtualClock:
         loop, self._loop = self._loop, None
         loop._selector = self._selector  # noqa: SLF001
         del loop.time
-        _put_off(loop, loop.time() - self._now)
+        _shift_timers(loop, loop.time() - self._now)
 
-    def pass_by(self, seconds: float) -> None:
-        """Let time pass; called by the loop."""
+    def advance(self, seconds: float) -> None:
+        """Advance the time; called by the selector."""
         self._now += seconds
 
 
-def _put_off(loop: Any, seconds: float) -> None:
-    """Timers that run already keep the time that is left to them when the clock is changed by so much."""
+def _shift_timers(loop: Any, seconds: float) -> None:
+    """Shift the running timers when the clock is shifted, so that each keeps its remaining time."""
     for handle in loop._scheduled:  # noqa: SLF001
         handle._when += seconds  # noqa: SLF001
 
 
-class _Jumps:
-    """A selector that does not wait when it is told for how long."""
+class _VirtualSelector:
+    """A selector that advances the clock instead of waiting for a timeout."""
 
     def __init__(self, selector: Any, clock: VirtualClock) -> None:
         self._selector = selector
@@ -87,7 +87,7 @@ class _Jumps:
         return getattr(self._selector, name)
 
     def select(self, timeout: float | None = None) -> Any:
-        """What is ready now; when nothing is, the time-out is over. Without one it waits for real."""
+        """The ready files. If none is ready, the timeout passes at once; without a timeout it waits in real time."""
         ready = self._selector.select(0 if timeout is not None else None)
-        self._clock.pass_by((timeout or 0.0) + TURN if not ready else TURN)
+        self._clock.advance((timeout or 0.0) + ITERATION_TIME if not ready else ITERATION_TIME)
         return ready

@@ -1,4 +1,4 @@
-"""A network in memory: as bad as a test wants it, the same way each time, and on virtual time."""
+"""A network in memory with loss, delay, duplication and reordering, repeatable, on virtual time."""
 
 from __future__ import annotations
 
@@ -18,22 +18,21 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
 from jauspy.testing.clock import VirtualClock
-from jauspy.testing.place import Place
-from jauspy.testing.robot import VirtualTime
+from jauspy.testing.environment import TestEnvironment, VirtualTime
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
-HELD_BACK: Final = 0.01
-"""Seconds that a datagram which is to be overtaken arrives later than it would."""
+REORDERING_DELAY: Final = 0.01
+"""Seconds by which a datagram is delayed so that others overtake it."""
 MAX_LOG: Final = 100_000
 """Packets that `log` remembers: the latest."""
 
 
-class VirtualNetwork(Place):
-    """`async with VirtualNetwork(loss=0.2, delay=0.05) as network: ...`; everything inside lives on virtual time.
+class VirtualNetwork(TestEnvironment):
+    """`async with VirtualNetwork(loss=0.2, delay=0.05) as network: ...`; everything inside uses virtual time.
 
     `loss`, `duplication` and `reordering` are fractions of the datagrams (0..1), `delay` and `jitter` seconds; jitter
-    is added at random, up to its full value. All may be changed at any time. `seed` makes chance repeatable. `log` has
-    every packet that was sent, also those that were lost.
+    is added at random, up to its full value. All may be changed at any time. `seed` makes it repeatable. `log`
+    holds every packet that was sent, lost ones too.
     """
 
     def __init__(
@@ -51,17 +50,17 @@ class VirtualNetwork(Place):
         self.clock = VirtualClock()
         self.log: deque[Packet] = deque(maxlen=MAX_LOG)
         self.keeps: Callable[[Packet], bool] = lambda _: True
-        """What it says no to is lost, beside what is lost by chance."""
+        """Packets for which it returns false are lost, in addition to random loss."""
         self._cut: set[JausID] = set()
-        self._chance = random.Random(seed)  # noqa: S311 - repeatable, not secret
+        self._random = random.Random(seed)  # noqa: S311 - repeatable, not secret
         self._hub = _Hub(self)
 
     def transport(self, id: str | JausID) -> LoopbackTransport:
-        """A way in for the component of this id."""
+        """A transport for the component of this id."""
         return LoopbackTransport(JausID.of(id), self._hub)
 
     def robot(self, name: str = "inc1") -> RobotRunner:
-        """A whole robot of this name on the `kinematic` backend, to be used with `async with`; it, too, is virtual."""
+        """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
         return RobotRunner(robots.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
 
     def now(self) -> float:
@@ -81,7 +80,7 @@ class VirtualNetwork(Place):
     ) -> None:
         self.clock.__exit__(kind, error, trace)
 
-    # --- making it bad --------------------------------------------------------------------------------------------
+    # --- disturbances ---------------------------------------------------------------------------------------------
 
     def lose(self, kind: type[Message], times: int | None = None, *, after: int = 0) -> None:
         """From now on lose packets with this message: all but the first `after`, and no more than `times`."""
@@ -97,14 +96,14 @@ class VirtualNetwork(Place):
         self.keeps = keeps
 
     def cut(self, id: str | JausID) -> None:
-        """Lose all that this component sends and all that is sent to it, as if its cable were cut."""
+        """Lose all that this component sends and all that is sent to it, as if its cable were unplugged."""
         self._cut.add(JausID.of(id))
 
     def mend(self, id: str | JausID) -> None:
         """Undo `cut`."""
         self._cut.discard(JausID.of(id))
 
-    # --- looking --------------------------------------------------------------------------------------------------
+    # --- traffic --------------------------------------------------------------------------------------------------
 
     def sent(self, kind: type[Message], source: str | JausID | None = None) -> list[Packet]:
         """The packets with this message, from `source` or anybody, that were sent so far."""
@@ -122,15 +121,15 @@ class VirtualNetwork(Place):
         return [self._delay() for _ in range(1 + self._happens(self.duplication))]
 
     def _delay(self) -> float:
-        held_back = HELD_BACK if self._happens(self.reordering) else 0.0
-        return self.delay + held_back + (self._chance.uniform(0.0, self.jitter) if self.jitter else 0.0)
+        reordering = REORDERING_DELAY if self._happens(self.reordering) else 0.0
+        return self.delay + reordering + (self._random.uniform(0.0, self.jitter) if self.jitter else 0.0)
 
     def _happens(self, fraction: float) -> bool:
-        return fraction > 0.0 and self._chance.random() < fraction
+        return fraction > 0.0 and self._random.random() < fraction
 
 
 class _Hub(LoopbackHub):
-    """Routes what arrives, when it does."""
+    """Routes each datagram after its delay."""
 
     def __init__(self, network: VirtualNetwork) -> None:
         super().__init__()

@@ -1,4 +1,4 @@
-"""A real node manager of this process, on a port and in a folder of its own."""
+"""A real node manager in this process, with its own port and folder."""
 
 from __future__ import annotations
 
@@ -17,54 +17,54 @@ from jauspy.modules import robots
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
-from jauspy.testing.place import Place
+from jauspy.testing.environment import TestEnvironment
 from jauspy.transport import LocalTransport
 
 T = TypeVar("T")
 
 
-class LocalNode(Place):
-    """`with LocalNode() as node: ...`: a node manager in a thread, so that it serves whatever the test does.
+class LocalNode(TestEnvironment):
+    """`with LocalNode() as node: ...`: a node manager in a thread, which serves while the test blocks.
 
-    It listens on 127.0.0.1 only, on a free UDP port, and has its sockets
-    in a new folder. `settings` are those of `NodeConfig`, as in `LocalNode(tcp=True)`.
+    It listens on a free UDP port of 127.0.0.1 only, and has its sockets in a temporary folder. `settings` are those of
+    `NodeConfig`, as in `LocalNode(tcp=True)`.
     """
 
     def __init__(self, **settings: Any) -> None:
         self.root = Path(tempfile.mkdtemp(prefix="j"))  # short: a socket's path has at most 107 bytes
         self.port = 0
-        """Its UDP port; the same when it is stopped and started again."""
+        """The UDP port; it stays the same when the node manager is stopped and started again."""
         self._settings: dict[str, Any] = {"address": "127.0.0.1", "local_root": self.root} | settings
         self._portal = Portal("node manager")
         self._manager: NodeManager | None = None
 
     @property
     def udp(self) -> str:
-        """What `OCU(connect=...)` wants to come in by UDP."""
+        """The value of `OCU(connect=...)` for a connection by UDP."""
         return f"udp://127.0.0.1:{self.port}"
 
     @property
     def local(self) -> str:
-        """What `OCU(connect=...)` wants to come in by local sockets."""
+        """The value of `OCU(connect=...)` for a connection by local sockets."""
         return f"local:{self.root}"
 
     @property
     def components(self) -> tuple[JausID, ...]:
         """The ids of the components that are registered."""
-        return self._seen(lambda manager: manager.components, ())
+        return self._read(lambda manager: manager.components, ())
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """What was received, routed and dropped, by reason."""
-        return self._seen(lambda manager: dict(manager.counters), {})
+        """Packets received, routed and dropped, by reason."""
+        return self._read(lambda manager: dict(manager.counters), {})
 
     def transport(self, id: str | JausID) -> LocalTransport:
-        """A way in for the component of this id, by local sockets."""
+        """A local transport for the component of this id."""
         return LocalTransport(JausID.of(id), self.root)
 
     @asynccontextmanager
     async def robot(self, name: str = "inc1") -> AsyncIterator[RobotRunner]:
-        """A whole robot of this name on the `kinematic` backend; it lives in the node manager's thread."""
+        """A whole robot of this name on the `kinematic` backend; it runs in the node manager's thread."""
         runner = RobotRunner(robots.load(name), self.transport, backend="kinematic")
         self._portal.run(runner.open())
         try:
@@ -81,7 +81,7 @@ class LocalNode(Place):
         return datetime.now(UTC)
 
     def start(self) -> None:
-        """Start it, after `stop` too; twice is fine."""
+        """Start it, after `stop` too; without effect when started."""
         if self._manager is None:
             manager = NodeManager(NodeConfig(**{"port": self.port} | self._settings))
             self._portal.open()
@@ -89,21 +89,21 @@ class LocalNode(Place):
             self._manager, self.port = manager, manager.port
 
     def stop(self) -> None:
-        """Stop it, as if it had been ended; twice is fine."""
+        """Stop it; without effect when stopped."""
         manager, self._manager = self._manager, None
         if manager is not None:
             self._portal.run(manager.close())
         self._portal.close()
 
-    def _seen(self, look: Callable[[NodeManager], T], otherwise: T) -> T:
-        """Something of the manager, read in its own thread."""
+    def _read(self, read: Callable[[NodeManager], T], default: T) -> T:
+        """A value of the manager, read in its own thread."""
         manager = self._manager
 
-        async def seen() -> T:
+        async def call() -> T:
             assert manager is not None
-            return look(manager)
+            return read(manager)
 
-        return otherwise if manager is None else self._portal.run(seen())
+        return default if manager is None else self._portal.run(call())
 
     def __enter__(self) -> Self:
         try:

@@ -14,11 +14,11 @@ import pytest
 if TYPE_CHECKING:
     from jauspy.modules.robot import RobotRunner
     from jauspy.ocu import OCU
-    from jauspy.testing import LocalNode, Place, VirtualNetwork
+    from jauspy.testing import LocalNode, TestEnvironment, VirtualNetwork
 
 
 def _asynchronous(function: Callable[..., AsyncIterator[Any]]) -> Any:
-    """A fixture that runs in the test's event loop, whatever mode pytest-asyncio is in."""
+    """A fixture in the event loop of the test, in every mode of pytest-asyncio."""
     if find_spec("pytest_asyncio") is None:
         return pytest.fixture(name=function.__name__)(_without_asyncio)
     import pytest_asyncio  # noqa: PLC0415 - not needed by tests without these fixtures
@@ -32,7 +32,7 @@ def _without_asyncio() -> None:
 
 @pytest.fixture
 def node_manager() -> Iterator[LocalNode]:
-    """A node manager on 127.0.0.1 and in a folder of its own, in a thread of its own."""
+    """A node manager on 127.0.0.1 with its sockets in a temporary folder; it runs in its own thread."""
     from jauspy.testing import LocalNode  # noqa: PLC0415
 
     with LocalNode() as node:
@@ -41,36 +41,36 @@ def node_manager() -> Iterator[LocalNode]:
 
 @_asynchronous
 async def virtual_network() -> AsyncIterator[VirtualNetwork]:
-    """A network in memory, on virtual time; fails a test that leaves tasks or unseen errors behind."""
+    """A network in memory, on virtual time; a test fails when it leaves tasks or unhandled errors behind."""
     from jauspy.testing import VirtualNetwork  # noqa: PLC0415
-    from jauspy.testing.strict import tidy  # noqa: PLC0415
+    from jauspy.testing.assertions import no_leftovers  # noqa: PLC0415
 
-    async with tidy(), VirtualNetwork() as network:
+    async with no_leftovers(), VirtualNetwork() as network:
         yield network
 
 
 @pytest.fixture
-def place(request: pytest.FixtureRequest) -> Place:
-    """`node_manager` when the test uses it, else `virtual_network`; `ocu` is there."""
+def environment(request: pytest.FixtureRequest) -> TestEnvironment:
+    """`node_manager` when the test uses it, else `virtual_network`; `ocu` and `robot` are in it."""
     names = {"node_manager", "virtual_network"} & set(request.fixturenames)
     if len(names) == 2:
         pytest.fail(
             "a test uses either node_manager, on real time, or virtual_network, on virtual time; not both",
             pytrace=False,
         )
-    found: Place = request.getfixturevalue(names.pop() if names else "virtual_network")
+    found: TestEnvironment = request.getfixturevalue(names.pop() if names else "virtual_network")
     return found
 
 
 @_asynchronous
-async def ocu(place: Place) -> AsyncIterator[OCU]:
-    """An OCU, 42.1.1, on the node manager that the test uses, else on the virtual network."""
-    async with place.ocu() as opened:
+async def ocu(environment: TestEnvironment) -> AsyncIterator[OCU]:
+    """An open OCU, 42.1.1, in `environment`."""
+    async with environment.ocu() as opened:
         yield opened
 
 
 @_asynchronous
-async def robot(place: Place) -> AsyncIterator[RobotRunner]:
-    """The robot `inc1`, subsystem 101, on the kinematic backend, where `ocu` is."""
-    async with place.robot() as running:
+async def robot(environment: TestEnvironment) -> AsyncIterator[RobotRunner]:
+    """The robot `inc1`, subsystem 101, on the kinematic backend, in `environment`."""
+    async with environment.robot() as running:
         yield running

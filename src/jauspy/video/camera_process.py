@@ -1,73 +1,63 @@
-"""A camera in a process of its own, as the robot's process has it: it starts it, tells it what to do, restarts it."""
+"""A camera in a worker process: started when somebody first wants an image, restarted when it dies."""
 
 from __future__ import annotations
 
 import asyncio
 import logging
 import time
-from collections import Counter
-from collections.abc import Mapping
-from contextlib import suppress
-from types import TracebackType
-from typing import Final, Self
+from collections.abc import Callable, Iterator, Mapping
+from typing import Final, TypeAlias
 
-from jauspy import workers
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import Camera, CameraSetup
-from jauspy.platform.video_settings import StillSettings, VideoSettings
-from jauspy.video.extra import need_video
-from jauspy.video.orders import Address, Begin, Change, Counted, Leave, Opened, Order, Take, Taken, Watch
+from jauspy.platform.stills import Still, StillSettings
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video import need_video
+from jauspy.video.camera_protocol import (
+    AddReceiver,
+    Address,
+    ChangeSettings,
+    RemoveReceiver,
+    StartCamera,
+    StillTaken,
+    TakeStill,
+)
 from jauspy.video.sender import MAX_RECEIVERS
-from jauspy.video.still_orders import StillOrders, Then
-from jauspy.video.worker_process import WorkerProcess
+from jauspy.worker_process import SupervisedWorker
 
+NICENESS: Final = 15
+"""Above that of the robot's process: video never delays control, and gets the processor time that is left."""
 STILL_TIMEOUT: Final = 30.0
-"""Seconds that a process may be silent while a still image is wanted; one that is longer hangs."""
+"""Seconds that a worker may be silent while a still image is wanted, until it counts as hung."""
 START_TIMEOUT: Final = 90.0
-"""Seconds that it may be until its camera is open; where many processes share a small machine that takes a while."""
+"""The same until the camera is open, which takes long where many processes share a small machine."""
+MAX_PENDING_STILLS: Final = 8
+"""Still images that may be under way; further ones are refused."""
 
 _LOG: Final = logging.getLogger("jauspy.video")
 
+StillCallback: TypeAlias = Callable[[Still | None], None]
 
-class CameraProcess:
-    """Starts when somebody first wants something of it between `open` and `close`. What holds survives a restart.
 
-    Counters: those of the sender; `started` processes, `hung` ones, `stills` taken, and `stills_lost` with a process.
+class CameraProcess(SupervisedWorker):
+    """Streams video and takes still images. Receivers, settings and pending stills survive a restart of the worker.
+
+    Counters: those of the sender; `started` workers, `hung` ones, `stills` taken, and `stills_lost` with a worker.
     """
 
     def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
+        super().__init__("jauspy.video.camera_worker", NICENESS, f"camera {camera.setup.name}", _LOG)
         self._camera, self._settings, self._stamped = camera, settings, stamped
         self._receivers: dict[Address, bool] = {}
-        self._stills = StillOrders()
-        self._own: Counter[str] = Counter()
-        self._sent: Counter[str] = Counter()
-        self._before: Counter[str] = Counter()
-        self._description = ""
-        self._process: WorkerProcess | None = None
+        self._stills = PendingStills()
         self._heard_at = 0.0
-        self._patience = START_TIMEOUT
-        self._keeper: asyncio.Task[None] | None = None
+        self._timeout = START_TIMEOUT
         self._is_open = False
 
     @property
     def setup(self) -> CameraSetup:
-        """What the camera is."""
+        """Name, link and field of view of the camera."""
         return self._camera.setup
-
-    @property
-    def pid(self) -> int | None:
-        """Of the process that runs; None between two."""
-        return None if self._process is None else self._process.pid
-
-    @property
-    def counters(self) -> Mapping[str, int]:
-        """What was counted so far, by all its processes."""
-        return self._own + self._before + self._sent
-
-    @property
-    def description(self) -> str:
-        """How the camera comes to its pictures; empty before it is open."""
-        return self._description
 
     @property
     def settings(self) -> VideoSettings:
@@ -77,127 +67,124 @@ class CameraProcess:
     @settings.setter
     def settings(self, settings: VideoSettings) -> None:
         self._settings = settings
-        self._order(Change(settings))
+        self._send(ChangeSettings(settings))
 
     @property
     def receivers(self) -> Mapping[Address, bool]:
-        """Who is sent to, and whether they play."""
+        """The receivers, and whether they play."""
         return dict(self._receivers)
 
     def watch(self, address: Address, *, playing: bool = True) -> None:
-        """Send there, from an IDR on, or pause; `ConfigError` without the extra, or for one receiver too many."""
+        """Send to this address, from an IDR picture on, or pause sending.
+
+        Raises `ConfigError` without the extra `video`, or for one receiver too many.
+        """
         if address not in self._receivers and len(self._receivers) >= MAX_RECEIVERS:
             raise ConfigError(f"{MAX_RECEIVERS} receivers watch this camera already; one must leave first")
         self._wake()
         self._receivers[address] = playing
-        self._order(Watch(address, playing))
+        self._send(AddReceiver(address, playing))
 
     def leave(self, address: Address) -> None:
-        """Send there no longer; unknown ones are no error."""
+        """Stop sending to this address; without effect for an unknown one."""
         if self._receivers.pop(address, None) is not None:
-            self._order(Leave(address))
+            self._send(RemoveReceiver(address))
 
-    def take(self, settings: StillSettings, then: Then) -> None:
-        """Take a still image; `then` gets it, or None if its process dies.
+    def take(self, settings: StillSettings, callback: StillCallback) -> None:
+        """Take a still image, which is passed to `callback`, or None if the worker dies.
 
-        Raises `ConfigError` without the extra, or when too many wait.
+        Raises `ConfigError` without the extra `video`, or when too many still images are under way.
         """
         self._stills.check()
         self._wake()
-        order = self._stills.add(settings, then)
-        self._order(order)
+        command = self._stills.add(settings, callback)
+        self._send(command)
         if self._is_open:
-            asyncio.get_running_loop().call_later(STILL_TIMEOUT, self._look_after, order)
+            asyncio.get_running_loop().call_later(STILL_TIMEOUT, self._check_still, command)
 
     async def open(self) -> None:
-        """Be ready to start; twice is fine."""
+        """Allow the worker to start when it is first needed; without effect when open."""
         self._is_open = True
 
     async def close(self) -> None:
-        """End the process; twice is fine."""
+        """Stop the worker; without effect when closed."""
         self._is_open = False
-        if self._keeper is not None:
-            self._keeper.cancel()
-            with suppress(asyncio.CancelledError):
-                await self._keeper
-            self._keeper = None
-        if self._process is not None:
-            await self._process.stop()
-            self._end()
+        await super().close()
 
-    async def __aenter__(self) -> Self:
-        await self.open()
-        return self
-
-    async def __aexit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
-    ) -> None:
-        await self.close()
+    @property
+    def _descriptors(self) -> tuple[int, ...]:
+        return self._camera.descriptors
 
     def _wake(self) -> None:
-        if self._keeper is None and self._is_open:
+        if self._task is None and self._is_open:
             need_video()
-            self._keeper = asyncio.get_running_loop().create_task(
-                workers.keep(self._live, self._say), name=f"camera {self.setup.name}"
-            )
+            self._supervise()
 
-    def _order(self, order: Order) -> None:
-        if self._process is not None and not self._process.order(order):
-            self._kill(self._process)
-
-    def _look_after(self, order: Take) -> None:
-        if order not in self._stills or self._process is None:
+    def _check_still(self, command: TakeStill) -> None:
+        """Kill a worker that has been silent for too long while this image is wanted."""
+        if command not in self._stills or self._process is None:
             return
-        left = self._heard_at + self._patience - time.monotonic()
+        left = self._heard_at + self._timeout - time.monotonic()
         if left <= 0.0:
             self._kill(self._process)
         else:
-            asyncio.get_running_loop().call_later(left, self._look_after, order)
+            asyncio.get_running_loop().call_later(left, self._check_still, command)
 
-    def _kill(self, process: WorkerProcess) -> None:
-        self._own["hung"] += 1
-        process.kill()
-
-    async def _start(self) -> WorkerProcess:
-        self._process = process = await WorkerProcess.start(self._camera.descriptors)
-        self._own["started"] += 1
-        self._heard_at, self._patience = time.monotonic(), START_TIMEOUT
-        self._order(Begin(self._camera, self._settings, self._stamped))
+    def _on_started(self) -> None:
+        self._heard_at, self._timeout = time.monotonic(), START_TIMEOUT
+        self._send(StartCamera(self._camera, self._settings, self._stamped))
         for address, playing in self._receivers.items():
-            self._order(Watch(address, playing))
-        for order in self._stills:
-            self._order(order)
-        return process
+            self._send(AddReceiver(address, playing))
+        for command in self._stills:
+            self._send(command)
 
-    async def _live(self) -> int:
-        """One process, from start to end; hears what it says."""
-        process = await self._start()
-        async for word in process.words():
-            self._hear(word)
-        status = await process.ended()
-        self._end()
-        return status
+    def _on_message(self, message: object) -> None:
+        self._heard_at, self._timeout = time.monotonic(), STILL_TIMEOUT
+        if isinstance(message, StillTaken):
+            self._own["stills"] += 1
+            self._stills.deliver(message, time.monotonic())
+        else:
+            super()._on_message(message)
 
-    def _say(self, status: int, pause: float) -> None:
-        name = self._camera.setup.name
-        _LOG.warning("camera %s: its process ended (%s); it starts again in %.1f s", name, status, pause)
+    def _on_ended(self) -> None:
+        self._own["stills_lost"] += self._stills.fail()
 
-    def _hear(self, word: object) -> None:
-        self._heard_at, self._patience = time.monotonic(), STILL_TIMEOUT
-        match word:
-            case Opened(description, reduced):
-                if description != self._description:
-                    level = logging.WARNING if reduced else logging.INFO
-                    _LOG.log(level, "camera %s: %s", self._camera.setup.name, description)
-                self._description = description
-            case Taken():
-                self._own["stills"] += 1
-                self._stills.deliver(word, time.monotonic())
-            case Counted(counters):
-                self._sent = Counter(counters)
 
-    def _end(self) -> None:
-        self._process = None
-        self._before += self._sent
-        self._sent = Counter()
-        self._own["stills_lost"] += self._stills.lose()
+class PendingStills:
+    """Still images that were requested and not delivered, by number; numbers continue over restarts of the worker."""
+
+    def __init__(self) -> None:
+        self._pending: dict[int, tuple[TakeStill, StillCallback]] = {}
+        self._number = 0
+
+    def __iter__(self) -> Iterator[TakeStill]:
+        return (command for command, _ in self._pending.values())
+
+    def __contains__(self, command: TakeStill) -> bool:
+        return command.number in self._pending
+
+    def check(self) -> None:
+        """Raise `ConfigError` when there are too many."""
+        if len(self._pending) >= MAX_PENDING_STILLS:
+            raise ConfigError(
+                f"{MAX_PENDING_STILLS} still images of this camera are under way; ask again when one has come"
+            )
+
+    def add(self, settings: StillSettings, callback: StillCallback) -> TakeStill:
+        """Add an image; returns the command for the worker."""
+        self._number += 1
+        command = TakeStill(self._number, settings)
+        self._pending[command.number] = (command, callback)
+        return command
+
+    def deliver(self, taken: StillTaken, now: float) -> None:
+        """Pass an image to its callback; `now` is in seconds of the machine's monotonic clock."""
+        _, callback = self._pending.pop(taken.number)
+        callback(Still(taken.content, now - taken.at))
+
+    def fail(self) -> int:
+        """Pass None to all callbacks; returns how many there were."""
+        lost, self._pending = self._pending, {}
+        for _, callback in lost.values():
+            callback(None)
+        return len(lost)

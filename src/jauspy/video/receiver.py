@@ -10,14 +10,13 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.errors import ProtocolError, TransportError
-from jauspy.video.depacketiser import Depacketiser, Picture
-from jauspy.video.rtcp import clock_of, picture_loss
-from jauspy.video.rtp import CLOCK, RtpPacket
+from jauspy.video.h264_payload import Depacketiser, Picture
+from jauspy.video.rtp import CLOCK_RATE, RtpPacket, picture_loss_indication, sender_clock
 
-READS: Final = 256
+MAX_DATAGRAMS: Final = 256
 """Datagrams taken in one go."""
 
-BUFFER: Final = 1 << 20
+RECEIVE_BUFFER: Final = 1 << 20
 """Bytes that the socket is asked to hold, so that a large picture finds room."""
 
 
@@ -54,7 +53,7 @@ class RtpReceiver:
         """The pictures that what has arrived completes; never waits."""
         pictures: list[Picture] = []
         self._learn()
-        for _ in range(READS):
+        for _ in range(MAX_DATAGRAMS):
             try:
                 datagram = self._rtp.recv(65536)
             except OSError:
@@ -70,7 +69,7 @@ class RtpReceiver:
             return None
         utc, timestamp = self._clock
         since = (picture.timestamp - timestamp + (1 << 31)) % (1 << 32) - (1 << 31)
-        return utc + since / CLOCK
+        return utc + since / CLOCK_RATE
 
     def close(self) -> None:
         """Give the ports back; twice is fine."""
@@ -95,18 +94,18 @@ class RtpReceiver:
         return self._depacketiser.feed(packet)
 
     def _learn(self) -> None:
-        for _ in range(READS):
+        for _ in range(MAX_DATAGRAMS):
             try:
                 heard, self._reporter = self._rtcp.recvfrom(2048)
             except OSError:
                 break
-            self._clock = clock_of(heard) or self._clock
+            self._clock = sender_clock(heard) or self._clock
 
     def _ask(self) -> None:
         if self._reporter is None:
             return
         try:
-            self._rtcp.sendto(picture_loss(self._ssrc, self._source), self._reporter)
+            self._rtcp.sendto(picture_loss_indication(self._ssrc, self._source), self._reporter)
         except OSError:  # the next IDR comes without it, too
             return
         self._counters["asked"] += 1
@@ -132,7 +131,7 @@ def _bound(host: str, port: int) -> socket.socket:
     opened = socket.socket(socket.AF_INET6 if ":" in host else socket.AF_INET, socket.SOCK_DGRAM)
     try:
         opened.setblocking(False)
-        opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, BUFFER)
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
         opened.bind((host, port))
     except (OSError, OverflowError) as error:
         opened.close()

@@ -14,12 +14,12 @@ from av.error import FFmpegError
 from av.video.stream import VideoStream
 
 from jauspy.errors import ConfigError
-from jauspy.video import nal
-from jauspy.video.depacketiser import Picture
-from jauspy.video.rtp import CLOCK
+from jauspy.video import h264_payload
+from jauspy.video.h264_payload import Picture
+from jauspy.video.rtp import CLOCK_RATE
 
-_TICK: Final = Fraction(1, CLOCK)
-_AFTER_RESTART: Final = CLOCK // 10
+_TICK: Final = Fraction(1, CLOCK_RATE)
+_AFTER_RESTART: Final = CLOCK_RATE // 10
 """Ticks from the last picture of one source to the first of the next: no clock tells how long it really was."""
 
 
@@ -42,7 +42,9 @@ class Recorder:
 
     def add(self, picture: Picture) -> None:
         """Write a picture, at the time that its stamp says."""
-        parameters = nal.join(unit for unit in picture.nals if nal.kind(unit) in {nal.SPS, nal.PPS})
+        parameters = h264_payload.join_nals(
+            unit for unit in picture.nals if h264_payload.nal_type(unit) in {h264_payload.SPS, h264_payload.PPS}
+        )
         if self._stream is None:
             if picture.is_idr and picture.whole:
                 self._begin(picture, parameters)
@@ -67,7 +69,7 @@ class Recorder:
     def _begin(self, picture: Picture, parameters: bytes) -> None:
         """Size and parameter sets, as the container wants them, are read from the picture."""
         try:
-            with av.open(BytesIO(nal.join(picture.nals)), format="h264") as sample:
+            with av.open(BytesIO(h264_payload.join_nals(picture.nals)), format="h264") as sample:
                 stream = self._container.add_stream_from_template(sample.streams.video[0])
         except (FFmpegError, IndexError):  # no picture that a decoder knows
             return
@@ -76,7 +78,7 @@ class Recorder:
         self._first, self._last, self._source = picture.timestamp, -1, picture.source
 
     def _write(self, stream: VideoStream, picture: Picture) -> None:
-        packet = av.Packet(nal.join(picture.nals))
+        packet = av.Packet(h264_payload.join_nals(picture.nals))
         packet.stream, packet.time_base, packet.is_keyframe = stream, _TICK, picture.is_idr
         if picture.source != self._source:  # its camera began anew, with another clock
             self._first, self._source = picture.timestamp - self._last - _AFTER_RESTART, picture.source

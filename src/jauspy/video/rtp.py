@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import struct
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Final
 
 from jauspy.errors import ProtocolError
 
-CLOCK: Final = 90_000
+CLOCK_RATE: Final = 90_000
 """Ticks of a video time stamp in a second (RFC 6184, 8.1)."""
 
 PAYLOAD_TYPE: Final = 96
@@ -22,7 +23,7 @@ _MARKER: Final = 0x80
 
 @dataclass(frozen=True, slots=True)
 class RtpPacket:
-    """One packet. `marker`: the last of its picture. `timestamp`: in ticks of `CLOCK`, modulo 2**32."""
+    """One packet. `marker`: the last of its picture. `timestamp`: in ticks of `CLOCK_RATE`, modulo 2**32."""
 
     sequence: int
     timestamp: int
@@ -56,3 +57,88 @@ def _payload(data: bytes, first: int) -> tuple[int, int]:
     if end <= begin:
         raise ProtocolError("not_rtp", "it has no payload")
     return begin, end
+
+
+REPORT_INTERVAL: Final = 5.0
+"""Seconds between two reports to a receiver."""
+
+_SENDER: Final = struct.Struct("!BBHIIIIII")
+_NTP_EPOCH: Final = 2_208_988_800
+"""Seconds from 1900, where NTP's time begins, to 1970."""
+
+_SENDER_REPORT: Final = 200
+_SOURCE_DESCRIPTION: Final = 202
+_FEEDBACK: Final = 206
+_PICTURE_LOSS, _FULL_INTRA = 1, 4
+_CNAME: Final = 1
+
+
+def sender_report(ssrc: int, name: str, *, utc: float, timestamp: int, packets: int, octets: int) -> bytes:
+    """Report and name of a source: at `utc` (seconds since 1970) the stream's clock showed `timestamp`."""
+    seconds, fraction = divmod(utc + _NTP_EPOCH, 1.0)
+    counts = (packets & 0xFFFFFFFF, octets & 0xFFFFFFFF)
+    ntp = (int(seconds) & 0xFFFFFFFF, int(fraction * 2**32))
+    return _SENDER.pack(0x80, _SENDER_REPORT, 6, ssrc, *ntp, timestamp & 0xFFFFFFFF, *counts) + _source_description(
+        ssrc, name
+    )
+
+
+def _source_description(ssrc: int, name: str) -> bytes:
+    text = name.encode()[:255]
+    item = bytes([_CNAME, len(text)]) + text
+    chunk = ssrc.to_bytes(4, "big") + item + bytes(4 - len(item) % 4)
+    return struct.pack("!BBH", 0x81, _SOURCE_DESCRIPTION, len(chunk) // 4) + chunk
+
+
+def sender_clock(data: bytes) -> tuple[float, int] | None:
+    """Seconds since 1970, and what the stream's clock showed then, of a sender report; None of anything else."""
+    if len(data) < _SENDER.size or data[0] & 0xC0 != 0x80 or data[1] != _SENDER_REPORT:
+        return None
+    _, _, _, _, seconds, fraction, timestamp, _, _ = _SENDER.unpack_from(data)
+    return seconds - _NTP_EPOCH + fraction / 2**32, timestamp
+
+
+def picture_loss_indication(receiver: int, source: int) -> bytes:
+    """A receiver asks a source for a whole picture (PLI)."""
+    return struct.pack("!BBHII", 0x80 | _PICTURE_LOSS, _FEEDBACK, 2, receiver, source)
+
+
+def requests_picture(data: bytes) -> bool:
+    """Whether a receiver's packets ask for a whole picture (PLI or FIR); anything else does not."""
+    while len(data) >= 4 and data[0] & 0xC0 == 0x80:
+        length = 4 * (1 + int.from_bytes(data[2:4], "big"))
+        if data[1] == _FEEDBACK and data[0] & 0x1F in {_PICTURE_LOSS, _FULL_INTRA} and length <= len(data):
+            return True
+        data = data[length:]
+    return False
+
+
+def session_description(name: str, address: str, port: int) -> str:
+    """The SDP with which a player receives the stream at that address and port."""
+    family = "IP6" if ":" in address else "IP4"
+    title = " ".join(name.split()) or "-"
+    lines = [
+        "v=0",
+        f"o=- 0 0 IN {family} {address}",
+        f"s={title}",
+        f"c=IN {family} {address}",
+        "t=0 0",
+        f"m=video {port} RTP/AVP {PAYLOAD_TYPE}",
+        f"a=rtpmap:{PAYLOAD_TYPE} H264/{CLOCK_RATE}",
+        f"a=fmtp:{PAYLOAD_TYPE} packetization-mode=1",
+        "a=recvonly",
+    ]
+    return "".join(f"{line}\r\n" for line in lines)
+
+
+def ffmpeg_source(sdp: Path) -> list[str]:
+    """Options of ffmpeg, ffplay and ffprobe. They decode a picture when the next one begins, later than GStreamer."""
+    quick = ["-fflags", "nobuffer", "-flags", "low_delay"]
+    return ["-protocol_whitelist", "file,udp,rtp", *quick, "-i", str(sdp)]
+
+
+def gstreamer_source(port: int) -> list[str]:
+    """The beginning of a pipeline of gst-launch-1.0, up to decoded pictures. It waits for late packets for 20 ms."""
+    caps = f"application/x-rtp,media=video,clock-rate={CLOCK_RATE},encoding-name=H264,payload={PAYLOAD_TYPE}"
+    stages = [["rtpjitterbuffer", "latency=20"], ["rtph264depay"], ["avdec_h264", "max-threads=1"]]
+    return ["udpsrc", f"port={port}", f"caps={caps}", *(word for stage in stages for word in ("!", *stage))]

@@ -2,29 +2,84 @@
 
 from __future__ import annotations
 
+import secrets
 import socket
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from types import TracebackType
 from typing import Final, Self
 
 from jauspy.errors import ConfigError, TransportError
-from jauspy.video import nal
-from jauspy.video.orders import Address
-from jauspy.video.packetiser import payloads
-from jauspy.video.rtcp import asks_for_picture
-from jauspy.video.stream import RtpStream
+from jauspy.video import h264_payload
+from jauspy.video.camera_protocol import Address
+from jauspy.video.h264_payload import packetise
+from jauspy.video.rtp import CLOCK_RATE, REPORT_INTERVAL, RtpPacket, requests_picture, sender_report
+
+_NEVER: Final = float("-inf")
+
+
+class RtpStream:
+    """Begins with an IDR, so what comes before one is not sent; numbers have no gaps where the sender made a pause."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+        self._ssrc = secrets.randbits(32)
+        self._sequence = secrets.randbits(16)
+        self._epoch = secrets.randbits(32)
+        self._packets = self._octets = 0
+        self._reported = _NEVER
+        self._waiting = True
+
+    @property
+    def waiting(self) -> bool:
+        """It needs an IDR to begin, or to go on after a pause."""
+        return self._waiting
+
+    def pause(self) -> None:
+        """What comes until the next IDR is of no use to the receiver."""
+        self._waiting = True
+
+    def packets(self, payloads: Sequence[bytes], *, idr: bool, now: float) -> Iterator[bytes]:
+        """The packets of a picture taken at `now` (seconds of a monotonic clock)."""
+        if self._waiting and not idr:
+            return
+        self._waiting = False
+        timestamp = self._timestamp(now)
+        for number, payload in enumerate(payloads, start=1):
+            packet = RtpPacket(self._sequence, timestamp, self._ssrc, payload, marker=number == len(payloads))
+            self._sequence = (self._sequence + 1) & 0xFFFF
+            self._packets += 1
+            self._octets += len(payload)
+            yield packet.encode()
+
+    def report(self, now: float, utc: float) -> bytes | None:
+        """The sender report that is due, if one is; `utc`: seconds since 1970 at `now`."""
+        if now - self._reported < REPORT_INTERVAL or not self._packets:
+            return None
+        self._reported = now
+        return sender_report(
+            self._ssrc,
+            self._name,
+            utc=utc,
+            timestamp=self._timestamp(now),
+            packets=self._packets,
+            octets=self._octets,
+        )
+
+    def _timestamp(self, now: float) -> int:
+        return (self._epoch + round(now * CLOCK_RATE)) & 0xFFFFFFFF
+
 
 MAX_RECEIVERS: Final = 8
 
-IDR_PAUSE: Final = 0.5
+MIN_IDR_INTERVAL: Final = 0.5
 """Seconds that receivers' wishes for an IDR wait for one another."""
 
-BUFFER: Final = 1 << 20
+SEND_BUFFER: Final = 1 << 20
 """Bytes that the socket is asked to hold: a picture is sent in one go."""
 
-READS: Final = 64
+MAX_FEEDBACK_PACKETS: Final = 64
 """Packets of receivers that are looked at after one picture."""
 
 
@@ -68,7 +123,7 @@ class RtpSender:
         """
         if address not in self._receivers and len(self._receivers) >= MAX_RECEIVERS:
             raise ConfigError(f"video: {MAX_RECEIVERS} receivers watch {self.name} already; one must leave first")
-        family, rtp = _look_up(*address)
+        family, rtp = _resolve(*address)
         self._open(family)
         rtcp = (rtp[0], address[1] + 1, *rtp[2:])
         self._receivers[address] = _Receiver(rtp, rtcp, RtpStream(self.name))
@@ -92,14 +147,14 @@ class RtpSender:
         """Whether the next picture should be an IDR: somebody begins, or asked for it."""
         self._listen()
         begins = any(receiver.playing and receiver.stream.waiting for receiver in self._receivers.values())
-        return begins or (self._asked and now - self._last_idr >= IDR_PAUSE)
+        return begins or (self._asked and now - self._last_idr >= MIN_IDR_INTERVAL)
 
     def send(self, nals: Sequence[bytes], now: float, utc: float) -> None:
         """Send a picture taken at `now` (monotonic seconds), `utc` (seconds since 1970), to all that play."""
-        idr = any(nal.kind(unit) == nal.IDR for unit in nals)
+        idr = any(h264_payload.nal_type(unit) == h264_payload.IDR for unit in nals)
         if idr:
             self._asked, self._last_idr = False, now
-        packed = payloads(nals)
+        packed = packetise(nals)
         for receiver in self._receivers.values():
             if receiver.playing:
                 self._send_to(receiver, packed, idr=idr, now=now, utc=utc)
@@ -128,7 +183,7 @@ class RtpSender:
         except OSError as error:
             raise TransportError(f"video: no socket to send from: {error}") from error
         opened.setblocking(False)
-        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, BUFFER)
+        opened.setsockopt(socket.SOL_SOCKET, socket.SO_SNDBUF, SEND_BUFFER)
         self._sockets[family] = opened
 
     def _send_to(self, receiver: _Receiver, packed: Sequence[bytes], *, idr: bool, now: float, utc: float) -> None:
@@ -149,19 +204,19 @@ class RtpSender:
     def _listen(self) -> None:
         """Receivers answer to where the reports came from."""
         for opened in self._sockets.values():
-            for _ in range(READS):
+            for _ in range(MAX_FEEDBACK_PACKETS):
                 try:
                     heard = opened.recv(2048)
                 except BlockingIOError:
                     break
                 except OSError:  # word of an earlier packet that nobody took
                     continue
-                if asks_for_picture(heard):
+                if requests_picture(heard):
                     self._asked = True
                     self.counters["idr_asked"] += 1
 
 
-def _look_up(host: str, port: int) -> tuple[int, tuple[object, ...]]:
+def _resolve(host: str, port: int) -> tuple[int, tuple[object, ...]]:
     if not 1 <= port <= 65534:
         raise ConfigError(f"video: port {port} is not in 1..65534")
     try:

@@ -15,7 +15,7 @@ from jauspy.errors import ControlRejected, RequestError
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
 from jauspy.ocu import OCU
-from jauspy.testing import Place
+from jauspy.testing import TestEnvironment
 
 
 @pytest.fixture
@@ -45,11 +45,11 @@ async def test_a_robot_that_does_not_get_there_is_given_up(
     assert holders(robot) == {None}
 
 
-async def test_who_takes_the_robot_ends_the_drive(robot: RobotRunner, tour: Tour, place: Place) -> None:
+async def test_who_takes_the_robot_ends_the_drive(robot: RobotRunner, tour: Tour, environment: TestEnvironment) -> None:
     touring = asyncio.create_task(tour.run())
     while robot.snapshot is None or robot.snapshot.pose.x < 0.1:
         await asyncio.sleep(0.05)
-    async with place.ocu("43.1.1") as other:
+    async with environment.ocu("43.1.1") as other:
         driver = (await other.discover(101)).service("LocalWaypointDriver")
         async with driver.control(authority=plan.AUTHORITY + 1):
             with pytest.raises(ControlRejected, match="was lost"):

@@ -63,7 +63,7 @@ LINES = [
 
 
 @pytest.mark.parametrize(("robot", "start", "moving"), LINES)
-def test_the_tool_moves_straight_and_as_fast_as_it_was_told(robot: str, start, moving: Vector) -> None:
+def test_the_tool_moves_on_a_straight_line_at_the_commanded_velocity(robot: str, start, moving: Vector) -> None:
     run = Run(arm_of(robot, start))
     run.go(ZERO, moving, 2.0)
     speed = math.hypot(*moving)
@@ -92,7 +92,7 @@ def test_the_tool_turns_about_its_point(robot: str, start, joint: int) -> None:
     assert run.aside < 0.001
 
 
-def test_what_joints_cannot_do_is_slower_on_the_same_line() -> None:
+def test_a_velocity_beyond_the_joints_is_scaled_down_on_the_same_line() -> None:
     run = Run(arm_of("inc1", OUT_THERE))
     run.go(ZERO, (-2.0, 0.0, -2.0), 0.6)
     assert run.aside < 0.004

@@ -2,25 +2,29 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from fractions import Fraction
 from typing import TYPE_CHECKING, Final
 
 import av
 import cv2
 import numpy as np
+from av.codec.context import Flags
+from av.error import FFmpegError
 from av.video.codeccontext import VideoCodecContext
 from av.video.frame import PictureType
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.platform.video_settings import LEVELS, Profile, VideoSettings
-from jauspy.video import nal
-from jauspy.video.packetiser import MAX_PAYLOAD
+from jauspy.platform.h264 import LEVELS, Profile
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.video import h264_payload
+from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Image
 
-BUFFER: Final = 0.25
+VBV_BUFFER: Final = 0.25
 """Seconds of the bit rate that one picture may take at most, so that an IDR is no flood."""
 
 
@@ -59,7 +63,7 @@ class H264Encoder:
         frame.pts = self._count
         frame.pict_type = PictureType.I if idr else PictureType.NONE
         self._count += 1
-        return nal.split(b"".join(bytes(packet) for packet in self._codec.encode(frame)))
+        return h264_payload.split_nals(b"".join(bytes(packet) for packet in self._codec.encode(frame)))
 
 
 def _open(settings: VideoSettings) -> VideoCodecContext:
@@ -90,9 +94,33 @@ def _parameters(settings: VideoSettings) -> dict[str, object]:
     return level | {
         "slice-max-size": MAX_PAYLOAD,
         "vbv-maxrate": rate,
-        "vbv-bufsize": round(rate * BUFFER),
+        "vbv-bufsize": round(rate * VBV_BUFFER),
         "scenecut": 0,
         "cabac": int(profile is not Profile.BASELINE),
         "8x8dct": int(profile is Profile.HIGH),
         "intra-refresh": int(settings.coding.gradual),
     }
+
+
+class H264Decoder:
+    """Counters: `decoded`, `undecodable` (pictures from which the decoder made none, or an error)."""
+
+    def __init__(self) -> None:
+        self.counters: Counter[str] = Counter()
+        codec = av.CodecContext.create("h264", "r")
+        assert isinstance(codec, VideoCodecContext)
+        codec.thread_count = 1
+        codec.flags |= Flags.low_delay
+        self._codec = codec
+
+    def decode(self, picture: Picture) -> Image | None:
+        """The image, red, green and blue; None when the decoder cannot make one of it."""
+        try:
+            frames = self._codec.decode(av.Packet(h264_payload.join_nals(picture.nals)))
+        except FFmpegError:
+            frames = []
+        if not frames:
+            self.counters["undecodable"] += 1
+            return None
+        self.counters["decoded"] += 1
+        return frames[-1].to_ndarray(format="rgb24")  # type: ignore[return-value]  # PyAV does not say of which numbers

@@ -223,7 +223,7 @@ def test_a_velocity_outside_of_the_limits_is_ignored(ready, speed) -> None:
 
 
 @pytest.mark.parametrize("sign", [-1.0, 1.0])
-def test_what_is_reported_as_the_limit_may_be_commanded(ready, drive, sign) -> None:
+def test_the_reported_limit_may_be_commanded(ready, drive, sign) -> None:
     limit = ready.ask(B, QueryVelocityCommand(ALL, MAX if sign > 0 else MIN))
     ready.tell(A, SetVelocityCommand(command_type=CURRENT, velocity_x=limit.velocity_x, yaw_rate=limit.yaw_rate))
     ready.run(1.0)
@@ -300,7 +300,7 @@ def test_a_wide_vector_keeps_its_datum(ready) -> None:
 
 
 @pytest.mark.parametrize("kind", [REVOLUTIONS, INDICATED])
-def test_speeds_that_tracks_have_not_are_counted_and_ignored(ready, drive, kind) -> None:
+def test_speeds_that_are_not_over_ground_are_counted_and_ignored(ready, drive, kind) -> None:
     ready.tell(A, SetLocalVectorExt(speed=Speed(kind, 5.0), heading=0.0))
     ready.run(0.5)
     assert drive.effort == (0.0, 0.0)

@@ -1,4 +1,4 @@
-"""Processes that work for another, and must not hold it up."""
+"""Worker processes must not delay their parent."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ import pytest
 
 PROGRAM = """
 import json, os
-from jauspy.workers import give_way
-give_way(7)
+from jauspy.worker_process import lower_priority
+lower_priority(7)
 print(json.dumps([os.nice(0), sorted(os.sched_getaffinity(0))]))
 """
 
 
-def given_way(processors: set[int]) -> tuple[int, set[int]]:
-    """How much nicer a process is that gave way, and the processors that it kept of these."""
+def lowered(processors: set[int]) -> tuple[int, set[int]]:
+    """The niceness that a process added, and the processors that it kept of these."""
     ours = os.sched_getaffinity(0)
     os.sched_setaffinity(0, processors)
     try:
@@ -29,13 +29,13 @@ def given_way(processors: set[int]) -> tuple[int, set[int]]:
     return nice - os.nice(0), set(kept)
 
 
-def test_a_process_that_gives_way_leaves_the_first_processor_alone() -> None:
+def test_the_first_processor_is_left_to_the_parent() -> None:
     processors = os.sched_getaffinity(0)
     if len(processors) < 2:
         pytest.skip("one processor only")
-    assert given_way(processors) == (7, processors - {min(processors)})
+    assert lowered(processors) == (7, processors - {min(processors)})
 
 
-def test_where_there_is_one_processor_it_is_shared() -> None:
+def test_a_single_processor_is_shared() -> None:
     processors = {min(os.sched_getaffinity(0))}
-    assert given_way(processors) == (7, processors)
+    assert lowered(processors) == (7, processors)

@@ -51,7 +51,7 @@ def test_a_motion_changes_within_its_limits(now, wanted, after) -> None:
     assert (found.speed, found.turn_rate) == pytest.approx(after)
 
 
-def test_control_learns_a_resistance_and_forgets_it() -> None:
+def test_the_integral_compensates_a_resistance_until_it_is_reset() -> None:
     control = AxisControl(SPEED_GAINS)
     first = control.effort(0.5, 0.4, 0.02)
     efforts = [control.effort(0.5, 0.4, 0.02) for _ in range(50)]
@@ -69,7 +69,7 @@ def test_control_does_not_wind_up() -> None:
     assert control.effort(-0.5, 0.0, 0.02) < 0.6
 
 
-def test_control_finds_back_from_its_limit() -> None:
+def test_control_recovers_from_saturation() -> None:
     control = AxisControl(SPEED_GAINS)
     for _ in range(100):
         control.effort(1.0, 0.7, 0.02)
@@ -96,7 +96,7 @@ def test_the_shorter_way_round(here, there, turn) -> None:
     assert heading_error(here, there) == pytest.approx(turn)
 
 
-def test_a_robot_that_looks_elsewhere_only_turns() -> None:
+def test_a_large_heading_error_turns_on_the_spot() -> None:
     assert steer_to_heading(MAX_DRIVING_ERROR + 0.01, 1.0, 1.2).speed == 0.0
     assert steer_to_heading(3.0, 1.0, 1.2).turn_rate == 1.2
     assert steer_to_heading(-3.0, 1.0, 1.2).turn_rate == -1.2
@@ -164,12 +164,12 @@ def test_once_reached_only_the_heading_counts() -> None:
     assert there.steer(Pose(yaw=0.99)) is None
 
 
-def test_backward_the_tail_looks_to_the_goal() -> None:
+def test_driving_backward_steers_the_rear_to_the_goal() -> None:
     back = course(Goal(PlanarPoint(-5.0, 0.0)), speed=-0.5)
     assert back.steer(Pose()) == PlanarVelocity(-0.5, pytest.approx(0.0, abs=1e-9))
 
 
-def test_a_vector_ends_turning_and_a_velocity_just_is() -> None:
+def test_a_vector_stops_turning_at_its_heading_and_a_velocity_is_constant() -> None:
     stand = VectorCourse(lambda: 1.0, 0.0, 1.2)
     assert stand.steer(Pose(yaw=0.5)).turn_rate > 0.5
     assert stand.steer(Pose(yaw=0.99)) == STANDSTILL

@@ -1,20 +1,102 @@
-"""RTP packets back to pictures (RFC 6184); what is lost or damaged is counted, and never raises."""
+"""NAL units, the pieces that an H.264 stream is made of (ITU-T H.264, 7.4.1 and annex B)."""
 
 from __future__ import annotations
 
+import re
 from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.errors import ProtocolError
-from jauspy.video import nal
-from jauspy.video.packetiser import FU_A, FU_END, FU_START, STAP_A
 from jauspy.video.rtp import RtpPacket
 
-MAX_PICTURE: Final = 8 << 20
+IDR: Final = 5
+SPS: Final = 7
+PPS: Final = 8
+"""Types of NAL units: a slice of a picture that needs no other, and the parameter sets that decoders need first."""
+
+START_CODE: Final = b"\x00\x00\x00\x01"
+
+_STARTS: Final = re.compile(rb"\x00\x00\x01")
+
+
+def nal_type(nal: bytes) -> int:
+    """The type of a NAL unit, 0..31."""
+    return nal[0] & 0x1F
+
+
+def split_nals(stream: bytes) -> list[bytes]:
+    """The NAL units of a byte stream (annex B), without start codes and the zeros that may follow a unit."""
+    marks = [match.span() for match in _STARTS.finditer(stream)]
+    ends = [start for start, _ in marks[1:]] + [len(stream)]
+    units = [stream[begin:end].rstrip(b"\x00") for (_, begin), end in zip(marks, ends, strict=True)]
+    return [unit for unit in units if unit]
+
+
+def join_nals(nals: Iterable[bytes]) -> bytes:
+    """A byte stream (annex B) of NAL units."""
+    return b"".join(START_CODE + nal for nal in nals)
+
+
+MAX_PACKET: Final = 1400
+"""Bytes of an RTP packet with its header: with UDP, IP and a tunnel it still fits into a frame of 1500."""
+
+MAX_PAYLOAD: Final = MAX_PACKET - 12
+
+STAP_A: Final = 24
+FU_A: Final = 28
+"""Types of payloads that are not just a NAL unit: several whole ones, and a part of one."""
+
+FU_START: Final = 0x80
+FU_END: Final = 0x40
+_NRI: Final = 0x60
+
+
+def packetise(nals: Sequence[bytes], limit: int = MAX_PAYLOAD) -> list[bytes]:
+    """The payloads, in order, that carry the NAL units of one picture; none is longer than `limit` bytes."""
+    made: list[bytes] = []
+    for group in _payload_groups(nals, limit):
+        if len(group) > 1:
+            made.append(_aggregate(group))
+        elif len(group[0]) <= limit:
+            made.append(group[0])
+        else:
+            made.extend(_fragments(group[0], limit))
+    return made
+
+
+def _payload_groups(nals: Sequence[bytes], limit: int) -> Iterator[list[bytes]]:
+    """Neighbours that fit into one payload."""
+    group: list[bytes] = []
+    size = 1
+    for nal in nals:
+        if group and size + 2 + len(nal) > limit:
+            yield group
+            group, size = [], 1
+        group.append(nal)
+        size += 2 + len(nal)
+    if group:
+        yield group
+
+
+def _aggregate(nals: Sequence[bytes]) -> bytes:
+    importance = max(nal[0] & _NRI for nal in nals)
+    return bytes([importance | STAP_A]) + b"".join(len(nal).to_bytes(2, "big") + nal for nal in nals)
+
+
+def _fragments(nal: bytes, limit: int) -> Iterator[bytes]:
+    indicator, kind = nal[0] & _NRI | FU_A, nal[0] & 0x1F
+    room = limit - 2
+    for begin in range(1, len(nal), room):
+        place = (FU_START if begin == 1 else 0) | (FU_END if begin + room >= len(nal) else 0)
+        yield bytes([indicator, place | kind]) + nal[begin : begin + room]
+
+
+MAX_PICTURE_SIZE: Final = 8 << 20
 """Bytes of one picture; longer ones are given up."""
 
-MISORDER: Final = 100
+MAX_MISORDER: Final = 100
 """Packets by which one may come late; one that is farther behind is the first after a long gap (RFC 3550, A.1)."""
 
 
@@ -30,7 +112,7 @@ class Picture:
     @property
     def is_idr(self) -> bool:
         """A decoder can begin with it."""
-        return any(nal.kind(unit) == nal.IDR for unit in self.nals)
+        return any(nal_type(unit) == IDR for unit in self.nals)
 
 
 class Depacketiser:
@@ -56,7 +138,7 @@ class Depacketiser:
         if packet.ssrc != self._ssrc:
             self._begin(packet)
         ahead = (packet.sequence - self._expected) & 0xFFFF
-        if 0x10000 - ahead <= MISORDER:
+        if 0x10000 - ahead <= MAX_MISORDER:
             self.counters["late"] += 1
             return []
         self.counters["packets"] += 1
@@ -84,7 +166,7 @@ class Depacketiser:
 
     def _take(self, payload: bytes) -> None:
         self._size += len(payload)
-        if self._size > MAX_PICTURE:
+        if self._size > MAX_PICTURE_SIZE:
             self.counters["oversize"] += 1
             self._nals, self._fragment, self._whole = [], None, False
             return
@@ -95,11 +177,11 @@ class Depacketiser:
             self._whole = False
 
     def _unpack(self, payload: bytes) -> None:
-        match nal.kind(payload):
+        match nal_type(payload):
             case kind if 1 <= kind < STAP_A:
                 self._nals.append(payload)
             case kind if kind == STAP_A:
-                self._nals.extend(_apart(payload))
+                self._nals.extend(_disaggregate(payload))
             case kind if kind == FU_A:
                 self._part(payload)
             case kind:
@@ -134,7 +216,7 @@ class Depacketiser:
         return [picture]
 
 
-def _apart(payload: bytes) -> list[bytes]:
+def _disaggregate(payload: bytes) -> list[bytes]:
     found, at = [], 1
     while at < len(payload):
         length = int.from_bytes(payload[at : at + 2], "big")

@@ -1,0 +1,85 @@
+"""What test environments have in common, in memory and on a real node manager; and the stepping of their robots."""
+
+from __future__ import annotations
+
+import asyncio
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable
+from contextlib import AbstractAsyncContextManager
+from dataclasses import replace
+from datetime import datetime
+from typing import Any, Final
+
+from jauspy.component import Component, ComponentOptions
+from jauspy.component.component import loop_time
+from jauspy.ids import JausID
+from jauspy.modules.realtime import RealTime
+from jauspy.modules.robot import RobotRunner
+from jauspy.ocu import OCU
+from jauspy.platform.contract import Robot
+from jauspy.services.service import Service
+from jauspy.transport import Transport
+
+
+class TestEnvironment(ABC):
+    """Makes components and OCUs that reach each other; each is to be used with `async with`."""
+
+    __test__ = False
+    """Not collected by pytest."""
+
+    @abstractmethod
+    def transport(self, id: str | JausID) -> Transport:
+        """A transport for the component of this id."""
+
+    @abstractmethod
+    def robot(self, name: str = "inc1") -> AbstractAsyncContextManager[RobotRunner]:
+        """A whole robot of this name on the `kinematic` backend."""
+
+    @abstractmethod
+    def now(self) -> float:
+        """Seconds of the monotonic clock that components use here."""
+
+    @abstractmethod
+    def utc_now(self) -> datetime:
+        """The wall clock here."""
+
+    def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
+        """A component of these services; `options` are those of `Component`."""
+        own = replace(options.pop("options", ComponentOptions()), clock=self.now, utc_now=self.utc_now)
+        return Component(id, services, transport=self.transport(id), options=own, **options)
+
+    def ocu(self, id: str | JausID = "42.1.1", **options: Any) -> OCU:
+        """An OCU; `options` are those of `OCU`."""
+        return OCU(id, transport=self.transport(id), **options)
+
+
+STEP: Final = 0.01
+"""Seconds of one step; longer than in real time, since tests wait on the same clock."""
+
+
+class VirtualTime(RealTime):
+    """Steps a robot as `RealTime` does, in a task of the event loop in place of a thread."""
+
+    def __init__(self, robot: Robot) -> None:
+        super().__init__(robot, step=STEP, clock=loop_time)
+        self._stop: Final[Callable[[], None]] = robot.drive.stop
+        self._task: asyncio.Task[None] | None = None
+
+    def open(self) -> None:
+        """Start the task; without effect when started."""
+        if self._task is None:
+            self._task = asyncio.create_task(self._step_on(), name="virtual robot")
+
+    def close(self) -> None:
+        """Stop the robot and end the task; without effect when closed."""
+        task, self._task = self._task, None
+        if task is not None:
+            task.cancel()
+            self._stop()
+
+    async def _step_on(self) -> None:
+        due = loop_time()
+        while True:
+            due += STEP
+            await asyncio.sleep(due - loop_time())
+            self._make_step()
