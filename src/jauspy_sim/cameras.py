@@ -66,14 +66,14 @@ class SimulatedCamera:
         """The robot's state."""
         return (self.descriptor,)
 
-    def open(self) -> SimulatedEye:
+    def open(self) -> SimulatedCameraSession:
         """By GL if it works here, else by rays."""
         redirect_warnings()
-        return SimulatedEye(self)
+        return SimulatedCameraSession(self)
 
 
-class SimulatedEye:
-    """An `Eye`."""
+class SimulatedCameraSession:
+    """A `CameraSession`."""
 
     def __init__(self, camera: SimulatedCamera) -> None:
         self._model = camera.model

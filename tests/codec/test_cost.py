@@ -13,7 +13,7 @@ import pytest
 from jauspy.codec import slow_path
 from jauspy.codec.message import Message
 from jauspy.errors import DecodeError
-from jauspy.fuzz.campaign import Plan, fuzzer
+from jauspy.fuzz.campaign import CampaignPlan, fuzzer
 from jauspy.messages import registry
 from jauspy.messages.core import ReportServices
 
@@ -60,7 +60,7 @@ def memory(call: Callable[[], object]) -> int:
 
 def pathological() -> Iterator[tuple[type[Message], bytes]]:
     """Every list, variant, string and nested message, with the highest count, and 64 kB of next to nothing."""
-    made = fuzzer(Plan(0))
+    made = fuzzer(CampaignPlan(0))
     seen = set()
     for seed in made.seeds:
         cls = made.targets[seed.target].cls

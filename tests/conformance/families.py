@@ -20,9 +20,9 @@ from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message, Struct
 from jauspy.conformance import Bench, Part, state_tables
 from jauspy.conformance.state_tests import sample_messages
-from jauspy.conformance.state_tests.explorer import AUTHORITY
-from jauspy.conformance.state_tests.sensors import PATIENCE as PICTURE_PATIENCE
-from jauspy.conformance.state_tests.state_test import Trial
+from jauspy.conformance.state_tests.explorer import MIN_AUTHORITY
+from jauspy.conformance.state_tests.sensors import IMAGE_TIMEOUT as PICTURE_PATIENCE
+from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.tester import CLIENTS, OBSERVER
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
@@ -44,9 +44,9 @@ class Moment:
 @contextmanager
 def armed() -> Iterator[None]:
     """Make `Moment` follow the steps."""
-    attempt = Trial.attempt
+    attempt = StateTest.attempt
 
-    def watched(self: Trial, *arguments: Any) -> Any:
+    def watched(self: StateTest, *arguments: Any) -> Any:
         Moment.now = True
         try:
             return attempt(self, *arguments)
@@ -62,7 +62,7 @@ def armed() -> Iterator[None]:
         finally:
             Moment.now = False
 
-    with patch.object(Trial, "attempt", watched), patch.object(state_tables, "attempt", watched_row):
+    with patch.object(StateTest, "attempt", watched), patch.object(state_tables, "attempt", watched_row):
         yield
 
 
@@ -250,7 +250,7 @@ SECOND: Final[tuple[type[Message], ...]] = (
 )
 """What comes after another answer."""
 STREAM: Final = (core.Event,)
-LOWER: Final = core.ReportAuthority(AUTHORITY - 1).encode()
+LOWER: Final = core.ReportAuthority(MIN_AUTHORITY - 1).encode()
 """What changes while a step looks for changes."""
 
 

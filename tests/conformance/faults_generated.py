@@ -132,12 +132,12 @@ GENERATED: Final = (
     core_fault(
         "time ignores the presence vector",
         f"{FREE}/QueryTime/other-client/no-fields",
-        patched(messaging, mask=unmasked),
+        patched(messaging, apply_presence_vectors=unmasked),
     ),
     core_fault(
         "poses ignore the presence vector",
         f"{FREE}/QueryLocalPose/other-client/no-fields",
-        patched(messaging, mask=unmasked),
+        patched(messaging, apply_presence_vectors=unmasked),
         profile="mobility-1.1",
     ),
     core_fault(

@@ -146,7 +146,7 @@ IGVC_2011: Final = (
         "3.3 3.4 3.6 5.1",
         chatty(core.Standby, core.Resume, core.Shutdown, mobility.SetLocalPose),
     ),
-    rules("reports ignore the presence vector", "4.1 4.2 5.2", patched(messaging, mask=unmasked)),
+    rules("reports ignore the presence vector", "4.1 4.2 5.2", patched(messaging, apply_presence_vectors=unmasked)),
     rules("velocity is empty", "4.1 4.2", instead(mobility.ReportVelocityState, nothing_in_it)),
     rules("SetLocalPose is ignored", "5.2", deaf_to(mobility.SetLocalPose)),
     rules("poses have no time", "5.3", field(mobility.ReportLocalPose, time_stamp=None)),

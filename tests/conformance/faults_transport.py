@@ -20,7 +20,7 @@ from tests.conformance.injectors import (
 from tests.conformance.simulated import TARGET
 
 from jauspy.conformance import Bench, Part
-from jauspy.conformance.bench import STRANGE, USUAL
+from jauspy.conformance.bench import OTHER_PORT, USUAL_PORT
 from jauspy.conformance.profiles import transport as transport_steps
 from jauspy.conformance.profiles.raw_packets import FIRST_NUMBER
 from jauspy.conformance.wire import Arrival
@@ -39,7 +39,7 @@ def answers_first_port() -> Injector:
 
     class Stale(Bench):
         def way_back(self, port: Any) -> Any:
-            return USUAL
+            return USUAL_PORT
 
     return lambda: (Part, Stale, [])
 
@@ -48,12 +48,12 @@ def answers_last_port() -> Injector:
     """All clients of a host are answered at the port that one of them used last."""
 
     class Mixed(Bench):
-        last: Any = USUAL
+        last: Any = USUAL_PORT
 
-        def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
-            if strange_port:
-                self.last = STRANGE
-            super().send(datagram, source, strange_port=strange_port)
+        def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
+            if other_port:
+                self.last = OTHER_PORT
+            super().send(datagram, source, other_port=other_port)
 
         def way_back(self, port: Any) -> Any:
             return self.last
@@ -235,7 +235,7 @@ def impatient() -> Callable[[Part, bytes], Iterable[bytes]]:
 
 
 class _Anybody:
-    """Stands for the hand that makes garbage, to know it again."""
+    """Stands for the sender that makes garbage, to know it again."""
 
     ping = core.QueryEvents(core.AllEventsRec(0)).encode()
 

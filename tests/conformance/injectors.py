@@ -46,7 +46,7 @@ class Fault:
         """The profile against the broken robot."""
         part, bench, patches = self.inject()
         with ExitStack() as stack:
-            for each in (patch.object(waypoint_drive, "PATIENCE", ENOUGH), *patches):
+            for each in (patch.object(waypoint_drive, "SIDE_TIMEOUT", ENOUGH), *patches):
                 stack.enter_context(each)
             still: dict[str, Any] = {} if self.motion and not self.still else {"tick": None}
             target = robot(part, bench, timeout=self.timeout, **still)

@@ -31,7 +31,7 @@ class ScriptedWire:
     def join(self, id: JausID) -> None:
         pass
 
-    def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
+    def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
         for packet in judp.unpack(datagram):
             self.sent.append(packet)
             for delay, payload in self.script(packet.payload):

@@ -155,7 +155,7 @@ def test_ctrl_c_leaves_the_robot_in_order_and_a_report():
 
 def test_a_network_that_goes_away_is_told():
     class Unplugged(ScriptedWire):
-        def send(self, datagram, source, *, strange_port=False):
+        def send(self, datagram, source, *, other_port=False):
             if self.sent:
                 raise TransportError("cannot send to UDP 10.0.0.1:3794: Network is unreachable")
             super().send(datagram, source)

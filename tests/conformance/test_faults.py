@@ -1,4 +1,4 @@
-"""Broken robots are caught by name, and no check of a hand-written profile is there in vain."""
+"""Broken robots are caught by name, and no check of a sender-written profile is there in vain."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def checks(report: Report, *, failed: bool = False) -> set[tuple[str, str]]:
     return {
         (result.id, MEASURED.sub(r"has \1", looked.name))
         for result in report.results
-        for looked in result.looked
+        for looked in result.checks
         if looked.problem or not failed
     }
 

@@ -28,7 +28,7 @@ EVENT_STEPS = tuple(
 def nothing_kept(monkeypatch: pytest.MonkeyPatch) -> None:
     """As if what came before had filled the record."""
     monkeypatch.setattr(trace, "MAX_ENTRIES", 0)
-    monkeypatch.setattr(trace, "MAX_LATE", 0)
+    monkeypatch.setattr(trace, "MAX_STEP_ENTRIES_WHEN_FULL", 0)
 
 
 @pytest.mark.parametrize(("profile", "only"), [("core-1.1", EVENT_STEPS), ("transport", ())])
@@ -51,11 +51,11 @@ def flooding(payload):
 
 
 def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
-    monkeypatch.setattr(trace, "MAX_STEP", 20)
+    monkeypatch.setattr(trace, "MAX_STEP_ENTRIES", 20)
     wire = ScriptedWire("101.1.1", flooding)
     wait = steps(STATUS, lambda at: at.wait(0.1), STATUS)
     report = run(wait, wire, wire.id, began=0.0)
-    assert [(len(each.entries), each.left_out) for each in report.results] == [(2, 0), (20, 480), (2, 0)]
+    assert [(len(each.entries), each.omitted) for each in report.results] == [(2, 0), (20, 480), (2, 0)]
     assert "480 datagrams of this step were too many to keep" in page(report)
     assert result_json(report.results[1])["left_out"] == 480
     (suite,) = ET.fromstring(junit(report))
@@ -68,7 +68,7 @@ def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
 
 def test_a_record_that_is_full_still_has_the_begin_of_each_step(monkeypatch):
     monkeypatch.setattr(trace, "MAX_ENTRIES", 10)
-    monkeypatch.setattr(trace, "MAX_LATE", 5)
+    monkeypatch.setattr(trace, "MAX_STEP_ENTRIES_WHEN_FULL", 5)
     wire = ScriptedWire("101.1.1", flooding)
     report = run(steps(*[lambda at: (STATUS(at), at.wait(0.1))] * 3), wire, wire.id, began=0.0)
     assert [len(each.entries) for each in report.results] == [10, 5, 5]

@@ -12,10 +12,10 @@ from tests.conformance.simulated import TARGET, examined, robot
 
 from jauspy.conformance import Bench, Part, Verdict, find, offers_of
 from jauspy.conformance.offers import Offers
-from jauspy.conformance.state_tests.behaviour import subject_of
+from jauspy.conformance.state_tests.behaviour import component_under_test
 from jauspy.conformance.state_tests.plan import Planner
 from jauspy.conformance.state_tests.sample_messages import neutral
-from jauspy.conformance.state_tests.state_test import Trial
+from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.trace import Direction
 from jauspy.ids import JausID
 from jauspy.messages import core, registry
@@ -32,22 +32,22 @@ CORE = frozenset(
 
 
 def planned(services=CORE):
-    return Planner(subject_of(ID, services), services).steps()
+    return Planner(component_under_test(ID, services), services).steps()
 
 
-def trials(services=CORE):
-    return [step.run for step in planned(services) if isinstance(step.run, Trial)]
+def state_tests_of(services=CORE):
+    return [step.run for step in planned(services) if isinstance(step.run, StateTest)]
 
 
 def test_what_is_ignored_is_tried_too():
-    ignored = [each for each in trials() if any(not prediction.rule for prediction in each.predictions)]
+    ignored = [each for each in state_tests_of() if any(not prediction.rule for prediction in each.predictions)]
     assert {"Resume", "Standby", "Shutdown", "Reset", "SetAuthority", "SetTime", "SetElement"} <= {
         each.stimulus.message for each in ignored
     }
 
 
 def test_every_lasting_state_is_visited():
-    states = {".".join(each.situation.state[2:]) for each in trials()}
+    states = {".".join(each.situation.state[2:]) for each in state_tests_of()}
     assert states == {
         "NotControlled.Available.Standby",
         "NotControlled.NotAvailable.Emergency",
@@ -130,7 +130,7 @@ def test_every_service_of_the_sets_can_be_planned(set_name, version):
     assert len(services) >= 10
     for key in services:
         if not key[0].endswith("Client"):
-            assert len(trials(frozenset({key}))) > 0, key
+            assert len(state_tests_of(frozenset({key}))) > 0, key
 
 
 def test_neutral_messages_are_valid_for_every_message():

@@ -87,5 +87,5 @@ def test_what_is_taken_and_not_used_is_noticed(kind, action, step, monkeypatch):
 
 
 def test_a_height_that_was_not_asked_for_is_noticed(monkeypatch):
-    monkeypatch.setattr(messaging, "mask", lambda report, query: report)
+    monkeypatch.setattr(messaging, "apply_presence_vectors", lambda report, query: report)
     assert f"{READY}/QueryLocalLoiter/other-client/no-fields" in failed(judged(LocalLoiterer()))

@@ -9,7 +9,6 @@ from jauspy.conformance import Profile, Step
 from jauspy.conformance.state_tests.sensors import SETTINGS
 from jauspy.ids import JausID
 from jauspy.messages.manipulator import QueryJointMotionProfile, QueryPanTiltMotionProfile
-from jauspy.services.core import Time
 
 READY = "Controlled.Available.Ready"
 CAMERA, LASER = JausID(101, 1, 106), JausID(101, 1, 108)
@@ -49,4 +48,4 @@ def test_the_clock_is_put_back():
     only = "NotControlled.Available.Standby/SetTime/other-client", f"{READY}/SetTime/controller"
     assert examined("core-1.1", bench, JausID(105, 1, 1), only=only).status == 0
     (part,) = bench.parts.values()
-    assert abs(part.host.service(Time).offset.total_seconds()) < 0.1
+    assert abs(part.host.clock_offset.total_seconds()) < 0.1

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import json
 import re
+import sys
 from html.parser import HTMLParser
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import dpkt
@@ -13,9 +15,11 @@ from dpkt.ip import IP
 from tests.conformance.scripted import ScriptedWire
 
 from jauspy.capture.reader import CaptureReader
+from jauspy.cli.conformance_files import Files
 from jauspy.conformance import Profile, Step, Verdict, ask, has, run
 from jauspy.conformance.reports import capture, junit, page, result_json, summary, summary_json
-from jauspy.conformance.results import OTHERWISE, Report, Result, Transition
+from jauspy.conformance.results import DEPENDS_ON_TARGET, Report, Result, Transition
+from jauspy.errors import ConfigError
 from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
 
 NAME = b"<b>\x01\x9f&"
@@ -117,6 +121,14 @@ def test_html_is_whole_safe_and_needs_nothing_else(report):
     assert summary(report) == "1 pass, 1 fail, 1 skipped; 1 of 3 points"
 
 
+def test_html_without_jinja2_is_refused_with_the_extra_to_install(report, monkeypatch):
+    monkeypatch.setitem(sys.modules, "jinja2", None)
+    with pytest.raises(ConfigError, match=r"HTML reports need Jinja2: pip install 'jauspy\[conformance\]'"):
+        page(report)
+    with pytest.raises(ConfigError, match="Jinja2"):
+        Files(html=Path("report.html"))
+
+
 def test_pcapng(report, tmp_path):
     path = tmp_path / "run.pcapng"
     path.write_bytes(capture(report))
@@ -143,7 +155,7 @@ def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
         Transition(failure, reason="it comes from inside"),
         Transition(reset, "b"),
         Transition(query, reason="wrong"),
-        Transition(create, reason=OTHERWISE),
+        Transition(create, reason=DEPENDS_ON_TARGET),
     )
     total = "1 of 4 state machine transitions in these steps were taken and judged"
     assert summary_json(report)["transitions"] == {
@@ -152,7 +164,7 @@ def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
         "left": [
             {"transition": failure, "reason": "it comes from inside"},
             {"transition": query, "reason": "wrong"},
-            {"transition": create, "reason": OTHERWISE},
+            {"transition": create, "reason": DEPENDS_ON_TARGET},
         ],
     }
     assert f"{total}</summary><ul><li>Management, Ready: Failure: it comes from inside</li>" in page(report)

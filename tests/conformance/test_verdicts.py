@@ -108,7 +108,7 @@ def test_a_step_says_where_it_comes_from_and_what_was_looked_at():
     (result,) = outcome((0.1, READY)).results
     assert result.why == "urn:jaus:jss:core:Management 1.1: QueryStatus 2002h"
     assert result.expected == ("ReportStatus 4002h and has status 1 READY",)
-    assert [each.name for each in result.looked] == [
+    assert [each.name for each in result.checks] == [
         "ReportStatus 4002h comes",
         "ReportStatus 4002h is as its definition says",
         "ReportStatus 4002h has status 1 READY",

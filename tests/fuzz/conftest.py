@@ -7,8 +7,8 @@ from typing import Any
 
 import pytest
 
-from jauspy.fuzz.campaign import Plan, run
-from jauspy.fuzz.findings import Finding
+from jauspy.fuzz.campaign import CampaignPlan, run
+from jauspy.fuzz.findings import FuzzFinding
 from jauspy.messages.core import RegisterServices
 
 Decode = Callable[[bytes, int], Any]
@@ -26,10 +26,10 @@ def plant(monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[[Decode, bytes]
 
 
 @pytest.fixture
-def hunt() -> Callable[..., list[Finding]]:
+def hunt() -> Callable[..., list[FuzzFinding]]:
     """The findings of a campaign against RegisterServices."""
 
-    def find(cases: int = 400, seed: int = 1) -> list[Finding]:
-        return list(run(Plan(cases, seed, only=("RegisterServices",))).findings.values())
+    def find(cases: int = 400, seed: int = 1) -> list[FuzzFinding]:
+        return list(run(CampaignPlan(cases, seed, only=("RegisterServices",))).findings.values())
 
     return find

@@ -10,12 +10,12 @@ import pytest
 from jauspy.codec.message import Message
 from jauspy.codec.wire import SIZES
 from jauspy.errors import ConfigError, DecodeError
-from jauspy.fuzz.campaign import Plan, fuzzer, run
+from jauspy.fuzz.campaign import CampaignPlan, fuzzer, run
 from jauspy.fuzz.checks import difference
 from jauspy.fuzz.findings import minimise
-from jauspy.fuzz.messages import Maker, Style
-from jauspy.fuzz.mutation import LARGEST, file_payloads, mutate
-from jauspy.fuzz.offsets import spots_of
+from jauspy.fuzz.messages import MessageMaker, Style
+from jauspy.fuzz.mutation import MAX_INPUT_SIZE, file_payloads, mutate
+from jauspy.fuzz.offsets import offsets_of
 from jauspy.messages import registry
 
 CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"
@@ -23,7 +23,7 @@ CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"
 
 @pytest.mark.parametrize("cases", [400, pytest.param(4000, marks=pytest.mark.slow)])
 def test_nothing_is_found(cases: int) -> None:
-    outcome = run(Plan(cases, seed=1, payloads=tuple(file_payloads(CAPTURE))))
+    outcome = run(CampaignPlan(cases, seed=1, payloads=tuple(file_payloads(CAPTURE))))
     assert outcome.findings == {}
     assert outcome.cases == cases
     assert 0.5 < outcome.accepted / cases < 0.95  # half are valid by construction, some stay valid when damaged
@@ -33,21 +33,23 @@ def test_nothing_is_found(cases: int) -> None:
 @pytest.mark.slow
 def test_several_processes_do_the_same() -> None:
     names = ("ReportServices", "CreateEvent", "ReportVelocityState")
-    alone = run(Plan(1000, seed=3, only=names))
-    assert run(Plan(1000, seed=3, only=names, jobs=2)) == alone
+    alone = run(CampaignPlan(1000, seed=3, only=names))
+    assert run(CampaignPlan(1000, seed=3, only=names, jobs=2)) == alone
 
 
 def test_cases_depend_on_seed_and_number_only() -> None:
-    first, again, other = (fuzzer(Plan(0, seed=seed, only=("ReportServices", "CreateEvent"))) for seed in (5, 5, 6))
+    first, again, other = (
+        fuzzer(CampaignPlan(0, seed=seed, only=("ReportServices", "CreateEvent"))) for seed in (5, 5, 6)
+    )
     assert [first.case(n) for n in range(200)] == [again.case(n) for n in range(200)]
     assert [first.case(n) for n in range(200)] != [other.case(n) for n in range(200)]
 
 
 def test_made_messages_are_valid_and_use_everything() -> None:
-    targets = fuzzer(Plan(0)).targets
+    targets = fuzzer(CampaignPlan(0)).targets
     rng = random.Random(1)
     for target in targets:
-        made = [Maker(rng, style, targets).message(target) for style in (*Style, Style.ANY)]
+        made = [MessageMaker(rng, style, targets).message(target) for style in (*Style, Style.ANY)]
         for data in made:
             assert target.cls.decode(data).encode() == data
         assert len(made[0]) == min(map(len, made)) >= 2 + target.layout.minimum
@@ -57,16 +59,16 @@ def test_made_messages_are_valid_and_use_everything() -> None:
         assert len(absent) == max(0, optional - 8 * SIZES[target.layout.presence or "Q"])
 
 
-def test_spots_say_where_counts_and_tags_are() -> None:
+def test_offsets_say_where_counts_and_tags_are() -> None:
     services = registry.by_name("RegisterServices")
     data = bytes.fromhex("000b02" + "01410102" + "0203040506")
-    spots = [spot for spot in spots_of(services.layout(), data) if spot.kind == "count"]
-    assert [(spot.at, spot.cuts) for spot in spots] == [(2, (3, 7, 12)), (3, (4, 5)), (7, (8, 10))]
-    assert spots_of(services.layout(), data[:5])[0].at == 2
+    offsets = [offset for offset in offsets_of(services.layout(), data) if offset.kind == "count"]
+    assert [(offset.at, offset.cuts) for offset in offsets] == [(2, (3, 7, 12)), (3, (4, 5)), (7, (8, 10))]
+    assert offsets_of(services.layout(), data[:5])[0].at == 2
 
 
 def test_mutations_of_every_kind_happen() -> None:
-    made = fuzzer(Plan(0))
+    made = fuzzer(CampaignPlan(0))
     rng = random.Random(1)
     sizes = set()
     changed = 0
@@ -74,7 +76,7 @@ def test_mutations_of_every_kind_happen() -> None:
         seed = made.seeds[number % len(made.seeds)]
         data = mutate(rng, seed, made.seeds)
         assert data[:2] == seed.data[:2]
-        assert len(data) <= LARGEST
+        assert len(data) <= MAX_INPUT_SIZE
         sizes.add((len(data) > len(seed.data)) - (len(data) < len(seed.data)))
         changed += data != seed.data
     assert sizes == {-1, 0, 1}

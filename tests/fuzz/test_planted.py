@@ -13,8 +13,8 @@ from jauspy.cli.main import app
 from jauspy.codec.message import Message
 from jauspy.errors import DecodeError
 from jauspy.fuzz import checks
-from jauspy.fuzz.campaign import Plan, fuzzer
-from jauspy.fuzz.findings import Finding, load_finding
+from jauspy.fuzz.campaign import CampaignPlan, fuzzer
+from jauspy.fuzz.findings import FuzzFinding, load_finding
 from jauspy.messages.core import RegisterServices
 
 EMPTY = "000b00"
@@ -67,7 +67,7 @@ def test_found_minimised_and_replayed(  # noqa: PLR0917 - parameters and fixture
     bug: Any, cause: str, largest: int, plant: Any, hunt: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plant(bug)
-    found: list[Finding] = hunt()
+    found: list[FuzzFinding] = hunt()
     (finding,) = [one for one in found if one.cause == cause]
     assert len(finding.data) <= largest, finding.hex
     assert finding.seen
@@ -82,7 +82,7 @@ def test_found_minimised_and_replayed(  # noqa: PLR0917 - parameters and fixture
     assert (result.exit_code, result.output) == (0, f"{cause}: not reproduced\n")
 
 
-def test_both_roads_wrong_alike_differ_from_the_reference(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_both_paths_wrong_alike_differ_from_the_reference(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     layout: Any = RegisterServices.layout()
     item = layout.slots[0].item
     monkeypatch.setattr(RegisterServices, "_unpack", Message._unpack)
@@ -145,7 +145,7 @@ def test_quadratic_time(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
         return right(data, None)
 
     plant(quadratic)
-    plan = Plan(0, only=("RegisterServices",))
+    plan = CampaignPlan(0, only=("RegisterServices",))
     target = fuzzer(plan).targets[0]
     problem = fuzzer(plan).checks.problem(target, bytes.fromhex(ONE) + bytes(60000), memory=False)
     assert problem is not None
@@ -156,19 +156,19 @@ def test_quadratic_time(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_is_slow_once_is_no_finding(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock()
     monkeypatch.setattr(checks.time, "thread_time_ns", clock)
-    measured = fuzzer(Plan(0, only=("RegisterServices",))).checks._effort
-    assert measured.complaint(600, 10.0 * measured.limit(600), lambda: None) is None
+    measured = fuzzer(CampaignPlan(0, only=("RegisterServices",))).checks._cost
+    assert measured.problem(600, 10.0 * measured.limit(600), lambda: None) is None
 
 
 def test_no_end(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(checks, "MOST_SECONDS", 0.05)
+    monkeypatch.setattr(checks, "MAX_CPU_SECONDS", 0.05)
 
     def endless(right: Callable[[bytes, int], Any], data: bytes) -> Any:
         while data[2] == 2:
             pass
         return right(data, None)
 
-    made = fuzzer(Plan(0, only=("RegisterServices",)))
+    made = fuzzer(CampaignPlan(0, only=("RegisterServices",)))
     target = next(target for target in made.targets if target.cls is RegisterServices)
     plant(endless)
     assert made.checks.problem(target, bytes.fromhex(ONE), memory=False) is None

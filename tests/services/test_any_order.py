@@ -6,7 +6,7 @@ from random import Random
 
 import pytest
 
-from jauspy.fuzz.messages import Maker, Style, targets
+from jauspy.fuzz.messages import MessageMaker, Style, targets
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ClearEmergency,
@@ -56,7 +56,7 @@ def step(rig, drive, random: Random) -> None:
     if chance < 0.7:
         inputs = [each for each in rig.host._bound.inputs.values() if each in TARGETS]
         kind = random.choice(OFTEN if random.random() < 0.5 else inputs)
-        payload = Maker(random, random.choice(list(Style)), INNER).message(TARGETS[kind])
+        payload = MessageMaker(random, random.choice(list(Style)), INNER).message(TARGETS[kind])
         rig.host.receive(payload, client, rig.now)
     elif chance < 0.9:
         rig.run(random.uniform(0.0, 2.0))

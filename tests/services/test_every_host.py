@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
-from jauspy.fuzz.messages import Maker, Style, targets
+from jauspy.fuzz.messages import MessageMaker, Style, targets
 from jauspy.messages import registry
 from jauspy.schema import behavior, load_builtin, model
 from jauspy.services.service import Service
@@ -69,7 +69,7 @@ def test_it_starts_and_takes_every_message(make, definition) -> None:
         for message in each.inputs:
             for style in (Style.SHORTEST, Style.FULL):
                 target = TARGETS[each.id, each.version, message.code]
-                payload = Maker(Random(message.code), style, [TARGETS[QUERY_STATUS]]).message(target)
+                payload = MessageMaker(Random(message.code), style, [TARGETS[QUERY_STATUS]]).message(target)
                 rig.host.receive(payload, rig.ID.parse("42.1.1"), 0.0)
     inputs = sum(len(each.inputs) for each in definitions)
     assert rig.host.counters["received"] == 2 * inputs

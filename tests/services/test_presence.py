@@ -9,7 +9,7 @@ from hypothesis import given, strategies as st
 
 from jauspy.codec.layout import Composite, Repeat, Slot
 from jauspy.codec.message import Message
-from jauspy.fuzz.messages import Maker, Style, Target, targets
+from jauspy.fuzz.messages import MessageMaker, Style, Target, targets
 from jauspy.messages import registry
 from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.messages.mobility import (
@@ -83,7 +83,7 @@ def vectors(query: type[Message]) -> list[str]:
 
 
 def made(target: Target) -> Message:
-    return target.cls.decode(Maker(Random(target.cls.CODE), Style.FULL).message(target))
+    return target.cls.decode(MessageMaker(Random(target.cls.CODE), Style.FULL).message(target))
 
 
 @pytest.mark.parametrize(

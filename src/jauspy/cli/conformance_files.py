@@ -33,6 +33,10 @@ class Files:
             if other := kinds.get(path.resolve()):
                 raise ConfigError(f"{path} is to be the {other} file and the {kind} file; give them different names")
             kinds[path.resolve()] = kind
+        if self.html is not None:
+            from jauspy.conformance.reports import html_template
+
+            html_template()
 
     def write(self, report: Report) -> list[str]:
         """Write those that are wanted; a sentence for each that cannot be written."""

@@ -10,7 +10,7 @@ from dataclasses import replace
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.results import Report
-from jauspy.conformance.runner import Interrupted, Settings, Watch, planned, run
+from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
 from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
@@ -23,10 +23,10 @@ def steps_of(profile: Profile, target: str | None, connect: str | None, timeout:
     if target is None:
         raise ConfigError(f"{profile.name} is made from what a target offers; say of which, as in --target 101.1.102")
     with closing(asyncio.run(open_wire(connect))) as wire:
-        return planned(profile, wire, _id(target), timeout=timeout)
+        return planned_steps(profile, wire, _id(target), timeout=timeout)
 
 
-def report_of(profile: Profile, target: str, connect: str | None, settings: Settings, watch: Watch) -> Report:
+def report_of(profile: Profile, target: str, connect: str | None, settings: Settings, watch: OnResult) -> Report:
     """A run; raises `Interrupted`, which has the report, too."""
     id = _id(target)
     with closing(asyncio.run(open_wire(connect))) as wire:

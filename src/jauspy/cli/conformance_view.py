@@ -10,13 +10,13 @@ from typing import TYPE_CHECKING, Final
 from jauspy.cli import console
 from jauspy.conformance.profile import Step, find, known
 from jauspy.conformance.reports import summary, transcript
-from jauspy.conformance.results import Report, Result, Verdict, transitions_sum
+from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
 from jauspy.errors import ConfigError
 
 if TYPE_CHECKING:
     from rich.table import Table
 
-    from jauspy.conformance.runner import Watch
+    from jauspy.conformance.runner import OnResult
 
 _STYLES: Final = {Verdict.PASS: "green", Verdict.SKIPPED: "dim"}
 _PIPE: Final = 1000
@@ -37,7 +37,7 @@ def show(report: Report) -> None:
         _explain(result)
     for note in report.notes:
         console.note(note)
-    if total := transitions_sum(report):
+    if total := transitions_summary(report):
         rest = "; --json and --html name the others" if any(not each.step for each in report.transitions) else ""
         out.print(Text(f"{total}{rest}", style="dim"))
     style = "bold green" if report.status == 0 else "bold red"
@@ -105,7 +105,7 @@ def show_steps(steps: Iterable[Step]) -> None:
 
 
 @contextmanager
-def watching() -> Iterator[Watch]:
+def watching() -> Iterator[OnResult]:
     """A line that says how far it is, on terminals."""
     if not sys.stderr.isatty():
         yield lambda _: None

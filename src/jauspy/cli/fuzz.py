@@ -15,8 +15,8 @@ from jauspy.cli.help import help_text
 from jauspy.errors import ConfigError, SchemaError
 
 if TYPE_CHECKING:
-    from jauspy.fuzz.campaign import Outcome, Plan
-    from jauspy.fuzz.findings import Finding
+    from jauspy.fuzz.campaign import CampaignPlan, CampaignResult
+    from jauspy.fuzz.findings import FuzzFinding
 
 Own = Annotated[
     list[str] | None,
@@ -55,11 +55,13 @@ def codec(
       jauspy fuzz codec --from vendor/ --cases 20000
     """
     from jauspy.codec.message import counted
-    from jauspy.fuzz.campaign import Plan, run
+    from jauspy.fuzz.campaign import CampaignPlan, run
 
     with _wrong_use():
         payloads = [payload for path in seeds or [] for payload in _payloads(path)]
-        plan = Plan(cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ()))
+        plan = CampaignPlan(
+            cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ())
+        )
         with _progress(plan) as show:
             outcome = run(plan, show)
     for finding in sorted(outcome.findings.values(), key=lambda finding: finding.case):
@@ -93,12 +95,12 @@ def replay(
     Example:
       jauspy fuzz replay findings/agreement-ReportServices-1.1-verdict.json
     """
-    from jauspy.fuzz.campaign import Plan, fuzzer
+    from jauspy.fuzz.campaign import CampaignPlan, fuzzer
     from jauspy.fuzz.findings import load_finding
 
     with _wrong_use():
         finding = load_finding(file)
-        again = fuzzer(Plan(0, finding.seed, only=(finding.message,), own=tuple(sources or ()))).replay(finding)
+        again = fuzzer(CampaignPlan(0, finding.seed, only=(finding.message,), own=tuple(sources or ()))).replay(finding)
     if again is None:
         print(f"{finding.cause}: not reproduced")
         return
@@ -116,19 +118,19 @@ def _wrong_use() -> Iterator[None]:
         raise typer.Exit(2) from None
 
 
-def _print(finding: Finding) -> None:
+def _print(finding: FuzzFinding) -> None:
     console.stdout().print(f"[bold red]{finding.cause}[/]", highlight=False)
     print(f"  {finding.seen}")
     print(f"  {finding.hex if len(finding.hex) <= 200 else finding.hex[:200] + '...'} ({len(finding.data)} bytes)")
 
 
 class _Show(Protocol):
-    def __call__(self, outcome: Outcome) -> None:
+    def __call__(self, outcome: CampaignResult) -> None:
         """Show how far it is."""
 
 
 @contextmanager
-def _progress(plan: Plan) -> Iterator[_Show]:
+def _progress(plan: CampaignPlan) -> Iterator[_Show]:
     """A bar on a terminal, a line now and then in a pipe; both on stderr."""
     if not sys.stderr.isatty():
         yield _Lines(plan.cases)
@@ -148,14 +150,14 @@ class _Lines:
         self._cases = cases
         self._shown = -1
 
-    def __call__(self, outcome: Outcome) -> None:
+    def __call__(self, outcome: CampaignResult) -> None:
         tenth = _LINES * outcome.cases // self._cases
         if tenth > self._shown:
             self._shown = tenth
             console.note(f"{outcome.cases} of {self._cases} cases, {_state(outcome)}")
 
 
-def _state(outcome: Outcome) -> str:
+def _state(outcome: CampaignResult) -> str:
     from jauspy.codec.message import counted
 
     return f"{outcome.accepted} valid, {counted(len(outcome.findings), 'finding')}"

@@ -4,7 +4,7 @@ from jauspy.conformance.bench import Bench, Part
 from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
 from jauspy.conformance.profile import Profile, Step, ask, find, known, tell
 from jauspy.conformance.pytest_steps import offers_of, pytest_steps
-from jauspy.conformance.results import Failed, Late, Malformed, Outcome, Report, Result, Silent, Skipped, Verdict
+from jauspy.conformance.results import Failed, Late, Malformed, Report, Result, Silent, Skipped, StepOutcome, Verdict
 from jauspy.conformance.runner import Settings, run
 from jauspy.conformance.tester import Client, Tester
 from jauspy.conformance.wire import Wire
@@ -16,7 +16,6 @@ __all__ = [
     "Failed",
     "Late",
     "Malformed",
-    "Outcome",
     "Part",
     "Profile",
     "Report",
@@ -25,6 +24,7 @@ __all__ = [
     "Silent",
     "Skipped",
     "Step",
+    "StepOutcome",
     "Tester",
     "Verdict",
     "Wire",

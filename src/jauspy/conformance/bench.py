@@ -22,8 +22,8 @@ from jauspy.services.host import Host
 from jauspy.services.messaging import Outgoing
 
 ROOT: Final = "/bench"
-USUAL: Final = UdpPort("192.0.2.42", judp.PORT)
-STRANGE: Final = UdpPort("192.0.2.42", 49152)
+USUAL_PORT: Final = UdpPort("192.0.2.42", judp.PORT)
+OTHER_PORT: Final = UdpPort("192.0.2.42", 49152)
 """Where the tester speaks from: documentation addresses (RFC 5737)."""
 
 Intercept = Callable[[Packet], bool]
@@ -109,7 +109,7 @@ class Bench:
         self._order = count()
         self._air: list[tuple[float, int, bytes, UdpPort]] = []
         self._arrived: deque[Arrival] = deque()
-        self._listening: set[UdpPort] = {USUAL}
+        self._listening: set[UdpPort] = {USUAL_PORT}
         for id, part in self.parts.items():
             self.node.components.register(int(id), LocalPort(f"{ROOT}/{int(id)}"))
             self._transmit(part)
@@ -137,9 +137,9 @@ class Bench:
     def join(self, id: JausID) -> None:
         """Everybody who speaks from the tester's address is reached there."""
 
-    def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:  # noqa: ARG002 - one address for all
+    def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:  # noqa: ARG002 - one address for all
         """Hand a datagram to the node manager, after the delay."""
-        port = STRANGE if strange_port else USUAL
+        port = OTHER_PORT if other_port else USUAL_PORT
         self._listening.add(port)
         for each in self.inbound(datagram):
             heapq.heappush(self._air, (self._now + self._delay, next(self._order), each, port))
@@ -193,6 +193,6 @@ class Bench:
             part.handle(datagram, self._now)
             self._transmit(part)
         elif isinstance(port, GroupPort | UdpPort):
-            back = self.way_back(port) if isinstance(port, UdpPort) else USUAL
+            back = self.way_back(port) if isinstance(port, UdpPort) else USUAL_PORT
             if back in self._listening:
-                self._arrived += (Arrival(each, back == STRANGE) for each in self.outbound(datagram))
+                self._arrived += (Arrival(each, back == OTHER_PORT) for each in self.outbound(datagram))

@@ -9,7 +9,7 @@ from typing import Any, TypeAlias
 
 from jauspy.codec.message import Message
 
-Judge: TypeAlias = Callable[[Any], str]
+FindProblem: TypeAlias = Callable[[Any], str]
 """Takes a message, says what is wrong with it; empty when nothing is."""
 
 
@@ -18,7 +18,7 @@ class Check:
     """Something that must hold for a message. `name` is a sentence without subject, as in `has status 5`."""
 
     name: str
-    problem: Judge
+    problem: FindProblem
 
 
 def has(**fields: object) -> tuple[Check, ...]:
@@ -75,7 +75,7 @@ def _near(path: str, value: float, tolerance: float) -> Check:
     return Check(f"has {path} {value:g}", problem)
 
 
-def _missing(name: str) -> Judge:
+def _missing(name: str) -> FindProblem:
     return lambda message: "" if getattr(message, name) is not None else f"{name} is missing"
 
 

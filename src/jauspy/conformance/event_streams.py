@@ -10,7 +10,7 @@ from jauspy.codec.message import Message
 from jauspy.conformance.checks import has, near
 from jauspy.conformance.results import Silent
 from jauspy.conformance.tester import Client, Tester
-from jauspy.conformance.trace import named
+from jauspy.conformance.trace import message_name
 from jauspy.errors import DecodeError
 from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, ConfirmEventRequest, CreateEvent, Event
@@ -24,11 +24,11 @@ TOLERANCE: Final = 0.25
 """Part of the period that an interval may be off, for networks and schedulers."""
 PERIODS: Final = 4
 """Of a stream that are watched."""
-COUNTED: Final = 12
+MAX_COUNTED: Final = 12
 """Events of a fast stream, whose single intervals say less about the robot than about its network."""
-LENIENCE: Final = 0.4
+COUNT_TOLERANCE: Final = 0.4
 """Part of their number that may be missing or too many."""
-LONGEST: Final = 20.0
+MAX_WATCH_TIME: Final = 20.0
 """s."""
 
 Arrivals = Sequence[tuple[float, Event]]
@@ -69,12 +69,12 @@ def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]
     _events_are_right(tester, arrivals, name, report)
 
 
-def look(client: Client, event: int, rate: float, report: type[Message]) -> None:
+def check_stream(client: Client, event: int, rate: float, report: type[Message]) -> None:
     """A stream has the rate that was confirmed, in the mean, and every event of this client belongs to it."""
     tester = client.tester
     tester.expected.append(f"Event 41F1h with {report.NAME} at {rate:.3g} Hz")
     tester.check("a rate is confirmed", "" if rate > 0 else f"it is {rate:g} Hz")
-    seconds = min(COUNTED / rate, LONGEST)
+    seconds = min(MAX_COUNTED / rate, MAX_WATCH_TIME)
     tester.wait(0.0)
     client.forget(Event)  # of before: the tester may have been held up
     arrivals = client.collect(Event, seconds)
@@ -83,15 +83,15 @@ def look(client: Client, event: int, rate: float, report: type[Message]) -> None
     tester.check(
         "the events have the id that was confirmed", f"they have {sorted(strange)}, not {event}" if strange else ""
     )
-    wrong = abs(len(arrivals) - seconds * rate) > seconds * rate * LENIENCE
+    wrong = abs(len(arrivals) - seconds * rate) > seconds * rate * COUNT_TOLERANCE
     tester.check("they come at the confirmed rate", f"{len(arrivals)} came in {seconds:.3g} s" if wrong else "")
     _events_are_right(tester, arrivals, report.NAME, report)
 
 
 def _there_are_some(tester: Tester, arrivals: Arrivals) -> None:
-    tester.look(f"{named(Event)} comes", "" if arrivals else "none came")
+    tester.record_check(f"{message_name(Event)} comes", "" if arrivals else "none came")
     if not arrivals:
-        raise Silent(f"no {named(Event)} came")
+        raise Silent(f"no {message_name(Event)} came")
 
 
 def _events_are_right(tester: Tester, arrivals: Arrivals, name: str, report: type[Message]) -> None:
@@ -126,7 +126,7 @@ def pace(arrivals: Arrivals, rate: float) -> str:
     return f"{len(times)} events, {wrong[0]:.3f} s apart, which is not {rate:.2g} Hz" if wrong else ""
 
 
-def stopped(client: Client, event: int, seconds: float) -> None:
+def check_stopped(client: Client, event: int, seconds: float) -> None:
     """Nothing more comes of an event that was cancelled, apart from what was under way."""
     client.tester.wait(0.05 * client.tester.timeout)
     client.forget(Event)

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Final, TypeAlias
 
 from jauspy.conformance.checks import that
-from jauspy.conformance.results import Outcome
+from jauspy.conformance.results import StepOutcome
 from jauspy.conformance.tester import HARMLESS_QUERIES, Tester
 from jauspy.errors import RequestError
 from jauspy.ids import JausID
@@ -24,7 +24,7 @@ ALL_SERVICES: Final = QueryServices(
     ]
 )
 """Asks for everything: 255 stands for all nodes, and for all components."""
-ASKER: Final = "42.1.1"
+DISCOVERY_CLIENT: Final = "42.1.1"
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,14 +46,14 @@ def discover(tester: Tester) -> Offers:
     a component that does not tell, others of its node may: many have one Discovery for all.
     """
     listed = that("lists a component", lambda report: any(each.component_list for each in report.node_list))
-    client = tester.client(ASKER)
+    client = tester.client(DISCOVERY_CLIENT)
     try:
         first = client.ask(ALL_SERVICES, ReportServices, listed, within=2.0)
-    except Outcome as error:
-        found = _merged(tester, _told_by_others(tester))
+    except StepOutcome as error:
+        found = _merged(tester, _reported_by_node(tester))
         if found.components:
             return found
-        _wake(tester)
+        _probe(tester)
         raise RequestError(f"{tester.target} does not say which services it offers: {error}") from error
     reports = [(tester.component, first)]
     if tester.target.is_wildcard:
@@ -61,18 +61,18 @@ def discover(tester: Tester) -> Offers:
     return _merged(tester, reports)
 
 
-def _told_by_others(tester: Tester) -> list[tuple[JausID, ReportServices]]:
+def _reported_by_node(tester: Tester) -> list[tuple[JausID, ReportServices]]:
     if tester.target.is_wildcard:
         return []
     node = replace(tester.target, component=255)
-    return tester.client(ASKER).answers(ALL_SERVICES, ReportServices, tester.timeout, of=node)
+    return tester.client(DISCOVERY_CLIENT).answers(ALL_SERVICES, ReportServices, tester.timeout, of=node)
 
 
-def _wake(tester: Tester) -> None:
+def _probe(tester: Tester) -> None:
     """Whether the target answers anything at all, which decides about what the report says."""
     for ping in HARMLESS_QUERIES:
-        tester.client(ASKER).send(ping)
-    tester.pump(tester.now + tester.timeout, lambda: tester.answered)
+        tester.client(DISCOVERY_CLIENT).send(ping)
+    tester.pump(tester.now + tester.timeout, lambda: tester.has_received)
 
 
 def _merged(tester: Tester, reports: Iterable[tuple[JausID, ReportServices]]) -> Offers:

@@ -11,7 +11,7 @@ from jauspy.conformance.bench import Bench
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step, find
 from jauspy.conformance.results import Result, Verdict
-from jauspy.conformance.runner import Settings, part, results
+from jauspy.conformance.runner import Settings, restore_target, results
 from jauspy.conformance.tester import Tester
 from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, JausError
@@ -25,7 +25,10 @@ if TYPE_CHECKING:
 def offers_of(bench: Bench) -> Offers:
     """What the components of a bench offer, without asking them."""
     return Offers(
-        {id: frozenset(each.key for each in part.host.definitions.values()) for id, part in bench.parts.items()}
+        {
+            id: frozenset(each.key for each in restore_target.host.definitions.values())
+            for id, restore_target in bench.parts.items()
+        }
     )
 
 
@@ -104,5 +107,5 @@ class _Session:
         atexit.unregister(self._close)
         if self._tester is not None and not self._closed:
             self._closed = True
-            part(self._tester)
+            restore_target(self._tester)
             self._tester.wire.close()

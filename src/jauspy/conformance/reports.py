@@ -1,121 +1,21 @@
-"""Reports as one HTML file that needs nothing else: no script, no font, no network."""
+"""Report formats of a run: HTML, JUnit XML, JSON and pcapng."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
 from datetime import UTC, datetime
-from html import escape
 from importlib.resources import files
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 from xml.etree import ElementTree as ET
 
 from jauspy.capture import writer
-from jauspy.conformance.results import Looked, Report, Result, Verdict, transitions_sum
-from jauspy.conformance.trace import Direction, Entry
+from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
+from jauspy.conformance.trace import Direction, TraceEntry
+from jauspy.errors import ConfigError
 from jauspy.protocol import judp
 
-_QUIET: Final = (Verdict.PASS, Verdict.SKIPPED)
-"""Steps that nobody needs to open."""
-
-
-def page(report: Report) -> str:
-    """The file."""
-    return "\n".join(_lines(report)) + "\n"
-
-
-def _lines(report: Report) -> Iterator[str]:
-    style = files(__package__).joinpath("report.css").read_text()
-    yield '<!doctype html>\n<html lang="en"><head><meta charset="utf-8">'
-    yield '<meta name="viewport" content="width=device-width, initial-scale=1">'
-    yield f"<title>{escape(report.profile)}: {escape(report.target)}</title>"
-    yield f"<style>\n{style}</style></head><body>"
-    yield from _head(report)
-    yield from _failures(report.failures)
-    if report.results:
-        yield '<input type="checkbox" id="less"><label for="less">Only what did not pass</label>'
-        yield "<main>"
-        for result in report.results:
-            yield from _step(result)
-        yield "</main>"
-    yield "</body></html>"
-
-
-def _head(report: Report) -> Iterator[str]:
-    when = datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%d %H:%M:%S UTC")
-    yield f"<header><h1>{escape(report.title)}</h1>"
-    run = f"profile {escape(report.profile)}, {when}, {report.seconds:.1f} s"
-    yield f"<p>Target <strong>{escape(report.target)}</strong>, {run}</p>"
-    yield f'<p class="sum s{report.status}">{escape(summary(report))}</p>'
-    if report.results:
-        yield f'<div class="bar" aria-hidden="true">{"".join(_bar(report))}</div>'
-    if report.problem:
-        yield f'<p class="problem">{escape(report.problem)}</p>'
-    yield from (f"<p>{escape(note)}</p>" for note in report.notes)
-    yield from _transitions(report)
-    yield "</header>"
-
-
-def _transitions(report: Report) -> Iterator[str]:
-    if not (total := transitions_sum(report)):
-        return
-    left = [each for each in report.transitions if not each.step]
-    items = "".join(f"<li>{escape(each.name)}: {escape(each.reason)}</li>" for each in left)
-    yield (
-        f"<details><summary>{escape(total)}</summary><ul>{items}</ul></details>" if left else f"<p>{escape(total)}</p>"
-    )
-
-
-def _bar(report: Report) -> Iterator[str]:
-    for verdict in Verdict:
-        if count := report.counts[verdict]:
-            yield f'<span class="{verdict}" style="flex-grow:{count}" title="{count} {verdict}"></span>'
-
-
-def _failures(failures: Iterable[Result]) -> Iterator[str]:
-    """Where to look first."""
-    items = [
-        f'<li><a href="#{escape(each.id)}">{escape(each.id)}</a> {escape(each.title)}: {escape(each.reason)}</li>'
-        for each in failures
-    ]
-    if items:
-        yield f"<nav><h2>What did not pass</h2><ul>{''.join(items)}</ul></nav>"
-
-
-def _step(result: Result) -> Iterator[str]:
-    opened = "" if result.verdict in _QUIET else " open"
-    points = f"{result.earned:g}/{result.points:g} points, " if result.points else ""
-    yield (
-        f'<details class="{result.verdict}" id="{escape(result.id)}"{opened}><summary>'
-        f'<span class="v">{result.verdict}</span> <span class="id">{escape(result.id)}</span>'
-        f' <span class="what">{escape(result.title)}</span>'
-        f' <span class="t">{points}{result.elapsed * 1000:.0f} ms</span></summary><div class="in">'
-    )
-    if result.reason:
-        yield f'<p class="reason">{escape(result.reason)}</p>'
-    if result.expected:
-        yield f"<p>Expected: {escape('; '.join(result.expected))}</p>"
-    if result.why:
-        yield f'<p class="from">From {escape(result.why)}</p>'
-    if result.looked:
-        yield f'<ul class="checks">{"".join(map(_check, result.looked))}</ul>'
-    if result.entries:
-        yield f'<div class="traffic">{"".join(map(_datagram, result.entries))}</div>'
-    if result.rest:
-        yield f"<p>{result.rest}</p>"
-    yield "</div></details>"
-
-
-def _check(looked: Looked) -> str:
-    problem = f": {escape(looked.problem)}" if looked.problem else ""
-    return f'<li class="{"no" if looked.problem else "yes"}">{escape(looked.name)}{problem}</li>'
-
-
-def _datagram(entry: Entry) -> str:
-    way = "sent" if entry.direction is Direction.SENT else "received"
-    decoded = "<br>".join(map(escape, entry.lines))
-    head = f"<time>{entry.at:.4f}</time> <strong>{way}</strong> <span>{decoded}</span>"
-    return f'<div class="{way}">{head}<code>{entry.data.hex(" ", -4)}</code></div>\n'
+if TYPE_CHECKING:
+    from jinja2 import Template
 
 
 def summary(report: Report) -> str:
@@ -125,12 +25,42 @@ def summary(report: Report) -> str:
     return (counts or "nothing was tried") + (f"; {earned:g} of {possible:g} points" if possible else "")
 
 
+# --- HTML -------------------------------------------------------------------------------------------------------------
+
+
+def html_template() -> Template:
+    """The template of HTML reports. Raises `ConfigError` if Jinja2 is not installed."""
+    try:
+        from jinja2 import Environment, StrictUndefined  # noqa: PLC0415 - an extra
+    except ImportError as error:
+        raise ConfigError("HTML reports need Jinja2: pip install 'jauspy[conformance]'") from error
+    environment = Environment(
+        autoescape=True, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, undefined=StrictUndefined
+    )
+    return environment.from_string(files(__package__).joinpath("report.html.j2").read_text())
+
+
+def page(report: Report) -> str:
+    """One HTML file that needs nothing else: no script, no font, no network. Raises `ConfigError` without Jinja2."""
+    return html_template().render(
+        report=report,
+        style=files(__package__).joinpath("report.css").read_text(),
+        began=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%d %H:%M:%S UTC"),
+        summary=summary(report),
+        counts=[(verdict, report.counts[verdict]) for verdict in Verdict if report.counts[verdict]],
+        transitions=transitions_summary(report),
+        not_taken=[each for each in report.transitions if not each.step],
+    )
+
+
+# --- JUnit ------------------------------------------------------------------------------------------------------------
+
 _FORBIDDEN: Final = re.compile(r"[^\t\n\r\x20-\uD7FF\uE000-\uFFFD]")
-"""What XML 1.0 cannot say."""
+"""Characters that XML 1.0 does not allow."""
 
 
 def junit(report: Report) -> bytes:
-    """The file: a suite with a case for each step; what could not run is an error."""
+    """JUnit XML, which CI servers show: a suite with a case for each step. A run that was not possible is an error."""
     suites = ET.Element("testsuites", name="jauspy conformance")
     suite = ET.SubElement(
         suites,
@@ -144,8 +74,8 @@ def junit(report: Report) -> bytes:
         timestamp=datetime.fromtimestamp(report.began, UTC).strftime("%Y-%m-%dT%H:%M:%S"),
         hostname=report.target,
     )
-    said = [("transitions", transitions_sum(report)), *(("note", note) for note in report.notes)]
-    if known := [(name, value) for name, value in said if value]:
+    facts = [("transitions", transitions_summary(report)), *(("note", note) for note in report.notes)]
+    if known := [(name, value) for name, value in facts if value]:
         properties = ET.SubElement(suite, "properties")
         for name, value in known:
             ET.SubElement(properties, "property", name=name, value=_clean(value))
@@ -185,6 +115,9 @@ def _clean(text: str) -> str:
     return _FORBIDDEN.sub("\ufffd", text)
 
 
+# --- JSON -------------------------------------------------------------------------------------------------------------
+
+
 def result_json(result: Result) -> dict[str, Any]:
     """One step; times in seconds."""
     return {
@@ -194,18 +127,18 @@ def result_json(result: Result) -> dict[str, Any]:
         "reason": result.reason,
         "why": result.why,
         "expected": list(result.expected),
-        "checks": [{"check": each.name, "problem": each.problem} for each in result.looked],
+        "checks": [{"check": each.name, "problem": each.problem} for each in result.checks],
         "began": round(result.began, 6),
         "elapsed": round(result.elapsed, 6),
         "points": result.points,
         "earned": result.earned,
         "taken": list(result.taken),
         "traffic": [entry_json(each) for each in result.entries],
-        "left_out": result.left_out,
+        "left_out": result.omitted,
     }
 
 
-def entry_json(entry: Entry) -> dict[str, Any]:
+def entry_json(entry: TraceEntry) -> dict[str, Any]:
     """One datagram."""
     return {
         "at": round(entry.at, 6),
@@ -243,16 +176,19 @@ def summary_json(report: Report) -> dict[str, Any]:
     }
 
 
+# --- pcapng -----------------------------------------------------------------------------------------------------------
+
 TESTER: Final = ("192.0.2.42", judp.PORT)
-STRANGE: Final = ("192.0.2.42", 49152)
+OTHER_PORT: Final = ("192.0.2.42", 49152)
 TARGET: Final = ("192.0.2.1", judp.PORT)
+"""Addresses for documentation (RFC 5737): a run knows bytes and times, not addresses."""
 
 
 def capture(report: Report) -> bytes:
-    """The file."""
+    """The datagrams of a run as a pcapng file, for Wireshark and `jauspy decode`."""
     blocks = [writer.preamble()]
     for entry in report.entries:
-        tester = STRANGE if entry.strange_port else TESTER
+        tester = OTHER_PORT if entry.other_port else TESTER
         source, destination = (tester, TARGET) if entry.direction is Direction.SENT else (TARGET, tester)
         nanoseconds = int((report.began + entry.at) * 1e9)
         blocks.append(writer.packet(source, destination, entry.data, nanoseconds))

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from typing import Final
 
-from jauspy.conformance.trace import Entry
+from jauspy.conformance.trace import TraceEntry
 from jauspy.errors import JausError
 
 
@@ -28,12 +28,14 @@ class Verdict(StrEnum):
     """Not tried; the reason says why."""
 
 
-OTHERWISE: Final = "it depends on what only the target knows: it went the other way, or nobody can tell which way"
+DEPENDS_ON_TARGET: Final = (
+    "it depends on what only the target knows: it went the other way, or nobody can tell which way"
+)
 """Why a transition was not seen although its input was sent."""
 
 
 @dataclass(frozen=True, slots=True)
-class Looked:
+class CheckResult:
     """One thing that a step looked at: what should hold, and what was wrong with it (empty: nothing)."""
 
     name: str
@@ -60,9 +62,9 @@ class Result:
     why: str = ""
     """Which service, message and state the expectation comes from."""
     expected: tuple[str, ...] = ()
-    looked: tuple[Looked, ...] = ()
-    entries: tuple[Entry, ...] = ()
-    left_out: int = 0
+    checks: tuple[CheckResult, ...] = ()
+    entries: tuple[TraceEntry, ...] = ()
+    omitted: int = 0
     """Datagrams that came after these, and were too many to keep."""
     began: float = 0.0
     ended: float = 0.0
@@ -81,7 +83,7 @@ class Result:
     @property
     def rest(self) -> str:
         """What the traffic of this step lacks, as a sentence; empty when it is whole."""
-        return f"{self.left_out} datagrams of this step were too many to keep" if self.left_out else ""
+        return f"{self.omitted} datagrams of this step were too many to keep" if self.omitted else ""
 
     @property
     def elapsed(self) -> float:
@@ -99,7 +101,7 @@ class Report:
     began: float
     seconds: float = 0.0
     results: tuple[Result, ...] = ()
-    entries: tuple[Entry, ...] = ()
+    entries: tuple[TraceEntry, ...] = ()
     """Everything that was heard and sent, also between steps."""
     problem: str = ""
     notes: tuple[str, ...] = field(default=())
@@ -123,7 +125,7 @@ class Report:
                 if name not in found or not found[name].step:
                     found[name] = Transition(name, result.id)
             tried = result.verdict is not Verdict.SKIPPED
-            reason = OTHERWISE if result.verdict is Verdict.PASS else result.reason
+            reason = DEPENDS_ON_TARGET if result.verdict is Verdict.PASS else result.reason
             for name in result.transitions:
                 if name not in found or (tried and not found[name].step):
                     found[name] = Transition(name, reason=reason)
@@ -144,7 +146,7 @@ class Report:
         return 0 if self.counts[Verdict.PASS] else 2
 
 
-def transitions_sum(report: Report) -> str:
+def transitions_summary(report: Report) -> str:
     """`218 of 230 transitions were taken and judged`; empty for a profile that is not about state machines."""
     found = report.transitions
     taken = sum(1 for each in found if each.step)
@@ -157,35 +159,35 @@ def worst(reports: Iterable[Report]) -> int:
     return 1 if 1 in statuses else max(statuses, default=2)
 
 
-class Outcome(JausError):
+class StepOutcome(JausError):
     """Ends a step with a verdict; the text is the reason."""
 
     verdict = Verdict.FAIL
 
 
-class Failed(Outcome):
+class Failed(StepOutcome):
     """What came is wrong."""
 
 
-class Silent(Outcome):
+class Silent(StepOutcome):
     """Nothing came."""
 
     verdict = Verdict.SILENT
 
 
-class Late(Outcome):
+class Late(StepOutcome):
     """It came after the deadline."""
 
     verdict = Verdict.LATE
 
 
-class Malformed(Outcome):
+class Malformed(StepOutcome):
     """Its bytes are not those of the message."""
 
     verdict = Verdict.MALFORMED
 
 
-class Skipped(Outcome):
+class Skipped(StepOutcome):
     """The step cannot be tried."""
 
     verdict = Verdict.SKIPPED

@@ -12,7 +12,7 @@ from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.offers import Offers, discover
 from jauspy.conformance.profile import Profile, Step
-from jauspy.conformance.results import Outcome, Report, Result, Verdict
+from jauspy.conformance.results import Report, Result, StepOutcome, Verdict
 from jauspy.conformance.tester import HARMLESS_QUERIES, TIMEOUT, Tester
 from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, RequestError, TransportError
@@ -20,13 +20,13 @@ from jauspy.ids import JausID
 from jauspy.messages import registry as known_messages
 from jauspy.messages.core import ClearEmergency, ReleaseControl, RequestControl, SetEmergency, Standby
 
-PATIENCE: Final = 3
+MAX_SILENT_STEPS: Final = 3
 """Steps in a row without a sign of life after which no more are tried."""
-BYSTANDERS: Final = 64
+MAX_PROBE_CLIENTS: Final = 64
 """Who asks, one after the other: what was asked long ago is not answered to the one who asks now."""
 
 
-class Pulse:
+class LivenessMonitor:
     """Looks at each result of a run."""
 
     def __init__(self, tester: Tester) -> None:
@@ -37,20 +37,20 @@ class Pulse:
     @property
     def stopped(self) -> bool:
         """True when nothing more needs to be tried."""
-        return self._silent >= PATIENCE
+        return self._silent >= MAX_SILENT_STEPS
 
     @property
     def reason(self) -> str:
         """Why nobody waits for it."""
-        return silent_since(self._tester.lost)
+        return silent_since(self._tester.silent_since)
 
     def judged(self, result: Result) -> Result:
         """The result; a step that passed because nothing came is silent when nobody is there to say anything."""
         if self._lives(result):
-            self._silent, self._tester.lost = 0, ""
+            self._silent, self._tester.silent_since = 0, ""
             return result
         self._silent += 1
-        self._tester.lost = self._tester.lost or result.id
+        self._tester.silent_since = self._tester.silent_since or result.id
         if result.verdict is Verdict.PASS or (self.stopped and result.verdict is Verdict.SKIPPED):
             return replace(result, verdict=Verdict.SILENT, reason=self.reason)
         return result
@@ -60,12 +60,12 @@ class Pulse:
 
         Once it was silent, only an answer to a new question counts: what it says then may be an old answer.
         """
-        content = result.verdict is Verdict.PASS or self._tester.heard
-        return not self._tester.spoke or (content and not self._tester.lost) or self._answers()
+        content = result.verdict is Verdict.PASS or self._tester.received_in_step
+        return not self._tester.sent_in_step or (content and not self._tester.silent_since) or self._answers()
 
     def _answers(self) -> bool:
         tester = self._tester
-        self._asked = self._asked % BYSTANDERS + 1
+        self._asked = self._asked % MAX_PROBE_CLIENTS + 1
         asking = tester.client(f"42.9.{self._asked}")
         asking.pending.clear()
         for to in {tester.target, tester.memory.get("component", tester.target)}:
@@ -83,20 +83,20 @@ def silent_since(step: str) -> str:
 
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
-UNDOING: Final[tuple[tuple[type[Message], tuple[Message, ...]], ...]] = (
+UNDO: Final[tuple[tuple[type[Message], tuple[Message, ...]], ...]] = (
     (SetEmergency, (ClearEmergency(STOP),)),
     (RequestControl, (Standby(), ReleaseControl())),
 )
 """What a client has sent, and what takes it back; control cannot be released during an emergency."""
-SETTLE: Final = 0.1
+SETTLE_TIME: Final = 0.1
 """Timeouts that the target has to hear of it."""
 
 
-def part(tester: Tester) -> str:
+def restore_target(tester: Tester) -> str:
     """Take back what the clients have asked for; says what prevented it, if anything did."""
     undone = [
         (client, message)
-        for kind, undoing in UNDOING
+        for kind, undoing in UNDO
         for client in tester.clients
         if kind.CODE in client.sent
         for message in undoing
@@ -107,14 +107,14 @@ def part(tester: Tester) -> str:
     except TransportError as error:
         return f"the target could not be left in order: {error}"
     with suppress(TransportError):  # what comes now is not looked at
-        tester.wait(SETTLE * tester.timeout if undone else 0.0)
+        tester.wait(SETTLE_TIME * tester.timeout if undone else 0.0)
     return ""
 
 
-Watch = Callable[[Result], None]
+OnResult = Callable[[Result], None]
 """Hears of each step as it ends."""
 
-DEAF: Final = (
+NO_ANSWER: Final = (
     "{target} answers nothing; check that it runs, that its id is right, that it takes messages for a wildcard id "
     "if that is one, and that both are on one network (`jauspy ls` shows who answers)"
 )
@@ -148,7 +148,7 @@ def run(
     began: float,
     settings: Settings | None = None,
     registry: Registry = known_messages,
-    watch: Watch = lambda _: None,
+    watch: OnResult = lambda _: None,
 ) -> Report:
     """The report of a whole run. `began`: the wall clock, seconds since 1970. Never raises for what the target does.
 
@@ -162,7 +162,7 @@ def run(
         for result in _results(profile, tester, settings):
             results.append(result)
             watch(result)
-        problem = "" if tester.answered or not tester.asked else DEAF.format(target=target)
+        problem = "" if tester.has_received or not tester.has_sent else NO_ANSWER.format(target=target)
     except (ConfigError, TransportError) as error:
         problem = str(error)
     except RequestError as error:
@@ -170,9 +170,9 @@ def run(
     except KeyboardInterrupt:
         problem, interrupted = f"interrupted after {len(results)} steps", True
     except BaseException:
-        part(tester)
+        restore_target(tester)
         raise
-    problem = part(tester) or problem
+    problem = restore_target(tester) or problem
     report = Report(
         profile=profile.name,
         title=profile.title,
@@ -189,7 +189,7 @@ def run(
     return report
 
 
-def planned(
+def planned_steps(
     profile: Profile, wire: Wire, target: JausID, *, timeout: float = TIMEOUT, registry: Registry = known_messages
 ) -> tuple[Step, ...]:
     """The steps that a run would have; raises `ConfigError` when there is nobody to ask, or nothing to test."""
@@ -201,16 +201,18 @@ def planned(
 
 
 def _unanswered(tester: Tester, error: RequestError) -> str:
-    return str(error) if tester.answered else DEAF.format(target=tester.target)
+    return str(error) if tester.has_received else NO_ANSWER.format(target=tester.target)
 
 
 def _notes(tester: Tester) -> tuple[str, ...]:
     """What became of the target, and what came and cannot be found in the report."""
-    left_out, unread = tester.record.left_out, tester.unread
+    omitted, dropped = tester.record.omitted, tester.dropped
     notes = (
-        silent_since(tester.lost) if tester.lost else "",
-        f"{left_out} datagrams were too many to keep for the report; no verdict depends on that" if left_out else "",
-        f"{unread} messages were dropped before a step looked at them: more came than a client holds" if unread else "",
+        silent_since(tester.silent_since) if tester.silent_since else "",
+        f"{omitted} datagrams were too many to keep for the report; no verdict depends on that" if omitted else "",
+        f"{dropped} messages were dropped before a step looked at them: more came than a client holds"
+        if dropped
+        else "",
     )
     return tuple(filter(None, notes))
 
@@ -219,13 +221,13 @@ def _results(profile: Profile, tester: Tester, settings: Settings) -> Iterator[R
     """Step by step; a target that has never answered is not tried any further."""
     for result in results(_chosen(profile.plan(_offers(profile, tester)), settings.only), tester, settings):
         yield result
-        if result.verdict is Verdict.SILENT and tester.asked and not tester.answered:
+        if result.verdict is Verdict.SILENT and tester.has_sent and not tester.has_received:
             return
 
 
 def results(steps: Iterable[Step], tester: Tester, settings: Settings) -> Iterator[Result]:
     """Each step as it is asked for; a target that has died is not tried any further."""
-    pulse = Pulse(tester)
+    pulse = LivenessMonitor(tester)
     for step in steps:
         if pulse.stopped:
             now = tester.now
@@ -266,7 +268,7 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
     else:
         try:
             step.run(tester)
-        except Outcome as outcome:
+        except StepOutcome as outcome:
             verdict, reason = outcome.verdict, str(outcome)
         except (ConfigError, TransportError):
             raise
@@ -279,9 +281,9 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
         reason=reason,
         why="; ".join(dict.fromkeys(each for each in (*tester.why, step.why) if each)),
         expected=tuple(dict.fromkeys(tester.expected)),
-        looked=tuple(tester.looked),
+        checks=tuple(tester.checks),
         entries=tester.record.of_step,
-        left_out=tester.record.left_out_of_step,
+        omitted=tester.record.omitted_in_step,
         began=began,
         ended=tester.now,
         points=step.points,

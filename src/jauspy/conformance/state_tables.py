@@ -16,7 +16,7 @@ from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.offers import ALL_SERVICES, ServiceKey
 from jauspy.conformance.profile import Step
-from jauspy.conformance.results import Failed, Outcome, Skipped
+from jauspy.conformance.results import Failed, Skipped, StepOutcome
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Client, Tester
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -445,7 +445,7 @@ def _run(test: RowTest, tester: Tester) -> None:
     try:
         attempt(test, tester, authority)
     finally:
-        with tester.unreported(), suppress(Outcome):  # the verdict of the row stands
+        with tester.unreported(), suppress(StepOutcome):  # the verdict of the row stands
             _cancel_events(test, tester.client(CLIENTS[test.row.sender]))
 
 
@@ -466,7 +466,7 @@ def _bring(test: RowTest, tester: Tester) -> int:
     try:
         authority = _go(test, tester, state)
         seen = _settled(test, tester, state)
-    except Outcome as outcome:
+    except StepOutcome as outcome:
         error = Skipped if state.name in lost else type(outcome)
         lost.add(state.name)
         raise error(f"the component cannot be brought to {state.name}: {outcome}") from outcome
@@ -478,7 +478,7 @@ def _bring(test: RowTest, tester: Tester) -> int:
         client = tester.client(CLIENTS[role])
         client.pending.clear()
         client.confirmed.clear()
-    for notes in (tester.why, tester.looked, tester.expected):
+    for notes in (tester.why, tester.checks, tester.expected):
         notes.clear()
     return authority
 

@@ -10,8 +10,8 @@ from typing import Any, Final, Generic, TypeAlias, TypeVar
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.conformance.checks import Check
-from jauspy.conformance.results import Failed, Late, Looked, Malformed, Outcome, Silent, Skipped
-from jauspy.conformance.trace import Direction, Entry, Heard, Record, named
+from jauspy.conformance.results import CheckResult, Failed, Late, Malformed, Silent, Skipped, StepOutcome
+from jauspy.conformance.trace import Direction, ReceivedMessage, Trace, TraceEntry, message_name
 from jauspy.conformance.wire import Arrival, Wire
 from jauspy.errors import ConfigError, DecodeError, TransportError
 from jauspy.ids import EVERYONE, JausID
@@ -77,36 +77,36 @@ class Expectation(Generic[M]):
         self._where = where
         self._source = source or client.tester.target
         self._seconds = 0.0
-        self._outcome: Outcome | None = None
-        self._looked: list[Looked] = []
-        self._found: tuple[Heard, M] | None = None
+        self._outcome: StepOutcome | None = None
+        self._looked: list[CheckResult] = []
+        self._found: tuple[ReceivedMessage, M] | None = None
 
     def wait(self, seconds: float) -> M:
         """The message; raises how it ended otherwise. One that comes in twice the time is late."""
         self._seconds = seconds
         tester, deadline = self._tester, self._tester.now + seconds
-        tester.expected.append(" and ".join((named(self._kind), *(each.name for each in self._checks))))
+        tester.expected.append(" and ".join((message_name(self._kind), *(each.name for each in self._checks))))
         tester.pump(deadline, self._look)
         if self._found is None and (self._outcome is None or self._source.is_wildcard):
             tester.pump(deadline + seconds, self._look)
-        comes = f"{named(self._kind)} comes"
+        comes = f"{message_name(self._kind)} comes"
         if self._found is None and self._outcome is None:
             self._outcome = self._absence()
-            tester.look(comes, str(self._outcome))
+            tester.record_check(comes, str(self._outcome))
             raise self._outcome
-        tester.look(comes)
-        tester.looked += self._looked
+        tester.record_check(comes)
+        tester.checks += self._looked
         if self._found is None:
             assert self._outcome is not None
             raise self._outcome
         heard, message = self._found
         late = heard.at - deadline
-        tester.look(f"{comes} in time", f"{late:.2f} s late" if late > 0 else "")
+        tester.record_check(f"{comes} in time", f"{late:.2f} s late" if late > 0 else "")
         if late > 0:
-            raise Late(f"{named(self._kind)} came {late:.2f} s after the deadline of {seconds:g} s")
+            raise Late(f"{message_name(self._kind)} came {late:.2f} s after the deadline of {seconds:g} s")
         return message
 
-    def readable(self, heard: Heard) -> M | None:
+    def readable(self, heard: ReceivedMessage) -> M | None:
         """The message, when it is one of this kind, from the target, strictly as defined."""
         if heard.code != self._kind.CODE or not self._source.matches(heard.source):
             return None
@@ -125,32 +125,34 @@ class Expectation(Generic[M]):
                     return True
         return self._outcome is not None and not self._source.is_wildcard
 
-    def _judge(self, heard: Heard) -> None:
-        reads = f"{named(self._kind)} is as its definition says"
+    def _judge(self, heard: ReceivedMessage) -> None:
+        reads = f"{message_name(self._kind)} is as its definition says"
         try:
             message = self._tester.registry.decode_as(self._kind, heard.payload)
         except DecodeError as error:
             self._client.pending.remove(heard)
-            problem = f"{named(self._kind)} from {heard.source} is malformed: {error}"
-            self._settle(Malformed(problem), [Looked(reads, problem)])
+            problem = f"{message_name(self._kind)} from {heard.source} is malformed: {error}"
+            self._settle(Malformed(problem), [CheckResult(reads, problem)])
             return
         if not self._where(message):
             return
         self._client.pending.remove(heard)
-        looked = [Looked(f"{named(self._kind)} {each.name}", each.problem(message)) for each in self._checks]
+        looked = [
+            CheckResult(f"{message_name(self._kind)} {each.name}", each.problem(message)) for each in self._checks
+        ]
         problems = [each.problem for each in looked if each.problem]
-        outcome = Failed(f"{named(self._kind)} from {heard.source}: {'; '.join(problems)}") if problems else None
-        self._settle(outcome, [Looked(reads), *looked])
+        outcome = Failed(f"{message_name(self._kind)} from {heard.source}: {'; '.join(problems)}") if problems else None
+        self._settle(outcome, [CheckResult(reads), *looked])
         if outcome is None:
             self._found = heard, message
 
-    def _settle(self, outcome: Outcome | None, looked: list[Looked]) -> None:
+    def _settle(self, outcome: StepOutcome | None, looked: list[CheckResult]) -> None:
         """The first wrong answer is kept, a right one counts more."""
         if outcome is None or self._outcome is None:
             self._outcome, self._looked = outcome, looked
 
-    def _absence(self) -> Outcome:
-        wanted = named(self._kind)
+    def _absence(self) -> StepOutcome:
+        wanted = message_name(self._kind)
         if astray := self._astray():
             return Silent(f"no {wanted} came from {self._source} to {self._client.id}, but {astray}")
         # Control that ends by itself is told to the client at any time.
@@ -184,10 +186,10 @@ class Client:
     def __init__(self, tester: Tester, id: JausID) -> None:
         self.tester = tester
         self.id = id
-        self.pending: deque[Heard] = deque(maxlen=MAX_PENDING)
-        self.confirmed: deque[Heard] = deque(maxlen=MAX_CONFIRMED)
+        self.pending: deque[ReceivedMessage] = deque(maxlen=MAX_PENDING)
+        self.confirmed: deque[ReceivedMessage] = deque(maxlen=MAX_CONFIRMED)
         """Every confirmation in this step, also those that were looked at."""
-        self.strange_port = False
+        self.other_port = False
         """Speak from another UDP port from now on."""
         self.sent: set[int] = set()
         """The ids of all messages that it has sent."""
@@ -203,7 +205,7 @@ class Client:
         payload = message if isinstance(message, bytes) else message.encode()
         self.sent.add(int.from_bytes(payload[:2], "little"))
         if isinstance(message, Message):
-            self.tester.why.append(f"{message.SERVICE} {message.VERSION}: {named(type(message))}")
+            self.tester.why.append(f"{message.SERVICE} {message.VERSION}: {message_name(type(message))}")
         self._endpoint.send(to or self.tester.target, payload, now=self.tester.now, ack=ack)
         self._flush()
 
@@ -213,7 +215,7 @@ class Client:
 
     def raw(self, datagram: bytes) -> None:
         """Send a datagram as it is."""
-        self.tester.transmit(datagram, self.id, strange_port=self.strange_port)
+        self.tester.transmit(datagram, self.id, other_port=self.other_port)
 
     def ask(
         self,
@@ -260,7 +262,7 @@ class Client:
         expectation = Expectation(self, answer, [], lambda _: True, of)
         return [(heard.source, found) for heard, found in self._collected(expectation, seconds)]
 
-    def _collected(self, expectation: Expectation[M], seconds: float) -> list[tuple[Heard, M]]:
+    def _collected(self, expectation: Expectation[M], seconds: float) -> list[tuple[ReceivedMessage, M]]:
         self.tester.wait(seconds)
         read = [(heard, expectation.readable(heard)) for heard in list(self.pending)]
         taken = [(heard, message) for heard, message in read if message is not None]
@@ -282,10 +284,10 @@ class Client:
         waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
         return [self.name_of(each) for each in waiting if is_answer(each.code) and each.code not in besides]
 
-    def name_of(self, heard: Heard) -> str:
+    def name_of(self, heard: ReceivedMessage) -> str:
         """`ReportStatus 4002h`."""
         kinds = self.tester.registry.by_code(heard.code)
-        return named(kinds[0]) if kinds else f"{heard.code:04X}h"
+        return message_name(kinds[0]) if kinds else f"{heard.code:04X}h"
 
     def forget(self, kind: type[Message]) -> None:
         """Do not look at messages of this kind that have come already."""
@@ -295,11 +297,11 @@ class Client:
         """A datagram for this client; acknowledges what wants to be."""
         self._endpoint.receive(datagram, self.tester.now)
         while (packet := self._endpoint.next_event()) is not None:
-            self._keep(Heard(self.tester.now, self.id, packet.source, packet.payload))
+            self._keep(ReceivedMessage(self.tester.now, self.id, packet.source, packet.payload))
         self._flush()
 
-    def _keep(self, heard: Heard) -> None:
-        self.tester.unread += len(self.pending) == MAX_PENDING
+    def _keep(self, heard: ReceivedMessage) -> None:
+        self.tester.dropped += len(self.pending) == MAX_PENDING
         self.pending.append(heard)
         if heard.code in CONFIRMATIONS:
             self.confirmed.append(heard)
@@ -341,22 +343,22 @@ class Tester:
         self.timeout = timeout
         self.memory: dict[str, Any] = {}
         """What steps leave for later ones."""
-        self.record = Record()
+        self.record = Trace()
         self.listeners: list[Listener] = []
         """Hear every packet that comes in this step."""
-        self.spoke = False
+        self.sent_in_step = False
         """True when something was sent in this step."""
-        self.heard = False
+        self.received_in_step = False
         """True when something came from the target in this step."""
-        self.unread = 0
+        self.dropped = 0
         """Messages that came, and were dropped because no step looked at them."""
-        self.asked = False
+        self.has_sent = False
         """True once anything was sent."""
-        self.answered = False
+        self.has_received = False
         """True once anything came from the target."""
-        self.lost = ""
+        self.silent_since = ""
         """The step since which the target is silent; empty while it lives."""
-        self.looked: list[Looked] = []
+        self.checks: list[CheckResult] = []
         self.expected: list[str] = []
         self.why: list[str] = []
         self.taken: list[str] = []
@@ -401,8 +403,8 @@ class Tester:
     def begin(self) -> None:
         """A new step: what came before it, and has not been looked at, is not its business."""
         self.pump(self.now, lambda: False)
-        self.looked, self.expected, self.why, self.taken = [], [], [], []
-        self.spoke = self.heard = False
+        self.checks, self.expected, self.why, self.taken = [], [], [], []
+        self.sent_in_step = self.received_in_step = False
         self.listeners.clear()
         self.record.begin()
         for client in self._clients.values():
@@ -411,17 +413,17 @@ class Tester:
     @contextmanager
     def unreported(self) -> Iterator[None]:
         """Leave the checks and expectations of the block out of the report."""
-        notes = list(self.why), list(self.expected), list(self.looked)
+        notes = list(self.why), list(self.expected), list(self.checks)
         yield
-        self.why, self.expected, self.looked = notes
+        self.why, self.expected, self.checks = notes
 
-    def look(self, name: str, problem: str = "") -> None:
+    def record_check(self, name: str, problem: str = "") -> None:
         """Note that something was looked at."""
-        self.looked.append(Looked(name, problem))
+        self.checks.append(CheckResult(name, problem))
 
     def check(self, name: str, problem: str) -> None:
         """Note it, and end the step when there is a problem."""
-        self.look(name, problem)
+        self.record_check(name, problem)
         if problem:
             raise Failed(problem)
 
@@ -445,27 +447,27 @@ class Tester:
                 raise TransportError(TOO_FAST)
         return True
 
-    def transmit(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
+    def transmit(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
         """Send these very bytes."""
-        self.asked = self.spoke = True
-        self._record(Direction.SENT, datagram, strange_port=strange_port)
-        self.wire.send(datagram, source, strange_port=strange_port)
+        self.has_sent = self.sent_in_step = True
+        self._record(Direction.SENT, datagram, other_port=other_port)
+        self.wire.send(datagram, source, other_port=other_port)
 
     def _take(self, arrival: Arrival) -> None:
         datagram = arrival.data
-        self._record(Direction.RECEIVED, datagram, strange_port=arrival.strange_port)
+        self._record(Direction.RECEIVED, datagram, other_port=arrival.other_port)
         packets, errors = judp.unpack_all(datagram)
         for client in self._clients.values():
             if errors or any(each.destination.matches(client.id) for each in packets):
                 client.take(datagram)
         for packet in packets:
             for listener in self.listeners:
-                listener(packet, arrival.strange_port)
+                listener(packet, arrival.other_port)
         if any(self.target.matches(each.source) for each in packets):
-            self.answered = self.heard = True
+            self.has_received = self.received_in_step = True
             if not self.target.is_wildcard or "component" in self.memory:
                 return
             self.memory["component"] = next(each.source for each in packets if self.target.matches(each.source))
 
-    def _record(self, direction: Direction, datagram: bytes, *, strange_port: bool) -> None:
-        self.record.add(Entry(self.now, direction, datagram, self.registry, strange_port))
+    def _record(self, direction: Direction, datagram: bytes, *, other_port: bool) -> None:
+        self.record.add(TraceEntry(self.now, direction, datagram, self.registry, other_port))

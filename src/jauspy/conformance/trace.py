@@ -23,14 +23,14 @@ class Direction(StrEnum):
 
 
 @dataclass(frozen=True)
-class Entry:
+class TraceEntry:
     """One datagram; `at` is in seconds since the run began."""
 
     at: float
     direction: Direction
     data: bytes
     registry: Registry
-    strange_port: bool = False
+    other_port: bool = False
     """It went through the tester's other UDP port."""
 
     @cached_property
@@ -64,13 +64,13 @@ def described(payload: bytes, registry: Registry) -> str:
     return f"{code} {message!r}{wrong}"
 
 
-def named(kind: type[Message]) -> str:
+def message_name(kind: type[Message]) -> str:
     """`ReportStatus 4002h`."""
     return f"{kind.NAME} {kind.CODE:04X}h"
 
 
 @dataclass(frozen=True, slots=True)
-class Heard:
+class ReceivedMessage:
     """One whole message that a client got."""
 
     at: float
@@ -84,41 +84,41 @@ class Heard:
         return int.from_bytes(self.payload[:2], "little")
 
 
-MAX_STEP: Final = 2000
+MAX_STEP_ENTRIES: Final = 2000
 """Datagrams of one step; an honest one has some hundred."""
 MAX_ENTRIES: Final = 200_000
 """Of a run, after which a step keeps less."""
-MAX_LATE: Final = 100
+MAX_STEP_ENTRIES_WHEN_FULL: Final = 100
 """Of a step then."""
 
 
-class Record:
+class Trace:
     """The first datagrams of each step; the others are counted."""
 
     def __init__(self) -> None:
-        self.entries: list[Entry] = []
-        self.left_out = 0
+        self.entries: list[TraceEntry] = []
+        self.omitted = 0
         self._first = 0
-        self._left_out_before = 0
+        self._omitted_before = 0
 
     def begin(self) -> None:
         """A new step."""
-        self._first, self._left_out_before = len(self.entries), self.left_out
+        self._first, self._omitted_before = len(self.entries), self.omitted
 
-    def add(self, entry: Entry) -> None:
+    def add(self, entry: TraceEntry) -> None:
         """Keep it, if there is room."""
-        room = MAX_STEP if len(self.entries) < MAX_ENTRIES else MAX_LATE
+        room = MAX_STEP_ENTRIES if len(self.entries) < MAX_ENTRIES else MAX_STEP_ENTRIES_WHEN_FULL
         if len(self.entries) - self._first < room:
             self.entries.append(entry)
         else:
-            self.left_out += 1
+            self.omitted += 1
 
     @property
-    def of_step(self) -> tuple[Entry, ...]:
+    def of_step(self) -> tuple[TraceEntry, ...]:
         """What is kept of this step."""
         return tuple(self.entries[self._first :])
 
     @property
-    def left_out_of_step(self) -> int:
+    def omitted_in_step(self) -> int:
         """How many are not."""
-        return self.left_out - self._left_out_before
+        return self.omitted - self._omitted_before

@@ -30,17 +30,17 @@ from jauspy.messages.mobility import (
     SetLocalWaypoint,
 )
 
-NEAR: Final = 0.5
+ARRIVAL_RADIUS: Final = 0.5
 """m; how close is there."""
 SIDE: Final = 2.0
 """m; of the square."""
 SPEED: Final = 1.0
 """m/s."""
-PATIENCE: Final = 60.0
+SIDE_TIMEOUT: Final = 60.0
 """Timeouts for each side."""
-LOOK: Final = 0.25
+POLL_INTERVAL: Final = 0.25
 """s; between two looks at the pose."""
-RENEW: Final = 1.0
+CONTROL_INTERVAL: Final = 1.0
 """s; between two requests for control."""
 AUTHORITY: Final = 0xDC
 XY: Final = 0x03
@@ -80,16 +80,16 @@ def run(client: Client, robot: JausID, points: list[Point]) -> None:
 def approach(client: Client, robot: JausID, point: Point) -> str:
     """Wait until the robot is near; else how close it came."""
     tester = client.tester
-    nearest, end, renewed = math.inf, tester.now + PATIENCE * tester.timeout, tester.now
+    nearest, end, renewed = math.inf, tester.now + SIDE_TIMEOUT * tester.timeout, tester.now
     while tester.now < end:
-        if tester.now - renewed > RENEW:
+        if tester.now - renewed > CONTROL_INTERVAL:
             renewed = tester.now
             take_control(client, robot)
         pose = client.ask(QueryLocalPose(XY), ReportLocalPose, carries("x", "y"), to=robot)
         nearest = min(nearest, math.dist((pose.x or 0.0, pose.y or 0.0), point))
-        if nearest <= NEAR:
+        if nearest <= ARRIVAL_RADIUS:
             return ""
-        tester.wait(LOOK)
+        tester.wait(POLL_INTERVAL)
     return f"the robot came no nearer to {point[0]:.2f}, {point[1]:.2f} than {nearest:.2f} m"
 
 

@@ -26,7 +26,7 @@ class Arrival(NamedTuple):
     """A datagram, and whether it came to the strange port."""
 
     data: bytes
-    strange_port: bool = False
+    other_port: bool = False
 
 
 class Wire(Protocol):
@@ -42,8 +42,8 @@ class Wire(Protocol):
     def join(self, id: JausID) -> None:
         """From now on be reachable as `id`; raises `TransportError` when that is not possible."""
 
-    def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
-        """Send as `source`; with `strange_port` from another UDP port than usual, and what comes there is heard."""
+    def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
+        """Send as `source`; with `other_port` from another UDP port than usual, and what comes there is heard."""
 
     def receive(self, until: float) -> Arrival | None:
         """The next datagram; None when none came before the time was `until`."""
@@ -82,8 +82,8 @@ class UdpWire:
         self._known: OrderedDict[int, Address] = OrderedDict()
         self._sockets: list[socket.socket] = []
         self._selector = selectors.DefaultSelector()
-        self._usual = self._heard(_sender(port, interface))
-        self._strange = self._heard(_sender(0, interface))
+        self._usual_socket = self._heard(_sender(port, interface))
+        self._other_port_socket = self._heard(_sender(0, interface))
         self.notes: list[str] = []
         """What did not work as it should, for the report."""
         if self.port != port:
@@ -93,7 +93,7 @@ class UdpWire:
     @property
     def port(self) -> int:
         """The UDP port that the clients speak from."""
-        port: int = self._usual.getsockname()[1]
+        port: int = self._usual_socket.getsockname()[1]
         return port
 
     def now(self) -> float:
@@ -104,9 +104,9 @@ class UdpWire:
         """Replies go to the address that a message came from, so nothing needs to be told to anybody."""
         self._ids.add(int(id))
 
-    def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:  # noqa: ARG002 - one address for all
+    def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:  # noqa: ARG002 - one address for all
         """Send to the peer, to where the destination was heard, or to everybody; raises `TransportError`."""
-        sock = self._strange if strange_port else self._usual
+        sock = self._other_port_socket if other_port else self._usual_socket
         address = self._peer or self._known.get(_destination(datagram), self._group)
         try:
             sock.sendto(datagram, address)
@@ -120,7 +120,7 @@ class UdpWire:
             ready = self._selector.select(left)
             for key, _ in ready:
                 if (datagram := self._read(key.data)) is not None:
-                    return Arrival(datagram, key.data is self._strange)
+                    return Arrival(datagram, key.data is self._other_port_socket)
             if not ready:
                 return None
 
@@ -235,9 +235,9 @@ class LinkWire:
         """Attach a component; raises `TransportError` when there is no node manager."""
         self._loop.run_until_complete(self._attach(id))
 
-    def send(self, datagram: bytes, source: JausID, *, strange_port: bool = False) -> None:
+    def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
         """Send as the component `source`."""
-        assert not strange_port, "a step that needs this wants PORTS"
+        assert not other_port, "a step that needs this wants PORTS"
         self._transports[source].send(datagram)
 
     def receive(self, until: float) -> Arrival | None:

@@ -1,1 +1,1 @@
-"""Fuzzing: bytes that nobody would send on purpose, and what must hold for them all the same."""
+"""Fuzzing of the codec: valid random messages and mutated ones, and the invariants that are checked for each."""

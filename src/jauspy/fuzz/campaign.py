@@ -1,4 +1,4 @@
-"""A campaign: many cases in one or several processes, with the same result whatever their number."""
+"""A campaign: many cases in one or several processes. The result does not depend on the number of processes."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ from typing import Final
 from jauspy.codec.build import load_schema
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
-from jauspy.fuzz.checks import MEMORY_EVERY, Checks, Effort
-from jauspy.fuzz.findings import MOST_TRIES, Finding, Problem, minimise
-from jauspy.fuzz.messages import Maker, Style, Target, targets
+from jauspy.fuzz.checks import MEMORY_INTERVAL, Checks, CostLimit
+from jauspy.fuzz.findings import MAX_TRIES, FuzzFinding, Problem, minimise
+from jauspy.fuzz.messages import MessageMaker, Style, Target, targets
 from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
-from jauspy.fuzz.offsets import spots_of
+from jauspy.fuzz.offsets import offsets_of
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
 
-SLOW_TRIES: Final = 60
-"""Tries to minimise what takes long by its nature."""
+MAX_SLOW_TRIES: Final = 60
+"""Attempts to minimise a finding about time or memory, each of which is slow."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Fuzzer:
         made = list(from_schemas(self.targets))
         self._seeds = [*from_payloads(self.targets, payloads), *made]
         self._seed = seed
-        self.checks = Checks(Effort((self.targets[one.target], one) for one in made))
+        self.checks = Checks(CostLimit((self.targets[one.target], one) for one in made))
         self._known: set[str] = set()
 
     @property
@@ -66,27 +66,27 @@ class Fuzzer:
         rng = Random(self._seed << 40 | number)  # noqa: S311 - chance, not secrets
         if number % 2 == 0:
             target = self.targets[number // 2 % len(self.targets)]
-            return Case(number, target, Maker(rng, Style.ANY, self.targets).message(target), valid=True)
-        seed = self._start(rng, number)
+            return Case(number, target, MessageMaker(rng, Style.ANY, self.targets).message(target), valid=True)
+        seed = self._seed_for(rng, number)
         target, data = self.targets[seed.target], mutate(rng, seed, self._seeds)
         if rng.random() < 0.02:  # the body of another message
             target = rng.choice(self.targets)
             data = target.id + data[2:]
         return Case(number, target, data, valid=False)
 
-    def _start(self, rng: Random, number: int) -> Seed:
-        """A seed, or now and then a message that is as new as those of the even cases."""
+    def _seed_for(self, rng: Random, number: int) -> Seed:
+        """A seed, or in 30 % of cases a new random message."""
         if rng.random() < 0.7:
             return rng.choice(self._seeds)
         place = number // 2 % len(self.targets)
-        data = Maker(rng, Style.ANY, self.targets).message(self.targets[place])
-        return Seed(place, data, spots_of(self.targets[place].layout, data))
+        data = MessageMaker(rng, Style.ANY, self.targets).message(self.targets[place])
+        return Seed(place, data, offsets_of(self.targets[place].layout, data))
 
-    def run(self, numbers: range) -> Iterator[Finding]:
+    def run(self, numbers: range) -> Iterator[FuzzFinding]:
         """Check these cases; of every cause the first finding, minimised."""
         for number in numbers:
             case = self.case(number)
-            memory = number % MEMORY_EVERY == 0
+            memory = number % MEMORY_INTERVAL == 0
             problem = self.checks.problem(case.target, case.data, valid=case.valid, memory=memory)
             if problem is None:
                 continue
@@ -95,7 +95,7 @@ class Fuzzer:
                 self._known.add(finding.cause)
                 yield self._smallest(case.target, finding)
 
-    def replay(self, finding: Finding) -> Finding | None:
+    def replay(self, finding: FuzzFinding) -> FuzzFinding | None:
         """What the bytes of a finding show now; `None` when nothing is wrong with them any more."""
         wanted = (finding.message, finding.service, finding.version)
         for target in self.targets:
@@ -105,9 +105,9 @@ class Fuzzer:
                 return self._finding(case, problem) if problem else None
         raise ConfigError(f"there is no {finding.message} of {finding.service} {finding.version}")
 
-    def _finding(self, case: Case, problem: Problem) -> Finding:
+    def _finding(self, case: Case, problem: Problem) -> FuzzFinding:
         cls = case.target.cls
-        return Finding(
+        return FuzzFinding(
             problem.check,
             cls.NAME,
             cls.SERVICE,
@@ -119,7 +119,7 @@ class Fuzzer:
             case.number,
         )
 
-    def _smallest(self, target: Target, finding: Finding) -> Finding:
+    def _smallest(self, target: Target, finding: FuzzFinding) -> FuzzFinding:
         if finding.check == "valid":
             return finding  # fewer bytes are no longer a message by construction
         slow = finding.check in ("time", "memory")
@@ -133,18 +133,18 @@ class Fuzzer:
                 found = finding.smaller(data, problem.seen)
             return same
 
-        minimise(finding.data, shows, target.layout, SLOW_TRIES if slow else MOST_TRIES)
+        minimise(finding.data, shows, target.layout, MAX_SLOW_TRIES if slow else MAX_TRIES)
         self.checks.accepted = accepted
         return found
 
 
-CHUNK: Final = 500
+CASES_PER_CHUNK: Final = 500
 """Cases that a process does before it reports."""
 
 
 @dataclass(frozen=True, slots=True)
-class Plan:
-    """What to do: `cases` from number 0, with `payloads` as further seeds; `only` these messages when given.
+class CampaignPlan:
+    """The settings of a campaign: `cases` from number 0, `payloads` as further seeds, `only` these messages if given.
 
     `own` are JSIDL files, folders or patterns, whose messages are tested instead of those that are built in.
     """
@@ -158,34 +158,34 @@ class Plan:
 
 
 @dataclass(slots=True)
-class Outcome:
-    """What came of it so far: `findings` by cause, `accepted` cases were valid messages."""
+class CampaignResult:
+    """The result so far: `findings` by cause; `accepted` cases were valid messages."""
 
     messages: int = 0
     seeds: int = 0
     cases: int = 0
     accepted: int = 0
-    findings: dict[str, Finding] = field(default_factory=dict)
+    findings: dict[str, FuzzFinding] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
 class _Report:
     cases: int
     accepted: int
-    findings: tuple[Finding, ...]
+    findings: tuple[FuzzFinding, ...]
 
 
-def fuzzer(plan: Plan) -> Fuzzer:
-    """The fuzzer of a plan; raises `ConfigError` and `SchemaError` for what it names and is not there, or wrong."""
+def fuzzer(plan: CampaignPlan) -> Fuzzer:
+    """The fuzzer of a plan. Raises `ConfigError` for an unknown message, `SchemaError` for an invalid definition."""
     schema = load_own(plan.own) if plan.own else load_builtin()
     known = load_schema(schema) if plan.own else registry
     return Fuzzer(known, schema, plan.payloads, seed=plan.seed, only=plan.only)
 
 
-def run(plan: Plan, progress: Callable[[Outcome], None] = lambda _: None) -> Outcome:
-    """Run all cases; `progress` is called now and then, and for every new cause."""
+def run(plan: CampaignPlan, progress: Callable[[CampaignResult], None] = lambda _: None) -> CampaignResult:
+    """Run all cases. `progress` is called after each chunk of cases."""
     first = fuzzer(plan)
-    outcome = Outcome(messages=len(first.targets), seeds=len(first.seeds))
+    outcome = CampaignResult(messages=len(first.targets), seeds=len(first.seeds))
     progress(outcome)
     for report in _here(first, plan) if plan.jobs == 1 else _elsewhere(plan):
         outcome.cases += report.cases
@@ -197,7 +197,7 @@ def run(plan: Plan, progress: Callable[[Outcome], None] = lambda _: None) -> Out
 
 
 def _chunks(cases: int) -> Iterator[range]:
-    return (range(start, min(start + CHUNK, cases)) for start in range(0, cases, CHUNK))
+    return (range(start, min(start + CASES_PER_CHUNK, cases)) for start in range(0, cases, CASES_PER_CHUNK))
 
 
 def _report(fuzzer: Fuzzer, numbers: range) -> _Report:
@@ -206,11 +206,11 @@ def _report(fuzzer: Fuzzer, numbers: range) -> _Report:
     return _Report(len(numbers), fuzzer.checks.accepted - before, findings)
 
 
-def _here(fuzzer: Fuzzer, plan: Plan) -> Iterator[_Report]:
+def _here(fuzzer: Fuzzer, plan: CampaignPlan) -> Iterator[_Report]:
     return (_report(fuzzer, numbers) for numbers in _chunks(plan.cases))
 
 
-def _elsewhere(plan: Plan) -> Iterator[_Report]:
+def _elsewhere(plan: CampaignPlan) -> Iterator[_Report]:
     with ProcessPoolExecutor(plan.jobs, get_context("spawn"), _start, (plan,)) as pool:
         yield from pool.map(_work, _chunks(plan.cases))
 
@@ -218,7 +218,7 @@ def _elsewhere(plan: Plan) -> Iterator[_Report]:
 _fuzzers: list[Fuzzer] = []
 
 
-def _start(plan: Plan) -> None:
+def _start(plan: CampaignPlan) -> None:
     """In a new process; the first one has said what there is to warn of."""
     logging.disable(logging.WARNING)
     _fuzzers.append(fuzzer(plan))

@@ -1,4 +1,4 @@
-"""What must hold for any bytes: the checks of one case."""
+"""The checks of one case: invariants of decoding and encoding, agreement with the reference codec, time and memory."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import sys
 import threading
 import time
 import tracemalloc
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from typing import Any, Final, NoReturn
 
@@ -30,35 +30,12 @@ def difference(item: Item, ours: Any, theirs: Any) -> str | None:
 
     `theirs` has the form of `to_dict`, with bytes where `ours` may have a message.
     """
-    match item:
-        case Composite():
-            return _composite(item, ours, theirs)
-        case Bits():
-            return None if item.to_json(ours) == theirs else ""
-        case Real():
-            return None if abs(ours - theirs) <= _rounding(item) else ""
-        case Choice():
-            if item.index.to_json(ours.choice) != theirs["choice"]:
-                return "choice"
-            return _inside("value", item.items[ours.choice], ours.value, theirs["value"])
-        case Formatted():
-            same = item.formats.to_json(ours.format) == theirs["format"]
-            return None if same and _hex(ours.data) == theirs["data"]["hex"] else "data"
-        case Blob():
-            return None if _hex(ours) == theirs["hex"] else ""
-        case Repeat():
-            return _elements(item.item, ours, theirs)
-        case Grid():
-            inner = Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
-            return _elements(inner, ours, theirs)
-        case Union():
-            ((name, value),) = theirs.items()
-            arm = item.arms.get(name)
-            return _inside(name, arm, ours, value) if arm and type(ours) is arm.cls else name
-        case Number():
-            return None if item.to_json(ours) == theirs else ""
-        case _:
-            return None if ours == theirs else ""
+    compare = _COMPARE.get(type(item))
+    return compare(item, ours, theirs) if compare else _differs(ours != theirs)
+
+
+def _differs(different: bool, path: str = "") -> str | None:
+    return path if different else None
 
 
 def _hex(data: Message | bytes) -> str:
@@ -77,6 +54,33 @@ def _elements(item: Item, ours: Any, theirs: Any) -> str | None:
     return next((path for path in found if path is not None), None)
 
 
+def _choice(item: Choice, ours: Any, theirs: Any) -> str | None:
+    if item.index.to_json(ours.choice) != theirs["choice"]:
+        return "choice"
+    return _inside("value", item.items[ours.choice], ours.value, theirs["value"])
+
+
+def _formatted(item: Formatted, ours: Any, theirs: Any) -> str | None:
+    same = item.formats.to_json(ours.format) == theirs["format"] and _hex(ours.data) == theirs["data"]["hex"]
+    return _differs(not same, "data")
+
+
+def _grid(item: Grid, ours: Any, theirs: Any) -> str | None:
+    return _elements(Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item, ours, theirs)
+
+
+def _union(item: Union, ours: Any, theirs: Any) -> str | None:
+    ((name, value),) = theirs.items()
+    arm = item.arms.get(name)
+    return _inside(name, arm, ours, value) if arm and type(ours) is arm.cls else name
+
+
+def _real(item: Real, ours: Any, theirs: Any) -> str | None:
+    """Two ways to compute a scaled value may be apart by a few steps of a float of the size of its limits."""
+    rounding = 8 * math.ulp(max(abs(item.scaling.lower), abs(item.scaling.upper)))
+    return _differs(abs(ours - theirs) > rounding)
+
+
 def _composite(item: Composite, ours: Any, theirs: dict[str, Any]) -> str | None:
     left = dict(theirs)
     for slot in item.slots:
@@ -92,27 +96,36 @@ def _composite(item: Composite, ours: Any, theirs: dict[str, Any]) -> str | None
     return next(iter(left), None)
 
 
-def _rounding(item: Real) -> float:
-    """How far two ways to compute a scaled value may be apart: a few steps of a float of the size of its limits."""
-    return 8 * math.ulp(max(abs(item.scaling.lower), abs(item.scaling.upper)))
+_COMPARE: Final[Mapping[type[Item], Callable[[Any, Any, Any], str | None]]] = {
+    Composite: _composite,
+    Choice: _choice,
+    Formatted: _formatted,
+    Grid: _grid,
+    Union: _union,
+    Real: _real,
+    Bits: lambda item, ours, theirs: _differs(item.to_json(ours) != theirs),
+    Number: lambda item, ours, theirs: _differs(item.to_json(ours) != theirs),
+    Blob: lambda _, ours, theirs: _differs(_hex(ours) != theirs["hex"]),
+    Repeat: lambda item, ours, theirs: _elements(item.item, ours, theirs),
+}
+"""How to compare the values of an item; all others must be equal."""
+
+MAX_CPU_SECONDS: Final = 20.0
+"""Processor time after which a case is aborted as endless; far beyond the limits of `CostLimit`."""
 
 
-MOST_SECONDS: Final = 20.0
-"""Processor time of one case: far beyond every limit, so only for what would never end."""
-
-
-class TooLong(BaseException):
-    """Raised in the middle of the case, past everything that handles exceptions."""
+class CpuLimitExceeded(BaseException):
+    """A case has used up its processor time. Not an `Exception`, so the code under test cannot catch it."""
 
 
 @contextmanager
-def watched() -> Iterator[None]:
-    """Raise `TooLong` when the block takes too much processor time; only the main thread can be watched."""
+def cpu_limited() -> Iterator[None]:
+    """Raise `CpuLimitExceeded` if the block takes too much processor time. Has no effect outside of the main thread."""
     if threading.current_thread() is not threading.main_thread():
         yield
         return
     before = signal.signal(signal.SIGVTALRM, _stop)
-    signal.setitimer(signal.ITIMER_VIRTUAL, MOST_SECONDS)
+    signal.setitimer(signal.ITIMER_VIRTUAL, MAX_CPU_SECONDS)
     try:
         yield
     finally:
@@ -121,40 +134,40 @@ def watched() -> Iterator[None]:
 
 
 def _stop(number: int, frame: Any) -> NoReturn:  # noqa: ARG001 - a signal handler gets both
-    raise TooLong(f"no end after {MOST_SECONDS:g} s of processor time")
+    raise CpuLimitExceeded(f"no end after {MAX_CPU_SECONDS:g} s of processor time")
 
 
-TIMES = 100
-"""How much more than a normal message of its size an input may cost."""
+MAX_COST_RATIO = 100
+"""Time that an input may take, relative to a normal message of its size."""
 
-SMALLEST = 512
-"""Inputs below this many bytes are measured as if they had so many."""
+MIN_MEASURED_SIZE = 512
+"""Bytes; smaller inputs get the limit of this size."""
 
-USUAL_RATE = 250.0
-"""Nanoseconds per byte where nothing can be measured."""
+DEFAULT_RATE = 250.0
+"""Nanoseconds per byte, used if no seed can be measured."""
 
-LONGEST = 50
-"""Seeds that show what is normal; the shortest ones show what a call costs."""
+MAX_SAMPLES = 50
+"""Seeds that are measured to find the normal rate, the largest first: in short ones the call dominates."""
 
-BLOCKS_PER_BYTE = 100
-PEAK_PER_BYTE = 5000
-"""Normal are about 2 blocks and 100 bytes of memory for every byte of a list of small records."""
+MAX_BLOCKS_PER_BYTE = 100
+MAX_PEAK_PER_BYTE = 5000
+"""Memory blocks and peak bytes per byte of input; a list of small records takes about 2 blocks and 100 bytes."""
 
 
-class Effort:
-    """Measures with the processor time of this thread, which others on the machine do not change."""
+class CostLimit:
+    """The limit of processor time per input size, derived from seeds. Other load on the machine does not change it."""
 
     def __init__(self, normal: Iterable[tuple[Target, Seed]]) -> None:
-        samples = sorted(normal, key=lambda pair: len(pair[1].data))[-LONGEST:]
+        samples = sorted(normal, key=lambda pair: len(pair[1].data))[-MAX_SAMPLES:]
         rates = [rate for target, seed in samples for rate in _time_per_byte(target, seed.data)]
-        self._rate = max(1.0, statistics.median(rates)) if rates else USUAL_RATE
+        self._rate = max(1.0, statistics.median(rates)) if rates else DEFAULT_RATE
 
     def limit(self, size: int) -> float:
         """The nanoseconds that an input of this size may take."""
-        return TIMES * self._rate * max(size, SMALLEST)
+        return MAX_COST_RATIO * self._rate * max(size, MIN_MEASURED_SIZE)
 
-    def complaint(self, size: int, spent: float, again: Callable[[], object]) -> str | None:
-        """What is wrong with the time of a case. What looks slow is measured three times more; the best counts."""
+    def problem(self, size: int, spent: float, again: Callable[[], object]) -> str | None:
+        """Describe a case that takes too long, or `None`. A slow case is measured three times more; the best counts."""
         limit = self.limit(size)
         if spent <= limit:
             return None
@@ -163,7 +176,9 @@ class Effort:
             best = min(best, spent_on(again))
             if best <= limit:
                 return None
-        return f"{size} bytes took {best / 1e6:.0f} ms, {best / limit * TIMES:.0f} times as long as normal ones"
+        return (
+            f"{size} bytes took {best / 1e6:.0f} ms, {best / limit * MAX_COST_RATIO:.0f} times as long as normal ones"
+        )
 
 
 def spent_on(call: Callable[[], object]) -> float:
@@ -173,13 +188,13 @@ def spent_on(call: Callable[[], object]) -> float:
     return time.thread_time_ns() - start
 
 
-def memory_complaint(size: int, call: Callable[[], object]) -> str | None:
-    """What is wrong with the memory that a call takes at its peak, and with what its result keeps."""
+def memory_problem(size: int, call: Callable[[], object]) -> str | None:
+    """Describe a call that takes too much memory at its peak, or whose result keeps too much; `None` if it does not."""
     before = sys.getallocatedblocks()
     kept = call()
     blocks = sys.getallocatedblocks() - before
     del kept
-    if blocks > 2000 + BLOCKS_PER_BYTE * size:
+    if blocks > 2000 + MAX_BLOCKS_PER_BYTE * size:
         return f"the message made of {size} bytes keeps {blocks} blocks of memory"
     tracemalloc.start()
     try:
@@ -187,33 +202,33 @@ def memory_complaint(size: int, call: Callable[[], object]) -> str | None:
         _, peak = tracemalloc.get_traced_memory()
     finally:
         tracemalloc.stop()
-    if peak > 1_000_000 + PEAK_PER_BYTE * size:
+    if peak > 1_000_000 + MAX_PEAK_PER_BYTE * size:
         return f"decoding {size} bytes takes {peak} bytes of memory"
     return None
 
 
 def _time_per_byte(target: Target, data: bytes) -> list[float]:
-    """Nothing for a message that cannot be decoded: why that is so, the checks will say."""
+    """Empty for a message that cannot be decoded; the checks report that."""
     try:
-        with watched():
+        with cpu_limited():
             return [min(spent_on(lambda: target.cls.decode(data)) for _ in range(5)) / len(data)]
-    except (Exception, TooLong):  # noqa: BLE001 - see above
+    except (Exception, CpuLimitExceeded):  # noqa: BLE001 - see above
         return []
 
 
-LARGEST_FOR_REFERENCE: Final = 4096
-"""The reference codec is slow; larger inputs are checked without it."""
+MAX_REFERENCE_SIZE: Final = 4096
+"""Bytes; the reference codec is slow, so larger inputs are checked without it."""
 
-MEMORY_EVERY: Final = 64
-"""One case in so many has its memory measured, beside all of more than `LARGE` bytes."""
+MEMORY_INTERVAL: Final = 64
+"""One in this many cases has its memory measured, and every case of more than `ALWAYS_MEASURED_SIZE` bytes."""
 
-LARGE: Final = 2048
+ALWAYS_MEASURED_SIZE: Final = 2048
 
-Tolerant = tuple[Message, list[Deviation]]
+TolerantResult = tuple[Message, list[Deviation]]
 
 
-class _Broken(Exception):
-    """Ends the checks of a case."""
+class _CheckFailed(Exception):
+    """A check does not hold; ends the checks of the case."""
 
     def __init__(self, problem: Problem) -> None:
         super().__init__(problem)
@@ -223,55 +238,55 @@ class _Broken(Exception):
 class Checks:
     """All checks. `accepted` counts the cases that were valid messages."""
 
-    def __init__(self, effort: Effort) -> None:
-        self._effort = effort
+    def __init__(self, cost: CostLimit) -> None:
+        self._cost = cost
         self.accepted = 0
 
     def problem(self, target: Target, data: bytes, *, valid: bool = False, memory: bool = True) -> Problem | None:
         """What is wrong with these bytes; `valid` when they are known to be a message."""
         try:
-            with watched():
+            with cpu_limited():
                 self._run(target, data, valid=valid, memory=memory)
-        except _Broken as broken:
+        except _CheckFailed as broken:
             return broken.problem
-        except TooLong as error:
+        except CpuLimitExceeded as error:
             return Problem("time", "", str(error))
         return None
 
     def _run(self, target: Target, data: bytes, *, valid: bool, memory: bool) -> None:
-        def both() -> tuple[Message | None, Tolerant]:
+        def both() -> tuple[Message | None, TolerantResult]:
             return (
-                _only("decode", (DecodeError,), lambda: target.cls.decode(data)),
-                _only("tolerant", (), lambda: slow_path.decode_tolerant(target.cls, data)),
+                _call("decode", (DecodeError,), lambda: target.cls.decode(data)),
+                _call("tolerant", (), lambda: slow_path.decode_tolerant(target.cls, data)),
             )
 
-        results: list[tuple[Message | None, Tolerant]] = []
+        results: list[tuple[Message | None, TolerantResult]] = []
         spent = spent_on(lambda: results.append(both()))
         message, (tolerant, deviations) = results[0]
-        _complain("time", self._effort.complaint(len(data), spent, both))
-        if memory or len(data) > LARGE:
-            _complain("memory", memory_complaint(len(data), both))
+        _fail_if("time", self._cost.problem(len(data), spent, both))
+        if memory or len(data) > ALWAYS_MEASURED_SIZE:
+            _fail_if("memory", memory_problem(len(data), both))
         if valid and message is None:
-            _fail("valid", deviations[0].path if deviations else "", f"rejected: {_first(deviations)}")
+            _fail("valid", deviations[0].path if deviations else "", f"rejected: {_first_deviation(deviations)}")
         self._check_tolerant(target, data, message, tolerant, deviations)
         if message is not None:
             self.accepted += 1
             self._check_stable(target, data, message)
-        if len(data) <= LARGEST_FOR_REFERENCE:
+        if len(data) <= MAX_REFERENCE_SIZE:
             self._check_reference(target, data, message)
 
     @staticmethod
     def _check_stable(target: Target, data: bytes, message: Message) -> None:
-        again = _only("encode", (), message.encode)
+        again = _call("encode", (), message.encode)
         if again != data:
             _fail("stable", "bytes", f"decodes to {message!r}, which encodes to {_short(again)}")
-        if _only("decode", (), lambda: target.cls.decode(data)) != message:
+        if _call("decode", (), lambda: target.cls.decode(data)) != message:
             _fail("stable", "values", "decodes to two different messages")
-        if _only("careful", (), lambda: slow_path.decode(target.cls, data)) != message:
-            _fail("roads", "decode", f"straight-line code gives {message!r}, the careful codec something else")
-        if _only("careful", (), lambda: slow_path.encode(message, clamp=False, strict=True)) != data:
-            _fail("roads", "encode", "straight-line code and the careful codec encode differently")
-        carried = _only("json", (), lambda: target.cls.from_dict(json.loads(json.dumps(message.to_dict()))))
+        if _call("slow path", (), lambda: slow_path.decode(target.cls, data)) != message:
+            _fail("paths", "decode", f"the fast path gives {message!r}, the slow path something else")
+        if _call("slow path", (), lambda: slow_path.encode(message, clamp=False, strict=True)) != data:
+            _fail("paths", "encode", "the fast path and the slow path encode differently")
+        carried = _call("json", (), lambda: target.cls.from_dict(json.loads(json.dumps(message.to_dict()))))
         if carried != message:
             _fail("json", "", f"{message!r} becomes {carried!r}")
 
@@ -280,23 +295,23 @@ class Checks:
         target: Target, data: bytes, message: Message | None, tolerant: Message, deviations: list[Deviation]
     ) -> None:
         if (message is None) != bool(deviations):
-            _fail("tolerant", "verdict", f"strict says {message!r}, tolerant says {_first(deviations)}")
+            _fail("tolerant", "verdict", f"strict says {message!r}, tolerant says {_first_deviation(deviations)}")
         if message is not None and tolerant != message:
             _fail("tolerant", "values", f"strict gives {message!r}, tolerant {tolerant!r}")
         if deviations and not any(deviation.lost for deviation in deviations):
-            again = _only("tolerant", (), lambda: tolerant.encode(strict=False))
+            again = _call("tolerant", (), lambda: tolerant.encode(strict=False))
             if again != data:
                 _fail("tolerant", "bytes", f"nothing was lost, and it encodes to {_short(again)}")
-            twice, found = _only("tolerant", (), lambda: slow_path.decode_tolerant(target.cls, again))
+            twice, found = _call("tolerant", (), lambda: slow_path.decode_tolerant(target.cls, again))
             if found != deviations or repr(twice) != repr(tolerant):
                 _fail("tolerant", "values", "decodes to two different messages")
-            carried = _only("json", (), lambda: target.cls.from_dict(json.loads(json.dumps(tolerant.to_dict()))))
-            if _only("json", (), lambda: carried.encode(strict=False)) != data:
+            carried = _call("json", (), lambda: target.cls.from_dict(json.loads(json.dumps(tolerant.to_dict()))))
+            if _call("json", (), lambda: carried.encode(strict=False)) != data:
                 _fail("json", "", f"{tolerant!r} becomes {carried!r}")
 
     @staticmethod
     def _check_reference(target: Target, data: bytes, message: Message | None) -> None:
-        values = _only("reference", (DecodeError,), lambda: reference.parse(target.model, data))
+        values = _call("reference", (DecodeError,), lambda: reference.parse(target.model, data))
         if (message is None) != (values is None):
             accepts = "the reference codec" if message is None else "generated code"
             _fail("agreement", "verdict", f"only {accepts} takes these bytes")
@@ -305,13 +320,13 @@ class Checks:
         path = difference(target.layout, message, values)
         if path is not None:
             _fail("agreement", path or "value", f"{message!r} is {values!r} for the reference codec")
-        built = _only("reference", (), lambda: reference.build(target.model, values))
+        built = _call("reference", (), lambda: reference.build(target.model, values))
         if built != data:
             _fail("agreement", "bytes", f"the reference codec encodes to {_short(built)}")
 
 
-def _only(check: str, allowed: tuple[type[Exception], ...], call: Callable[[], Any]) -> Any:
-    """The result of a call; `None` when it raises what it may. All else that is raised is a problem."""
+def _call(check: str, allowed: tuple[type[Exception], ...], call: Callable[[], Any]) -> Any:
+    """The result of a call; `None` if it raises an allowed exception. Any other exception is a problem."""
     try:
         return call()
     except allowed:
@@ -322,18 +337,18 @@ def _only(check: str, allowed: tuple[type[Exception], ...], call: Callable[[], A
         _fail(check, type(error).__name__, repr(error))
 
 
-def _complain(check: str, seen: str | None) -> None:
+def _fail_if(check: str, seen: str | None) -> None:
     if seen is not None:
         _fail(check, "", seen)
 
 
 def _fail(check: str, what: str, seen: str) -> NoReturn:
-    raise _Broken(Problem(check, re.sub(r"\[\d+\]", "", what), seen if len(seen) <= 400 else f"{seen[:397]}..."))
+    raise _CheckFailed(Problem(check, re.sub(r"\[\d+\]", "", what), seen if len(seen) <= 400 else f"{seen[:397]}..."))
 
 
 def _short(data: bytes) -> str:
     return data.hex() if len(data) <= 64 else f"{data[:64].hex()}..."
 
 
-def _first(deviations: list[Deviation]) -> str:
+def _first_deviation(deviations: list[Deviation]) -> str:
     return str(deviations[0]) if deviations else "nothing"

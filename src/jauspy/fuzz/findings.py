@@ -1,4 +1,4 @@
-"""A finding: what went wrong, named by its cause, in a small JSON file."""
+"""Findings: a problem by its cause, the bytes that reproduce it, minimised by delta debugging, and its JSON file."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from typing import Final
 from jauspy.codec.items import Item
 from jauspy.codec.layout import Repeat
 from jauspy.errors import ConfigError
-from jauspy.fuzz.offsets import Spot, spots_of
+from jauspy.fuzz.offsets import Offset, offsets_of
 
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """What a check has to say; `what` is the exception type or field path that makes it this problem and no other."""
+    """What a check reports. `what` is the exception type or field path that tells it from other problems."""
 
     check: str
     what: str
@@ -25,7 +25,7 @@ class Problem:
 
 
 @dataclass(frozen=True, slots=True)
-class Finding:
+class FuzzFinding:
     """A problem and the bytes that show it. `seed` and `case` say which campaign made them."""
 
     check: str
@@ -48,7 +48,7 @@ class Finding:
         """The bytes."""
         return bytes.fromhex(self.hex)
 
-    def smaller(self, data: bytes, seen: str) -> Finding:
+    def smaller(self, data: bytes, seen: str) -> FuzzFinding:
         """The same problem, shown by other bytes."""
         return replace(self, hex=data.hex(), seen=seen)
 
@@ -60,11 +60,11 @@ class Finding:
         return path
 
 
-def load_finding(path: Path) -> Finding:
-    """The inverse of `Finding.save`; raises `ConfigError`."""
+def load_finding(path: Path) -> FuzzFinding:
+    """The inverse of `FuzzFinding.save`; raises `ConfigError`."""
     try:
         data = json.loads(path.read_text(encoding="utf-8"))
-        finding = Finding(**{name: data[name] for name in Finding.__slots__})
+        finding = FuzzFinding(**{name: data[name] for name in FuzzFinding.__slots__})
         assert len(finding.data) >= 2
     except OSError as error:
         raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
@@ -73,84 +73,84 @@ def load_finding(path: Path) -> Finding:
     return finding
 
 
-MOST_TRIES: Final = 1500
-KEPT: Final = 2
+MAX_TRIES: Final = 1500
+MESSAGE_ID_SIZE: Final = 2
 """The message id stays."""
 
-Shows = Callable[[bytes], bool]
+Reproduces = Callable[[bytes], bool]
 
 
-def minimise(data: bytes, shows: Shows, layout: Item | None = None, tries: int = MOST_TRIES) -> bytes:
-    """The smallest bytes that were found within so many tries; `shows` says whether bytes show the problem.
+def minimise(data: bytes, shows: Reproduces, layout: Item | None = None, tries: int = MAX_TRIES) -> bytes:
+    """The smallest bytes found within `tries` attempts; `shows` returns whether bytes reproduce the problem.
 
     With a layout, elements and fields are left out together with their count or presence bit, too.
     """
-    budget = _Budget(shows, tries)
+    budget = _Attempts(shows, tries)
     before = b""
     while data != before and budget.left:
         before = data
         if layout is not None:
             data = _without_parts(data, layout, budget)
-        data = _plainer(_shorter(data, budget), budget)
+        data = _zeroed(_shorter(data, budget), budget)
     return data
 
 
-class _Budget:
-    def __init__(self, shows: Shows, tries: int) -> None:
+class _Attempts:
+    def __init__(self, shows: Reproduces, tries: int) -> None:
         self._shows = shows
         self.left = tries
 
     def shows(self, data: bytes) -> bool:
-        """False without a try when there is none left."""
+        """Whether the bytes reproduce the problem; always false once all attempts are used."""
         if not self.left:
             return False
         self.left -= 1
         return self._shows(data)
 
 
-def _without_parts(data: bytes, layout: Item, budget: _Budget) -> bytes:
-    """Leave out parts as long as that goes."""
+def _without_parts(data: bytes, layout: Item, budget: _Attempts) -> bytes:
+    """Leave out parts until no more can be left out."""
     found = True
     while found:
         found = False
-        for spot in spots_of(layout, data):
-            smaller = next((candidate for candidate in _without(data, spot) if budget.shows(candidate)), None)
+        for offset in offsets_of(layout, data):
+            smaller = next((candidate for candidate in _without(data, offset) if budget.shows(candidate)), None)
             if smaller is not None:
                 data, found = smaller, True
                 break
     return data
 
 
-def _without(data: bytes, spot: Spot) -> Iterator[bytes]:
+def _without(data: bytes, offset: Offset) -> Iterator[bytes]:
     """The data without some elements of a count, or without a field of a presence vector."""
-    number = int.from_bytes(data[spot.at : spot.at + spot.size], "little")
-    if spot.kind == "presence":
-        for bit, (start, end) in enumerate(zip(spot.cuts[::2], spot.cuts[1::2], strict=True)):
+    number = int.from_bytes(data[offset.at : offset.at + offset.size], "little")
+    if offset.kind == "presence":
+        for bit, (start, end) in enumerate(zip(offset.cuts[::2], offset.cuts[1::2], strict=True)):
             if number >> bit & 1:
-                yield _cut(data, spot, number & ~(1 << bit), start, end)
-    if spot.kind != "count" or len(spot.cuts) < 2:
+                yield _cut(data, offset, number & ~(1 << bit), start, end)
+    if offset.kind != "count" or len(offset.cuts) < 2:
         return
-    borders = spot.cuts if isinstance(spot.item, Repeat) else range(spot.cuts[0], spot.cuts[-1] + 1)
+    borders = offset.cuts if isinstance(offset.item, Repeat) else range(offset.cuts[0], offset.cuts[-1] + 1)
     size = len(borders) - 1
     while size:
         for first in range(0, len(borders) - size, size):
-            yield _cut(data, spot, max(number - size, 0), borders[first], borders[first + size])
+            yield _cut(data, offset, max(number - size, 0), borders[first], borders[first + size])
         size //= 2
 
 
-def _cut(data: bytes, spot: Spot, number: int, start: int, end: int) -> bytes:
-    """Another number at the spot, and nothing from `start` to `end`."""
-    head = data[: spot.at] + number.to_bytes(spot.size, "little") + data[spot.at + spot.size :]
+def _cut(data: bytes, offset: Offset, number: int, start: int, end: int) -> bytes:
+    """Another number at the offset, and nothing from `start` to `end`."""
+    head = data[: offset.at] + number.to_bytes(offset.size, "little") + data[offset.at + offset.size :]
     return head[:start] + head[end:]
 
 
-def _shorter(data: bytes, budget: _Budget) -> bytes:
-    """Leave out blocks, halves first, then smaller and smaller ones; the last bytes first."""
-    size = max(len(data) - KEPT, 0)
+def _shorter(data: bytes, budget: _Attempts) -> bytes:
+    """Leave out blocks, halves first, then smaller ones; the last bytes first."""
+    size = max(len(data) - MESSAGE_ID_SIZE, 0)
     while size:
         end = len(data)
-        while end > KEPT:
-            start = max(end - size, KEPT)
+        while end > MESSAGE_ID_SIZE:
+            start = max(end - size, MESSAGE_ID_SIZE)
             candidate = data[:start] + data[end:]
             if budget.shows(candidate):
                 data = candidate
@@ -159,9 +159,9 @@ def _shorter(data: bytes, budget: _Budget) -> bytes:
     return data
 
 
-def _plainer(data: bytes, budget: _Budget) -> bytes:
-    """Zeros, where they do as well."""
-    for at in range(KEPT, len(data)):
+def _zeroed(data: bytes, budget: _Attempts) -> bytes:
+    """Replace bytes by zeros where the problem stays the same."""
+    for at in range(MESSAGE_ID_SIZE, len(data)):
         if data[at]:
             candidate = data[:at] + b"\0" + data[at + 1 :]
             if budget.shows(candidate):

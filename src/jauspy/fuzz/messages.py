@@ -1,4 +1,4 @@
-"""The messages that are tested: for each its generated class, and the model that the reference codec goes by."""
+"""The messages under test, and valid random ones made from their layouts."""
 
 from __future__ import annotations
 
@@ -55,8 +55,8 @@ def targets(registry: Registry, schema: m.Schema, names: Iterable[str] = ()) -> 
     return tuple(found)
 
 
-DEEPEST: Final = 3
-"""Levels of messages inside messages that are made."""
+MAX_NESTING: Final = 3
+"""Levels of messages inside messages."""
 
 
 class Style(Enum):
@@ -67,7 +67,7 @@ class Style(Enum):
     ANY = 2
 
 
-class Maker:
+class MessageMaker:
     """Makes bytes that decode strictly; `inner` are the messages to put into others."""
 
     def __init__(self, rng: Random, style: Style, inner: Sequence[Target] = ()) -> None:
@@ -194,7 +194,7 @@ class Maker:
             self._counted(item.count, self._rng.randbytes(self._size(item.count, 12)))
 
     def _blob(self, count: Count, *, nested: bool) -> bytes:
-        if nested and self._inner and self._depth < DEEPEST and self._style is not Style.SHORTEST:
+        if nested and self._inner and self._depth < MAX_NESTING and self._style is not Style.SHORTEST:
             self._depth += 1
             made = self.message(self._rng.choice(self._inner))
             self._depth -= 1

@@ -1,4 +1,4 @@
-"""Ways to make bytes worse: some know what they hit, some do not."""
+"""Seeds of a campaign, and mutations of their bytes: at the offsets of counts, tags and numbers, or blind."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from jauspy.codec.items import Choice, Formatted, Number
 from jauspy.codec.layout import Composite, Repeat, Union
 from jauspy.codec.wire import FLOATS
 from jauspy.errors import ConfigError
-from jauspy.fuzz.messages import Maker, Style, Target
-from jauspy.fuzz.offsets import Spot, spots_of
+from jauspy.fuzz.messages import MessageMaker, Style, Target
+from jauspy.fuzz.offsets import Offset, offsets_of
 from jauspy.messages import registry
 
-ANY_PER_MESSAGE = 3
-"""Random seeds that are made of each message, beside the shortest and the one with everything."""
+ANY_PER_MESSAGE: Final = 3
+"""Random seeds of each message, beside the shortest one and the one with all fields."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +28,7 @@ class Seed:
 
     target: int
     data: bytes
-    spots: tuple[Spot, ...]
+    offsets: tuple[Offset, ...]
 
 
 def file_payloads(path: Path) -> list[bytes]:
@@ -58,7 +58,7 @@ def from_payloads(targets: Sequence[Target], payloads: Iterable[bytes]) -> Itera
     for payload in payloads:
         for number, target in enumerate(targets):
             if payload.startswith(target.id):
-                yield Seed(number, payload, spots_of(target.layout, payload))
+                yield Seed(number, payload, offsets_of(target.layout, payload))
 
 
 def from_schemas(targets: Sequence[Target]) -> Iterator[Seed]:
@@ -66,12 +66,12 @@ def from_schemas(targets: Sequence[Target]) -> Iterator[Seed]:
     rng = Random(0)  # noqa: S311 - chance, not secrets
     styles = (Style.SHORTEST, Style.FULL, *(Style.ANY,) * ANY_PER_MESSAGE)
     for number, target in enumerate(targets):
-        made = {Maker(rng, style, targets).message(target) for style in styles}
+        made = {MessageMaker(rng, style, targets).message(target) for style in styles}
         for data in sorted(made):
-            yield Seed(number, data, spots_of(target.layout, data))
+            yield Seed(number, data, offsets_of(target.layout, data))
 
 
-LARGEST: Final = 65536
+MAX_INPUT_SIZE: Final = 65536
 """Bytes of the largest input: more does not fit into a datagram."""
 
 _FLOATS: Final = tuple(
@@ -83,124 +83,124 @@ _DOUBLES: Final = tuple(
     for text in ("7ff0000000000000", "fff0000000000000", "7ff8000000000000", "7fefffffffffffff", "8000000000000000")
 )
 
-Change = Callable[[Random, bytearray, Spot, Sequence[Seed]], None]
+Mutation = Callable[[Random, bytearray, Offset, Sequence[Seed]], None]
 
 
 def mutate(rng: Random, seed: Seed, others: Sequence[Seed]) -> bytes:
     """The seed's bytes, changed one to four times; the message id stays."""
     data = bytearray(seed.data)
     for _ in range(rng.choice((1, 1, 1, 2, 2, 3, 4))):
-        whole = len(data) == len(seed.data)  # else the spots are no longer where they were
-        if seed.spots and whole and rng.random() < 0.7:
-            spot = rng.choice(seed.spots)
-            rng.choice(_INFORMED[spot.kind])(rng, data, spot, others)
+        whole = len(data) == len(seed.data)  # else the offsets are no longer where they were
+        if seed.offsets and whole and rng.random() < 0.7:
+            offset = rng.choice(seed.offsets)
+            rng.choice(_AT_OFFSET[offset.kind])(rng, data, offset, others)
         else:
             rng.choice(_BLIND)(rng, data, others)
     if rng.random() < 0.003:
         _grow(rng, data)
-    return bytes(data[:LARGEST])
+    return bytes(data[:MAX_INPUT_SIZE])
 
 
-def _put(data: bytearray, spot: Spot, value: int) -> None:
-    size = spot.size
-    data[spot.at : spot.at + size] = (value & ((1 << 8 * size) - 1)).to_bytes(size, "little")
+def _put(data: bytearray, offset: Offset, value: int) -> None:
+    size = offset.size
+    data[offset.at : offset.at + size] = (value & ((1 << 8 * size) - 1)).to_bytes(size, "little")
 
 
-def _get(data: bytearray, spot: Spot) -> int:
-    return int.from_bytes(data[spot.at : spot.at + spot.size], "little")
+def _get(data: bytearray, offset: Offset) -> int:
+    return int.from_bytes(data[offset.at : offset.at + offset.size], "little")
 
 
 # --- numbers ----------------------------------------------------------------------------------------------------------
 
 
-def _edge(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
-    top = (1 << 8 * spot.size) - 1
-    _put(data, spot, rng.choice((0, 1, top, top - 1, top >> 1, (top >> 1) + 1)))
+def _edge(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+    top = (1 << 8 * offset.size) - 1
+    _put(data, offset, rng.choice((0, 1, top, top - 1, top >> 1, (top >> 1) + 1)))
 
 
-def _step(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
-    _put(data, spot, _get(data, spot) + rng.choice((-2, -1, 1, 2)))
+def _step(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+    _put(data, offset, _get(data, offset) + rng.choice((-2, -1, 1, 2)))
 
 
-def _limit(rng: Random, data: bytearray, spot: Spot, others: Sequence[Seed]) -> None:
+def _limit(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed]) -> None:
     """One beside an allowed value, or a special float."""
-    item = spot.item
+    item = offset.item
     if not isinstance(item, Number):
-        _edge(rng, data, spot, others)
+        _edge(rng, data, offset, others)
     elif item.code in FLOATS:
-        data[spot.at : spot.at + spot.size] = rng.choice(_FLOATS if item.code == "f" else _DOUBLES)
+        data[offset.at : offset.at + offset.size] = rng.choice(_FLOATS if item.code == "f" else _DOUBLES)
     else:
         known = [member.value for member in item.values.enum or ()]
         known += [round(end) for interval in item.values.intervals for end in interval]
-        _put(data, spot, rng.choice(known or [0]) + rng.choice((-1, 0, 1)))
+        _put(data, offset, rng.choice(known or [0]) + rng.choice((-1, 0, 1)))
 
 
 # --- counts -----------------------------------------------------------------------------------------------------------
 
 
-def _lie(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+def _wrong_count(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
     """A count that does not fit what follows."""
-    count, top = _get(data, spot), (1 << 8 * spot.size) - 1
+    count, top = _get(data, offset), (1 << 8 * offset.size) - 1
     choices = [0, count + 1, count - 1, top, top >> 1, count << 8]
-    if isinstance(spot.item, Repeat):
-        choices += [spot.item.count.maximum, spot.item.count.maximum + 1, spot.item.count.minimum - 1]
-    _put(data, spot, rng.choice(choices))
+    if isinstance(offset.item, Repeat):
+        choices += [offset.item.count.maximum, offset.item.count.maximum + 1, offset.item.count.minimum - 1]
+    _put(data, offset, rng.choice(choices))
 
 
-def _repeat(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+def _repeat(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
     """An element twice, or left out; the count is right."""
-    if len(spot.cuts) < 2:
+    if len(offset.cuts) < 2:
         return
-    number = rng.randrange(len(spot.cuts) - 1)
-    start, end = spot.cuts[number : number + 2]
-    by_element = isinstance(spot.item, Repeat)
+    number = rng.randrange(len(offset.cuts) - 1)
+    start, end = offset.cuts[number : number + 2]
+    by_element = isinstance(offset.item, Repeat)
     if rng.random() < 0.5:
         times = rng.choice((1, 1, 2, 7))
-        _put(data, spot, _get(data, spot) + times * (1 if by_element else end - start))
+        _put(data, offset, _get(data, offset) + times * (1 if by_element else end - start))
         data[end:end] = data[start:end] * times
     else:
-        _put(data, spot, _get(data, spot) - (1 if by_element else end - start))
+        _put(data, offset, _get(data, offset) - (1 if by_element else end - start))
         del data[start:end]
 
 
-def _nest(rng: Random, data: bytearray, spot: Spot, others: Sequence[Seed]) -> None:
+def _nest(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed]) -> None:
     """Another message, or this one, into a field of bytes; the count is right."""
-    if isinstance(spot.item, Repeat) or len(spot.cuts) != 2:
+    if isinstance(offset.item, Repeat) or len(offset.cuts) != 2:
         return
     inner = bytes(data) if rng.random() < 0.2 else rng.choice(others).data
-    _put(data, spot, len(inner))
-    data[spot.cuts[0] : spot.cuts[1]] = inner
+    _put(data, offset, len(inner))
+    data[offset.cuts[0] : offset.cuts[1]] = inner
 
 
 # --- tags and presence vectors ----------------------------------------------------------------------------------------
 
 
-def _retag(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
+def _retag(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
     known = [0]
-    if isinstance(spot.item, Union):
-        known = [*range(len(spot.item.arms) + 1)]
-    elif isinstance(spot.item, Choice):
-        known = list(spot.item.items)
-    elif isinstance(spot.item, Formatted):
-        known = [member.value for member in spot.item.formats.enum or ()]
-    _put(data, spot, rng.choice([*known, 255]))
+    if isinstance(offset.item, Union):
+        known = [*range(len(offset.item.arms) + 1)]
+    elif isinstance(offset.item, Choice):
+        known = list(offset.item.items)
+    elif isinstance(offset.item, Formatted):
+        known = [member.value for member in offset.item.formats.enum or ()]
+    _put(data, offset, rng.choice([*known, 255]))
 
 
-def _presence(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
-    mask, top = _get(data, spot), (1 << 8 * spot.size) - 1
-    choices = [0, top, mask ^ 1 << rng.randrange(8 * spot.size)]
-    if isinstance(spot.item, Composite):
-        choices += [top & ~spot.item.undefined, mask | spot.item.undefined]
-    _put(data, spot, rng.choice(choices))
+def _presence(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+    mask, top = _get(data, offset), (1 << 8 * offset.size) - 1
+    choices = [0, top, mask ^ 1 << rng.randrange(8 * offset.size)]
+    if isinstance(offset.item, Composite):
+        choices += [top & ~offset.item.undefined, mask | offset.item.undefined]
+    _put(data, offset, rng.choice(choices))
 
 
-def _cut_here(rng: Random, data: bytearray, spot: Spot, _: Sequence[Seed]) -> None:
-    del data[spot.at + rng.randint(0, spot.size) :]
+def _cut_here(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
+    del data[offset.at + rng.randint(0, offset.size) :]
 
 
-_INFORMED: Final[dict[str, tuple[Change, ...]]] = {
+_AT_OFFSET: Final[dict[str, tuple[Mutation, ...]]] = {
     "number": (_edge, _step, _limit, _limit, _cut_here),
-    "count": (_lie, _lie, _step, _repeat, _repeat, _nest, _cut_here),
+    "count": (_wrong_count, _wrong_count, _step, _repeat, _repeat, _nest, _cut_here),
     "tag": (_retag, _retag, _edge, _cut_here),
     "presence": (_presence, _presence, _presence, _cut_here),
 }
@@ -248,7 +248,7 @@ _BLIND: Final = (_flip, _flip, _byte, _byte, _truncate, _append, _block, _splice
 
 def _grow(rng: Random, data: bytearray) -> None:
     """Up to the largest input, with zeros or with a part again and again: lists of lists of next to nothing."""
-    size = rng.choice((1024, 4096, 16384, LARGEST))
+    size = rng.choice((1024, 4096, 16384, MAX_INPUT_SIZE))
     start = rng.randint(2, len(data))
     part = bytes(data[start : start + rng.choice((1, 2, 3, 8))]) or b"\0"
     pattern = rng.choice((b"\0", b"\xff", b"\1\0", part))

@@ -1,4 +1,4 @@
-"""Where in the bytes of a message its counts, tags, presence vectors, numbers and lists are."""
+"""The offsets of counts, tags, presence vectors and numbers in the bytes of a message."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
 from jauspy.codec.wire import SIZES
 
-Kind = Literal["number", "count", "tag", "presence"]
+OffsetKind = Literal["number", "count", "tag", "presence"]
 
 
 @dataclass(frozen=True, slots=True)
-class Spot:
+class Offset:
     """`size` bytes at `at`.
 
     `cuts` are, for a count, the borders between the elements that it counts, both ends included; for a presence vector,
     the start and the end of the field of each bit.
     """
 
-    kind: Kind
+    kind: OffsetKind
     at: int
     size: int
     item: Item | None = None
@@ -35,25 +35,25 @@ class _OutOfData(Exception):
     """The bytes end before the message does."""
 
 
-def spots_of(layout: Item, data: bytes) -> tuple[Spot, ...]:
-    """The spots of a message, as far as it can be read; messages inside it included."""
+def offsets_of(layout: Item, data: bytes) -> tuple[Offset, ...]:
+    """The offsets of a message, as far as it can be read; messages inside it included."""
     scanner = _Scanner(data)
     with suppress(_OutOfData):
         scanner.item(layout, 2)
-    return tuple(scanner.spots)
+    return tuple(scanner.offsets)
 
 
 class _Scanner:
     def __init__(self, data: bytes) -> None:
         self.data = data
-        self.spots: list[Spot] = []
+        self.offsets: list[Offset] = []
 
-    def _add(self, kind: Kind, at: int, code: str, item: Item | None = None) -> int:
+    def _add(self, kind: OffsetKind, at: int, code: str, item: Item | None = None) -> int:
         """Note a number; returns its value."""
         size = SIZES[code]
         if at + size > len(self.data):
             raise _OutOfData
-        self.spots.append(Spot(kind, at, size, item))
+        self.offsets.append(Offset(kind, at, size, item))
         return int.from_bytes(self.data[at : at + size], "little")
 
     def item(self, item: Item, at: int) -> int:
@@ -94,7 +94,7 @@ class _Scanner:
                 raise TypeError(item)
 
     def _composite(self, item: Composite, at: int) -> int:
-        mask, place, vector = 0, len(self.spots), at
+        mask, place, vector = 0, len(self.offsets), at
         if item.presence:
             mask = self._add("presence", at, item.presence, item)
             at += SIZES[item.presence]
@@ -106,15 +106,15 @@ class _Scanner:
             if slot.optional:
                 cuts += [start, at]
         if item.presence:
-            self.spots[place] = Spot("presence", vector, SIZES[item.presence], item, tuple(cuts))
+            self.offsets[place] = Offset("presence", vector, SIZES[item.presence], item, tuple(cuts))
         return at
 
     def _counted(self, count: Count, at: int, cuts: list[int], *, nested: bool = False) -> None:
-        self.spots.append(Spot("count", at, SIZES[count.code], None, tuple(cuts), nested))
+        self.offsets.append(Offset("count", at, SIZES[count.code], None, tuple(cuts), nested))
 
     def _bytes(self, count: Count, at: int, *, nested: bool) -> int:
         size = self._add("count", at, count.code)
-        self.spots.pop()
+        self.offsets.pop()
         start = at + SIZES[count.code]
         end = min(start + size, len(self.data))
         self._counted(count, at, [start, end], nested=nested)
@@ -123,18 +123,20 @@ class _Scanner:
         return start + size
 
     def _message(self, start: int, end: int) -> None:
-        """The spots of a message inside the message."""
+        """The offsets of a message inside the message."""
         from jauspy.messages import registry  # noqa: PLC0415 - what messages inside messages are looked up in
 
         found = registry.nesting.message(self.data[start:end])
         if isinstance(found, Message):
-            for spot in spots_of(type(found).layout(), self.data[start:end]):
-                cuts = tuple(cut + start for cut in spot.cuts)
-                self.spots.append(Spot(spot.kind, spot.at + start, spot.size, spot.item, cuts, spot.nested))
+            for offset in offsets_of(type(found).layout(), self.data[start:end]):
+                cuts = tuple(cut + start for cut in offset.cuts)
+                self.offsets.append(
+                    Offset(offset.kind, offset.at + start, offset.size, offset.item, cuts, offset.nested)
+                )
 
     def _repeat(self, item: Repeat, at: int) -> int:
         total = self._add("count", at, item.count.code)
-        place = len(self.spots) - 1
+        place = len(self.offsets) - 1
         start = at
         at += SIZES[item.count.code]
         cuts = [at]
@@ -143,5 +145,5 @@ class _Scanner:
             if at > len(self.data):
                 raise _OutOfData
             cuts.append(at)
-        self.spots[place] = Spot("count", start, SIZES[item.count.code], item, tuple(cuts))
+        self.offsets[place] = Offset("count", start, SIZES[item.count.code], item, tuple(cuts))
         return at

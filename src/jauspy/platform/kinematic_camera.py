@@ -52,16 +52,16 @@ class FloorCamera:
         """The robot's state."""
         return (self.descriptor,)
 
-    def open(self) -> FloorEye:
+    def open(self) -> FloorCameraSession:
         """Needs NumPy."""
         try:
-            return FloorEye(self)
+            return FloorCameraSession(self)
         except ImportError as error:
             raise ConfigError(f"cameras need NumPy: pip install 'jauspy[video]' ({error})") from error
 
 
-class FloorEye:
-    """An `Eye`."""
+class FloorCameraSession:
+    """A `CameraSession`."""
 
     description: str = "draws sky and floor; the kinematic backend has nothing else to see"
     reduced: bool = False

@@ -225,7 +225,7 @@ def cancel_event(tester: Tester) -> None:
     """Step 9."""
     judge, event = tester.client(COP), the_event(tester)
     event_streams.cancel(judge, 7, event)
-    event_streams.stopped(judge, event, 2.5 / event_streams.HALF_HERTZ)
+    event_streams.check_stopped(judge, event, 2.5 / event_streams.HALF_HERTZ)
 
 
 def events_are(*, listed: bool) -> Action:
@@ -268,7 +268,7 @@ def end_and_drive(tester: Tester) -> None:
     judge = tester.client(COP)
     event = tester.recall("stream 1", "step 75 got no event")
     event_streams.cancel(judge, 1, event, to=tester.component)
-    event_streams.stopped(judge, event, 2.5)
+    event_streams.check_stopped(judge, event, 2.5)
     waypoint_drive.square(judge, tester.component)
     for request in (2, 3, 4, 5):
         if (other := tester.memory.get(f"stream {request}")) is not None:

@@ -19,11 +19,11 @@ FIRST_NUMBER: Final = 0x8000
 """Of packets by hand; far from the numbers of the clients' endpoints."""
 MAX_ARRIVALS: Final = 1024
 """Packets from the component in one step; far more than any step wants."""
-SETTLE: Final = 0.1
+SETTLE_TIME: Final = 0.1
 """Timeouts to wait for what should not come."""
 
 
-class Hand:
+class RawSender:
     """Sends packets of one client to the component under test, and counts what comes back."""
 
     def __init__(self, tester: Tester, client: str) -> None:
@@ -62,10 +62,10 @@ class Hand:
         """Everything that came from the component to this client, and whether to the strange port."""
         return self._arrivals
 
-    def _hear(self, packet: Packet, strange_port: bool) -> None:
+    def _hear(self, packet: Packet, other_port: bool) -> None:
         ours = packet.source == self.component and packet.destination == self.client.id
         if ours and _answers(packet) and len(self._arrivals) < MAX_ARRIVALS:
-            self._arrivals.append((packet, strange_port))
+            self._arrivals.append((packet, other_port))
 
     def answers(self) -> list[Packet]:
         """The answers to the ping."""
@@ -78,20 +78,20 @@ class Hand:
         deadline = self.tester.now + self.tester.timeout
         if not self.tester.pump(deadline, lambda: len(self.answers()) >= count):
             self._look_later(count, what, deadline)
-        self.tester.wait(SETTLE * self.tester.timeout)
+        self.tester.wait(SETTLE_TIME * self.tester.timeout)
         self._compare(what, count, len(self.answers()))
 
     def _look_later(self, count: int, what: str, deadline: float) -> None:
         if self.tester.pump(deadline + self.tester.timeout, lambda: len(self.answers()) >= count):
             late = f"{self.tester.now - deadline:.2f} s after the deadline of {self.tester.timeout:g} s"
-            self.tester.look(what, late)
+            self.tester.record_check(what, late)
             raise Late(f"{what}: it came {late}")
 
     def expect_none(self, what: str) -> None:
         """No packet of any kind, and the component still answers another client."""
         self.tester.expected.append(what)
-        self.tester.wait(SETTLE * self.tester.timeout)
-        alive(self.tester)
+        self.tester.wait(SETTLE_TIME * self.tester.timeout)
+        check_others_are_answered(self.tester)
         self._compare(what, 0, len(self.arrivals()))
 
     def expect_acks(self, numbers: Iterable[int], what: str) -> None:
@@ -101,13 +101,13 @@ class Hand:
         self.tester.pump(self.tester.now + self.tester.timeout, lambda: len(self.received(Ack.ACK)) >= len(wanted))
         got = [each.sequence for each in self.received(Ack.ACK)]
         if wanted and not got:
-            self.tester.look(what, "no ACK")
+            self.tester.record_check(what, "no ACK")
             raise Silent(f"no ACK came: {what}")
         self.tester.check(what, "" if got == wanted else f"ACKs came for {got}, not for {wanted}")
 
     def _compare(self, what: str, wanted: int, got: int) -> None:
         if wanted and not got:
-            self.tester.look(what, "nothing came")
+            self.tester.record_check(what, "nothing came")
             raise Silent(f"nothing came: {what}")
         self.tester.check(what, "" if got == wanted else f"{got} came, not {wanted}: {what}")
 
@@ -117,9 +117,9 @@ def _answers(packet: Packet) -> bool:
     return len(packet.payload) < 2 or is_answer(int.from_bytes(packet.payload[:2], "little"))
 
 
-def alive(tester: Tester) -> None:
+def check_others_are_answered(tester: Tester) -> None:
     """The component answers a client that had nothing to do with it."""
-    bystander = Hand(tester, "42.9.9")
+    bystander = RawSender(tester, "42.9.9")
     bystander.send(bystander.packet())
     tester.pump(tester.now + tester.timeout, lambda: bool(bystander.answers()))
     problem = "" if bystander.answers() else f"{bystander.component} answers nobody any more"
@@ -134,9 +134,9 @@ def find_ping(tester: Tester) -> None:
         report = ping.CODE + REPORT_OFFSET
         if tester.pump(tester.now + tester.timeout, partial(_has, client, report)):
             tester.memory["ping"] = ping.encode()
-            tester.look("a query is answered")
+            tester.record_check("a query is answered")
             return
-    tester.look("a query is answered", "none is")
+    tester.record_check("a query is answered", "none is")
     raise Silent(f"none of {', '.join(each.NAME for each in HARMLESS_QUERIES)} was answered")
 
 
@@ -144,14 +144,14 @@ def _has(client: Client, code: int) -> bool:
     return any(each.code == code for each in client.pending)
 
 
-def pieces(hand: Hand, payload: bytes, *cuts: int, ack: Ack = Ack.NONE) -> list[Packet]:
+def fragments(sender: RawSender, payload: bytes, *cuts: int, ack: Ack = Ack.NONE) -> list[Packet]:
     """The packets of a payload that is cut at these places, with consecutive numbers."""
     ends = [*cuts, len(payload)]
-    first = hand.number(len(ends))
+    first = sender.number(len(ends))
     flags = [DataFlag.FIRST, *[DataFlag.MIDDLE] * (len(ends) - 2), DataFlag.LAST]
     starts = [0, *cuts]
     return [
-        hand.packet(payload[start:end], sequence=first + number & 0xFFFF, data_flag=flag, ack=ack)
+        sender.packet(payload[start:end], sequence=first + number & 0xFFFF, data_flag=flag, ack=ack)
         for number, (start, end, flag) in enumerate(zip(starts, ends, flags, strict=True))
     ]
 
@@ -164,25 +164,25 @@ def other_subsystem(id: JausID) -> JausID:
 A: Final = "42.1.1"
 B: Final = "42.2.1"
 """Two clients."""
-UNKNOWN: Final = bytes.fromhex("ffee")
+UNKNOWN_MESSAGE: Final = bytes.fromhex("ffee")
 """A message id that no standard has."""
 
-Trial = Callable[[Hand], None]
+PacketTest = Callable[[RawSender], None]
 
 
-def by_hand(trial: Trial, client: str = A) -> Action:
+def with_packets(test: PacketTest, client: str = A) -> Action:
     """A step that works with packets."""
-    return lambda tester: trial(Hand(tester, client))
+    return lambda tester: test(RawSender(tester, client))
 
 
 def answered(**fields: Any) -> Action:
     """A query with these header fields is answered once."""
 
-    def trial(hand: Hand) -> None:
-        hand.send(hand.packet(**fields))
-        hand.expect(1, "one answer")
+    def test(sender: RawSender) -> None:
+        sender.send(sender.packet(**fields))
+        sender.expect(1, "one answer")
 
-    return by_hand(trial)
+    return with_packets(test)
 
 
 def step(id: str, title: str, action: Action, *wants: str) -> Step:

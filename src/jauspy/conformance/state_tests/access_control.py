@@ -7,23 +7,29 @@ from typing import Final
 
 from jauspy.conformance.checks import has
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import (
+    MAX_TIMER_WAIT,
+    MIN_TIMER_FRACTION,
+    Explorer,
+    Stimulus,
+    StimulusResult,
+)
 from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.core import QueryAuthority, ReportAuthority, RequestControl, SetAuthority
 
 
-def below_default(walker: Walker) -> int:
+def below_default(explorer: Explorer) -> int:
     """An authority that is too low for anybody."""
-    if walker.default_authority == 0:
+    if explorer.default_authority == 0:
         raise Skipped("the default authority of the component is 0: nothing is below it")
-    return walker.default_authority - 1
+    return explorer.default_authority - 1
 
 
-_LEVELS: Final[tuple[tuple[str, Callable[[Walker], int], bool, bool, bool], ...]] = (
+_LEVELS: Final[tuple[tuple[str, Callable[[Explorer], int], bool, bool, bool], ...]] = (
     ("authority below the default", below_default, True, False, False),
-    ("less authority", lambda walker: walker.authority - 1, False, False, True),
-    ("the same authority", lambda walker: walker.authority, False, False, True),
-    ("more authority", lambda walker: walker.authority + 1, False, True, False),
+    ("less authority", lambda explorer: explorer.authority - 1, False, False, True),
+    ("the same authority", lambda explorer: explorer.authority, False, False, True),
+    ("more authority", lambda explorer: explorer.authority + 1, False, True, False),
 )
 """Name, value, below the default, above the current one, valid for SetAuthority."""
 
@@ -32,7 +38,7 @@ def _requests() -> tuple[Stimulus, ...]:
     return tuple(
         Stimulus(
             "RequestControl",
-            lambda walker, level=level: RequestControl(level(walker)),  # type: ignore[misc]  # a bound loop variable
+            lambda explorer, level=level: RequestControl(level(explorer)),  # type: ignore[misc]  # a bound loop variable
             name,
             {"isDefaultAuthorityGreater": below, "isCurrentAuthorityLess": above},
         )
@@ -44,7 +50,7 @@ def _authorities() -> tuple[Stimulus, ...]:
     return tuple(
         Stimulus(
             "SetAuthority",
-            lambda walker, level=level: SetAuthority(level(walker)),  # type: ignore[misc]  # a bound loop variable
+            lambda explorer, level=level: SetAuthority(level(explorer)),  # type: ignore[misc]  # a bound loop variable
             name,
             {"isAuthorityValid": valid},
             verify=_authority_is(level),
@@ -53,25 +59,29 @@ def _authorities() -> tuple[Stimulus, ...]:
     )
 
 
-def _authority_is(level: Callable[[Walker], int]) -> Callable[[Aftermath], None]:
-    def verify(then: Aftermath) -> None:
-        walker, controller = then.walker, then.before.controller
+def _authority_is(level: Callable[[Explorer], int]) -> Callable[[StimulusResult], None]:
+    def verify(then: StimulusResult) -> None:
+        explorer, controller = then.explorer, then.before.controller
         if not controller or then.outcome.after.controller != controller:
             return
-        wanted = level(walker) if then.outcome.acts else walker.authority
-        walker.client(OBSERVER).ask(QueryAuthority(), ReportAuthority, has(authority_code=wanted), to=walker.component)
+        wanted = level(explorer) if then.outcome.acts else explorer.authority
+        explorer.client(OBSERVER).ask(
+            QueryAuthority(), ReportAuthority, has(authority_code=wanted), to=explorer.component
+        )
 
     return verify
 
 
-def control_time(walker: Walker) -> float:
+def control_time(explorer: Explorer) -> float:
     """Seconds until control ends."""
-    if not 0 < walker.timeout <= LONGEST:
-        raise Skipped(f"control times out after {walker.timeout} s" if walker.timeout else "control never times out")
-    return float(walker.timeout)
+    if not 0 < explorer.timeout <= MAX_TIMER_WAIT:
+        raise Skipped(
+            f"control times out after {explorer.timeout} s" if explorer.timeout else "control never times out"
+        )
+    return float(explorer.timeout)
 
 
 ACCESS: Final = (*_requests(), *_authorities())
 SILENT_CLIENT: Final = Stimulus(
-    "Timedout", None, "the client is silent", seconds=control_time, earliest=EARLIEST, by_controller=True
+    "Timedout", None, "the client is silent", seconds=control_time, earliest=MIN_TIMER_FRACTION, by_controller=True
 )

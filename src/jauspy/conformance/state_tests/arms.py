@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.codec.message import Message
-from jauspy.conformance.results import Outcome, Skipped
+from jauspy.conformance.results import Skipped, StepOutcome
 from jauspy.conformance.state_tests import lists
 from jauspy.conformance.state_tests.events import UNKNOWN_ID
-from jauspy.conformance.state_tests.explorer import Prepare, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Explorer, Prepare, Stimulus
 from jauspy.conformance.state_tests.sample_messages import neutral
 from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages.manipulator import (
@@ -30,10 +30,10 @@ MANIPULATOR: Final = "urn:jaus:jss:manipulator:"
 
 
 def _with_profile(query: Message, report: type[Message], predicate: str, *kinds: type[Message]) -> tuple[Stimulus, ...]:
-    def there_is(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+    def there_is(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
         try:
-            walker.client(OBSERVER).ask(query, report, to=walker.component)
-        except Outcome as outcome:
+            explorer.client(OBSERVER).ask(query, report, to=explorer.component)
+        except StepOutcome as outcome:
             raise Skipped(f"there is no motion profile: {outcome}") from outcome
 
     return tuple(_harmless(kind, {predicate: True}, there_is) for kind in kinds)
@@ -43,16 +43,16 @@ def _harmless(kind: type[Message], truths: dict[str, bool], before: Prepare) -> 
     return Stimulus(kind.NAME, lambda _: neutral(kind), "with a motion profile", truths, before=before, of=MANIPULATOR)
 
 
-def _hold(walker: Walker, role: str) -> None:
+def _hold(explorer: Explorer, role: str) -> None:
     """A list of one element, when the sender is in control and can set it."""
-    if role == CONTROLLER and lists.LIST_MANAGER in walker.services:
-        lists.hold(walker, role)
+    if role == CONTROLLER and lists.LIST_MANAGER in explorer.services:
+        lists.hold(explorer, role)
 
 
-def _empty(walker: Walker, role: str) -> None:
+def _empty(explorer: Explorer, role: str) -> None:
     """No list, as far as the sender can see to that."""
-    if lists.LIST_MANAGER in walker.services:
-        lists.clear(walker, role)
+    if lists.LIST_MANAGER in explorer.services:
+        lists.clear(explorer, role)
 
 
 ARMS: Final = (

@@ -23,11 +23,11 @@ from jauspy.schema.inheritance import most_derived_first, parents_among
 from jauspy.schema.loader import load_needed
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 
-MACHINE: Final = "ReceiveFSM"
-ANYTHING: Final = "Receive"
+RECEIVE_MACHINE: Final = "ReceiveFSM"
+RECEIVE_TRIGGER: Final = "Receive"
 """The internal event of Transport: a message has come."""
 
-Truth: TypeAlias = bool | None
+TruthValue: TypeAlias = bool | None
 """None: not known from outside."""
 
 
@@ -66,7 +66,7 @@ class Prediction:
     """The transition has actions: it does more than swallow the input."""
 
 
-class Rule(NamedTuple):
+class MergedTransition(NamedTuple):
     """A transition of the merged machine, as the definition of one service has it in one state."""
 
     name: str
@@ -85,35 +85,35 @@ class Rule(NamedTuple):
         return _is_message(self.transition) and bool(self.transition.parameters)
 
 
-Way: TypeAlias = tuple[MergedState, Owned[model.Transition]]
+Candidate: TypeAlias = tuple[MergedState, Owned[model.Transition]]
 """A transition, and the state that has it."""
-Judge: TypeAlias = Callable[[behavior.Call, Situation], Truth]
+Decide: TypeAlias = Callable[[behavior.Call, Situation], TruthValue]
 """Decides a predicate for the input that is looked at."""
 
 
-class Machine:
+class BehaviourModel:
     """The merged machine of some definitions, most derived first."""
 
     def __init__(self, definitions: Sequence[model.Service]) -> None:
-        merged = merge_machines(definitions)[MACHINE]
+        merged = merge_machines(definitions)[RECEIVE_MACHINE]
         self.root = merged.root
         self._outputs = {message.name for each in definitions for message in each.outputs}
         self.start = Situation(merged.start().path)
         self._names = _named(self.root)
         self.rules = tuple(self._rules())
         """Every transition; those of several services that cannot be told apart have one name."""
-        self.ignoring = next((each.name for each in self.rules if each.trigger == ANYTHING), "")
+        self.ignoring = next((each.name for each in self.rules if each.trigger == RECEIVE_TRIGGER), "")
         """The transition of Transport that swallows what no other one takes."""
 
-    def _rules(self) -> Iterator[Rule]:
+    def _rules(self) -> Iterator[MergedTransition]:
         for node in self.root.all():
             for owned in (*node.transitions, *node.defaults):
-                yield Rule(self._name(owned, node), owned.item, owned.owner, node)
+                yield MergedTransition(self._name(owned, node), owned.item, owned.owner, node)
 
     def _name(self, owned: Owned[model.Transition], node: MergedState) -> str:
         return self._names[_looks(owned.item, node)]
 
-    def predict(self, situation: Situation, trigger: str, role: str, judge: Judge) -> tuple[Prediction, ...]:
+    def predict(self, situation: Situation, trigger: str, role: str, judge: Decide) -> tuple[Prediction, ...]:
         """All right outcomes of an input: a message name or that of an internal event.
 
         There is one for each way in which the predicates that are not known may turn out.
@@ -122,13 +122,15 @@ class Machine:
         guesses = _guesses([owned.item.guard for _, owned in ways], situation, judge)
         return tuple(dict.fromkeys(self._outcome(ways, holds, situation, role) for holds in guesses))
 
-    def _outcome(self, ways: Iterable[Way], holds: Callable[[str], bool], before: Situation, role: str) -> Prediction:
+    def _outcome(
+        self, ways: Iterable[Candidate], holds: Callable[[str], bool], before: Situation, role: str
+    ) -> Prediction:
         for node, owned in ways:
             if holds(owned.item.guard):
                 return self._apply(owned, node, before, role)
         return Prediction((), before)
 
-    def _in_order(self, situation: Situation) -> Iterator[Way]:
+    def _in_order(self, situation: Situation) -> Iterator[Candidate]:
         active = self._node(situation.state)
         for node in active.upwards():
             first, second = node.transitions, node.defaults
@@ -212,7 +214,7 @@ def trigger_of(transition: model.Transition) -> str:
 
 
 def _is_message(transition: model.Transition) -> bool:
-    return _event(transition) == ANYTHING
+    return _event(transition) == RECEIVE_TRIGGER
 
 
 def _event(transition: model.Transition) -> str:
@@ -224,7 +226,7 @@ def _short(call: behavior.Call) -> str:
     return call.name.rpartition(".")[2]
 
 
-def _guesses(texts: Iterable[str], situation: Situation, judge: Judge) -> Iterator[Callable[[str], bool]]:
+def _guesses(texts: Iterable[str], situation: Situation, judge: Decide) -> Iterator[Callable[[str], bool]]:
     """Judges of guards: one for each way in which the predicates that are not known may turn out."""
     calls = [call for text in texts if text.strip() for call in behavior.calls(behavior.parse(text))]
     unknown = list(dict.fromkeys(_short(call) for call in calls if judge(call, situation) is None))
@@ -274,12 +276,12 @@ TRANSPORT: Final = "urn:jaus:jss:core:Transport"
 
 
 @dataclass(frozen=True)
-class Subject:
+class ComponentUnderTest:
     """The component under test, as its definitions say it is."""
 
     component: JausID
     definitions: tuple[model.Service, ...]
-    machine: Machine
+    machine: BehaviourModel
     registry: Registry
 
     def transition(self, rule: str) -> str:
@@ -297,10 +299,10 @@ class Subject:
         return self.registry.by_name(name)
 
 
-def subject_of(id: JausID, offered: frozenset[ServiceKey]) -> Subject:
+def component_under_test(id: JausID, offered: frozenset[ServiceKey]) -> ComponentUnderTest:
     """The component with everything known that it offers, most derived first."""
     known = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
     schema = load_needed(frozenset(offered & known))
     services = [schema.service(*key) for key in sorted(offered & known)]
     ordered = most_derived_first(services, parents_among(schema.services))
-    return Subject(id, ordered, Machine(ordered), registry)
+    return ComponentUnderTest(id, ordered, BehaviourModel(ordered), registry)

@@ -12,7 +12,7 @@ from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.state_tests import lists, sample_messages
 from jauspy.conformance.state_tests.effects import SLOW, effect, over_ground
 from jauspy.conformance.state_tests.events import UNKNOWN_ID
-from jauspy.conformance.state_tests.explorer import Aftermath, Prepare, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Explorer, Prepare, Stimulus, StimulusResult
 from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages.core import Standby
 from jauspy.messages.mobility import (
@@ -95,33 +95,33 @@ _LOITERS: Final[Mapping[str, Message]] = MappingProxyType(
 """By how the names begin of the services that take them."""
 
 
-def element(walker: Walker) -> Message:
+def element(explorer: Explorer) -> Message:
     """What the lists of its drivers are made of."""
-    return next(_taken(walker, {**_WAYPOINTS, **_SEGMENTS}), _WAYPOINTS["LocalWaypoint"])
+    return next(_taken(explorer, {**_WAYPOINTS, **_SEGMENTS}), _WAYPOINTS["LocalWaypoint"])
 
 
-def _taken(walker: Walker, kinds: Mapping[str, Message]) -> Iterator[Message]:
+def _taken(explorer: Explorer, kinds: Mapping[str, Message]) -> Iterator[Message]:
     for name, made in kinds.items():
-        if any(each.startswith(f"{MOBILITY}{name}") for each in walker.services):
+        if any(each.startswith(f"{MOBILITY}{name}") for each in explorer.services):
             yield made
 
 
-def place(walker: Walker, waypoint: Message) -> None:
+def place(explorer: Explorer, waypoint: Message) -> None:
     """The one in control sets a waypoint, before anybody drives."""
-    walker.client(CONTROLLER).send(waypoint, to=walker.component)
+    explorer.client(CONTROLLER).send(waypoint, to=explorer.component)
 
 
-def place_all(walker: Walker) -> None:
+def place_all(explorer: Explorer) -> None:
     """One of each kind that the component takes by itself, without a list."""
-    for each in _taken(walker, {**_WAYPOINTS, **_LOITERS}):
-        place(walker, each)
+    for each in _taken(explorer, {**_WAYPOINTS, **_LOITERS}):
+        place(explorer, each)
 
 
-def stop(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+def stop(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     """Nobody drives any more."""
-    walker.client(CONTROLLER).send(Standby(), to=walker.component)
-    lists.clear(walker, CONTROLLER)
-    walker.where = None
+    explorer.client(CONTROLLER).send(Standby(), to=explorer.component)
+    lists.clear(explorer, CONTROLLER)
+    explorer.where = None
 
 
 # --- waypoints ------------------------------------------------------------------------------------------------------
@@ -130,11 +130,11 @@ def stop(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
 def _left_behind(waypoint: Message) -> Prepare:
     """Set by a client that has gone since."""
 
-    def before(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
-        walker.steer("RequestControl", CONTROLLER)
-        place(walker, waypoint)
-        walker.steer("ReleaseControl", CONTROLLER)
-        walker.look()
+    def before(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
+        explorer.steer("RequestControl", CONTROLLER)
+        place(explorer, waypoint)
+        explorer.steer("ReleaseControl", CONTROLLER)
+        explorer.observe()
 
     return before
 
@@ -145,7 +145,7 @@ def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *ri
             each,
             variant=f"{each.variant} of one that was set",
             truths={"waypointExists": True},
-            before=lambda walker, _: place(walker, waypoint),
+            before=lambda explorer, _: place(explorer, waypoint),
             after=stop,
             by_controller=True,
             only_in="Available",
@@ -191,27 +191,27 @@ def _travel(command: Callable[[float], Message], query: Message, report: type[Me
         field,
         SLOW,
         truths={"waypointExists": True, "loiterExists": True},
-        prepare=lambda walker, _: place_all(walker),
+        prepare=lambda explorer, _: place_all(explorer),
         cleanup=stop,
     )
 
 
-def _hold(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+def _hold(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     """A list of one waypoint, when somebody is in control who can set it."""
-    walker.client(CONTROLLER).send(lists.upload(element(walker)), to=walker.component)
-    walker.look()
+    explorer.client(CONTROLLER).send(lists.upload(element(explorer)), to=explorer.component)
+    explorer.observe()
 
 
-def _is_active(then: Aftermath) -> None:
+def _is_active(then: StimulusResult) -> None:
     uid = lists.UID if then.outcome.acts else 0
-    observer = then.walker.client(OBSERVER)
-    observer.ask(QueryActiveElement(), ReportActiveElement, has(element_uid=uid), to=then.walker.component)
+    observer = then.explorer.client(OBSERVER)
+    observer.ask(QueryActiveElement(), ReportActiveElement, has(element_uid=uid), to=then.explorer.component)
 
 
 def _execution(make: Callable[..., Message], speed: Callable[[float], Any]) -> tuple[Stimulus, ...]:
-    def under_way(walker: Walker, role: str) -> None:
-        _hold(walker, role)
-        walker.client(CONTROLLER).send(make(speed=speed(0.0), element_uid=lists.UID), to=walker.component)
+    def under_way(explorer: Explorer, role: str) -> None:
+        _hold(explorer, role)
+        explorer.client(CONTROLLER).send(make(speed=speed(0.0), element_uid=lists.UID), to=explorer.component)
 
     def start(variant: str, uid: int, *, exists: bool) -> Stimulus:
         return Stimulus(
@@ -262,8 +262,8 @@ CURRENT, MOST = 0, 1
 
 
 def _velocity(make: Callable[..., Message], query: Callable[..., Message], report: type[Any]) -> tuple[Stimulus, ...]:
-    def limit(walker: Walker) -> Message:
-        asked = walker.client(OBSERVER).ask(query(1, MOST), report, to=walker.component)
+    def limit(explorer: Explorer) -> Message:
+        asked = explorer.client(OBSERVER).ask(query(1, MOST), report, to=explorer.component)
         return make(command_type=MOST, velocity_x=asked.velocity_x)
 
     return (

@@ -9,8 +9,8 @@ from typing import Any, Final
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import near, value_of
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.state_tests.behaviour import Truth
-from jauspy.conformance.state_tests.explorer import Aftermath, Prepare, Stimulus, Walker, nothing
+from jauspy.conformance.state_tests.behaviour import TruthValue
+from jauspy.conformance.state_tests.explorer import Explorer, Prepare, Stimulus, StimulusResult, no_preparation
 from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.manipulator import (
     QueryEndEffectorEffort,
@@ -73,40 +73,40 @@ def effect(
     field: str,
     change: float,
     *,
-    truths: Mapping[str, Truth] = MappingProxyType({}),
+    truths: Mapping[str, TruthValue] = MappingProxyType({}),
     variant: str = "",
-    prepare: Prepare = nothing,
-    cleanup: Prepare = nothing,
+    prepare: Prepare = no_preparation,
+    cleanup: Prepare = no_preparation,
     of: str = "",
 ) -> Stimulus:
     """A command that changes one number by a little; afterwards the client takes the change back."""
 
-    def reported(walker: Walker) -> float:
-        found = value_of(walker.client(OBSERVER).ask(query, report, to=walker.component), field)
+    def reported(explorer: Explorer) -> float:
+        found = value_of(explorer.client(OBSERVER).ask(query, report, to=explorer.component), field)
         if found is None:
             raise Skipped(f"{report.NAME} has no {field}, which would show what the command does")
         return float(found)
 
-    def before(walker: Walker, role: str) -> None:
-        walker.tester.memory.pop(BEFORE, None)
-        prepare(walker, role)
-        walker.tester.memory[BEFORE] = reported(walker)
+    def before(explorer: Explorer, role: str) -> None:
+        explorer.tester.memory.pop(BEFORE, None)
+        prepare(explorer, role)
+        explorer.tester.memory[BEFORE] = reported(explorer)
 
-    def verify(then: Aftermath) -> None:
-        walker = then.walker
-        wanted = walker.tester.memory[BEFORE] + (change if then.outcome.acts else 0.0)
+    def verify(then: StimulusResult) -> None:
+        explorer = then.explorer
+        wanted = explorer.tester.memory[BEFORE] + (change if then.outcome.acts else 0.0)
         right = near(abs(change) / 4, **{field: wanted})
-        walker.client(OBSERVER).ask(query, report, right, to=walker.component)
+        explorer.client(OBSERVER).ask(query, report, right, to=explorer.component)
 
-    def after(walker: Walker, role: str) -> None:
-        if BEFORE in walker.tester.memory:
-            walker.client(role).send(command(walker.tester.memory[BEFORE]), to=walker.component)
-            walker.look()
-        cleanup(walker, role)
+    def after(explorer: Explorer, role: str) -> None:
+        if BEFORE in explorer.tester.memory:
+            explorer.client(role).send(command(explorer.tester.memory[BEFORE]), to=explorer.component)
+            explorer.observe()
+        cleanup(explorer, role)
 
     return Stimulus(
         command(0.0).NAME,
-        lambda walker: command(walker.tester.memory[BEFORE] + change),
+        lambda explorer: command(explorer.tester.memory[BEFORE] + change),
         variant,
         truths,
         before=before,

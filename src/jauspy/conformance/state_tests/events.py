@@ -8,8 +8,14 @@ from jauspy.codec.message import Message
 from jauspy.conformance import event_streams
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.event_streams import ONE_HERTZ
-from jauspy.conformance.results import Outcome, Skipped
-from jauspy.conformance.state_tests.explorer import EARLIEST, LONGEST, Aftermath, Stimulus, Walker
+from jauspy.conformance.results import Skipped, StepOutcome
+from jauspy.conformance.state_tests.explorer import (
+    MAX_TIMER_WAIT,
+    MIN_TIMER_FRACTION,
+    Explorer,
+    Stimulus,
+    StimulusResult,
+)
 from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.core import (
     AllEventsRec,
@@ -45,98 +51,100 @@ FAST: Final = 10.0
 """Hertz of a stream that is looked at."""
 
 
-def hold_event(walker: Walker, role: str) -> None:
+def hold_event(explorer: Explorer, role: str) -> None:
     """The sender has an event."""
     wanted = CreateEvent(HELD, EVERY_CHANGE, 0.0, QUERY)
-    made = walker.client(role).ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
-    walker.tester.memory["held"] = made.event_id
+    made = explorer.client(role).ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=explorer.component)
+    explorer.tester.memory["held"] = made.event_id
 
 
-def fast_event(walker: Walker, role: str) -> None:
+def fast_event(explorer: Explorer, role: str) -> None:
     """The sender has a periodic event, and its first report has come."""
     wanted = CreateEvent(HELD, PERIODIC, FAST, QUERY)
-    client = walker.client(role)
-    made = client.ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=walker.component)
-    walker.tester.memory["held"] = made.event_id
-    walker.tester.memory["rate"] = made.confirmed_periodic_rate
+    client = explorer.client(role)
+    made = client.ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=explorer.component)
+    explorer.tester.memory["held"] = made.event_id
+    explorer.tester.memory["rate"] = made.confirmed_periodic_rate
     client.expect(Event)
 
 
-def held(walker: Walker) -> int:
+def held(explorer: Explorer) -> int:
     """Its id."""
-    found: int = walker.tester.recall("held", "there is no event")
+    found: int = explorer.tester.recall("held", "there is no event")
     return found
 
 
-def drop_events(walker: Walker, role: str) -> None:
+def drop_events(explorer: Explorer, role: str) -> None:
     """Cancel what the step made."""
-    client = walker.client(role)
-    for id in {walker.tester.memory.pop("held", None), *confirmed(walker, role)} - {None}:
-        client.send(CancelEvent(HELD, id), to=walker.component)
-    walker.look()
+    client = explorer.client(role)
+    for id in {explorer.tester.memory.pop("held", None), *confirmed(explorer, role)} - {None}:
+        client.send(CancelEvent(HELD, id), to=explorer.component)
+    explorer.observe()
 
 
-def confirmed(walker: Walker, role: str) -> list[int]:
+def confirmed(explorer: Explorer, role: str) -> list[int]:
     """The events that this client was told of in this step, in order."""
-    return [each.event_id for each in _confirmations(walker, role)]
+    return [each.event_id for each in _confirmations(explorer, role)]
 
 
-def _confirmations(walker: Walker, role: str) -> list[ConfirmEventRequest]:
+def _confirmations(explorer: Explorer, role: str) -> list[ConfirmEventRequest]:
     return [
         ConfirmEventRequest.decode(heard.payload, strict=False)[0]
-        for heard in walker.client(role).confirmed
-        if heard.code == ConfirmEventRequest.CODE and heard.source == walker.component
+        for heard in explorer.client(role).confirmed
+        if heard.code == ConfirmEventRequest.CODE and heard.source == explorer.component
     ]
 
 
-def _known(then: Aftermath, id: int, kind: int | None) -> None:
+def _known(then: StimulusResult, id: int, kind: int | None) -> None:
     """The component tells the client that it has this event, of this kind; or, for None, that it has it no more."""
     wanted = [] if kind is None else [(id, kind)]
     right = that(
         "lists the event, as it is" if wanted else "lists the event no more",
         lambda report: [(each.event_id, each.event_type) for each in report.event_list] == wanted,
     )
-    client = then.walker.client(then.role)
-    client.ask(QueryEvents(QueryEvents.EventIDRec(id)), ReportEvents, right, to=then.walker.component)
+    client = then.explorer.client(then.role)
+    client.ask(QueryEvents(QueryEvents.EventIDRec(id)), ReportEvents, right, to=then.explorer.component)
 
 
-def _is_made(then: Aftermath) -> None:
-    _known(then, confirmed(then.walker, then.role)[-1], PERIODIC)
+def _is_made(then: StimulusResult) -> None:
+    _known(then, confirmed(then.explorer, then.role)[-1], PERIODIC)
 
 
-def _is_kept(then: Aftermath) -> None:
-    _known(then, held(then.walker), EVERY_CHANGE)
+def _is_kept(then: StimulusResult) -> None:
+    _known(then, held(then.explorer), EVERY_CHANGE)
 
 
-def _is_changed(then: Aftermath) -> None:
+def _is_changed(then: StimulusResult) -> None:
     """It is another event now, under its old id."""
-    walker, id = then.walker, held(then.walker)
-    confirmation = _confirmations(walker, then.role)[-1]
+    explorer, id = then.explorer, held(then.explorer)
+    confirmation = _confirmations(explorer, then.role)[-1]
     same = confirmation.event_id == id
-    walker.tester.check("the event keeps its id", "" if same else f"{id} has become {confirmation.event_id}")
+    explorer.tester.check("the event keeps its id", "" if same else f"{id} has become {confirmation.event_id}")
     _known(then, id, PERIODIC)
-    event_streams.look(walker.client(then.role), id, confirmation.confirmed_periodic_rate, ReportEventTimeout)
+    event_streams.check_stream(explorer.client(then.role), id, confirmation.confirmed_periodic_rate, ReportEventTimeout)
 
 
-def _is_gone(then: Aftermath) -> None:
-    _known(then, held(then.walker), None)
-    event_streams.stopped(then.walker.client(then.role), held(then.walker), PAUSE * then.walker.tester.timeout)
+def _is_gone(then: StimulusResult) -> None:
+    _known(then, held(then.explorer), None)
+    event_streams.check_stopped(
+        then.explorer.client(then.role), held(then.explorer), PAUSE * then.explorer.tester.timeout
+    )
 
 
-def _changes_are_told(then: Aftermath) -> None:
+def _changes_are_told(then: StimulusResult) -> None:
     """The authority changes once; that is told once."""
-    walker, client = then.walker, then.walker.client(then.role)
+    explorer, client = then.explorer, then.explorer.client(then.role)
     if not any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
         return
-    id = confirmed(walker, then.role)[-1]
-    walker.tester.wait(0.1 * walker.tester.timeout)
+    id = confirmed(explorer, then.role)[-1]
+    explorer.tester.wait(0.1 * explorer.tester.timeout)
     client.forget(Event)  # the first report of such an event is of what is there already
-    lower = walker.authority - 1
-    client.send(SetAuthority(lower), to=walker.component)
+    lower = explorer.authority - 1
+    client.send(SetAuthority(lower), to=explorer.component)
     new = that("carries the new value", lambda event: _carried(event) == ReportAuthority(lower).encode())
-    client.expect(Event, new, where=lambda event: event.event_id == id, source=walker.component)
-    more = client.collect(Event, PAUSE * walker.tester.timeout, lambda event: event.event_id == id)
-    walker.tester.check("nothing is told when nothing changes", f"{len(more)} events came" if more else "")
+    client.expect(Event, new, where=lambda event: event.event_id == id, source=explorer.component)
+    more = client.collect(Event, PAUSE * explorer.tester.timeout, lambda event: event.event_id == id)
+    explorer.tester.check("nothing is told when nothing changes", f"{len(more)} events came" if more else "")
     then.took("EventOccurred")
 
 
@@ -173,7 +181,7 @@ EVENTS: Final = (
     ),
     Stimulus(
         "UpdateEvent",
-        lambda walker: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, FAST, held(walker), QUERY),
+        lambda explorer: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, FAST, held(explorer), QUERY),
         "one that is there",
         {"isSupported": True, "eventExists": True},
         before=hold_event,
@@ -190,7 +198,7 @@ EVENTS: Final = (
     ),
     Stimulus(
         "UpdateEvent",
-        lambda walker: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, held(walker), A_REPORT),
+        lambda explorer: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, held(explorer), A_REPORT),
         "to a report instead of a query",
         {"isSupported": False, "eventExists": True},
         before=hold_event,
@@ -200,7 +208,7 @@ EVENTS: Final = (
     ),
     Stimulus(
         "CancelEvent",
-        lambda walker: CancelEvent(CANCEL, held(walker)),
+        lambda explorer: CancelEvent(CANCEL, held(explorer)),
         "one that is there",
         {"eventExists": True},
         before=fast_event,
@@ -238,16 +246,18 @@ EVENTS: Final = (
 )
 
 
-def _stream_is_right(then: Aftermath) -> None:
-    walker = then.walker
-    event_streams.look(walker.client(then.role), held(walker), walker.tester.memory["rate"], ReportEventTimeout)
+def _stream_is_right(then: StimulusResult) -> None:
+    explorer = then.explorer
+    event_streams.check_stream(
+        explorer.client(then.role), held(explorer), explorer.tester.memory["rate"], ReportEventTimeout
+    )
 
 
-def event_time(walker: Walker) -> float:
+def event_time(explorer: Explorer) -> float:
     """Seconds until an event ends."""
-    report = walker.client(OBSERVER).ask(QueryEventTimeout(), ReportEventTimeout, to=walker.component)
+    report = explorer.client(OBSERVER).ask(QueryEventTimeout(), ReportEventTimeout, to=explorer.component)
     minutes = int(report.timeout)
-    if not 0 < minutes * 60 <= LONGEST:
+    if not 0 < minutes * 60 <= MAX_TIMER_WAIT:
         raise Skipped(f"events time out after {minutes} min" if minutes else "events never time out")
     return minutes * 60.0
 
@@ -259,7 +269,7 @@ NOT_RENEWED: Final = Stimulus(
     before=hold_event,
     after=drop_events,
     seconds=event_time,
-    earliest=EARLIEST,
+    earliest=MIN_TIMER_FRACTION,
     once=True,
 )
 DUE: Final = Stimulus(
@@ -286,45 +296,45 @@ AT_ONCE: Final = 0.1
 Result = CommandEvent.CommandResult
 
 
-def start_lasting(walker: Walker, role: str) -> None:
+def start_lasting(explorer: Explorer, role: str) -> None:
     """A command with an event is under way, and will not end by itself."""
-    if WAYPOINTS not in walker.services:
+    if WAYPOINTS not in explorer.services:
         raise Skipped("no command is known that takes its time on a component without LocalWaypointDriver")
-    client = walker.client(role)
-    client.send(SetLocalWaypoint(x=FAR, y=FAR), to=walker.component)
+    client = explorer.client(role)
+    client.send(SetLocalWaypoint(x=FAR, y=FAR), to=explorer.component)
     try:
-        event = client.ask(CreateCommandEvent(HELD, DURATION, LASTING), ConfirmEventRequest, to=walker.component)
-    except Outcome as outcome:
+        event = client.ask(CreateCommandEvent(HELD, DURATION, LASTING), ConfirmEventRequest, to=explorer.component)
+    except StepOutcome as outcome:
         raise Skipped(f"the way to a waypoint has no command event: {outcome}") from outcome
-    walker.tester.memory["held"] = event.event_id
-    walker.tester.wait(AT_ONCE * walker.tester.timeout)
+    explorer.tester.memory["held"] = event.event_id
+    explorer.tester.wait(AT_ONCE * explorer.tester.timeout)
     if any(each.code == CommandEvent.CODE for each in client.pending):
         raise Skipped("the component says at once that it has carried out the way to a waypoint: no command lasts")
 
 
-def end_lasting(walker: Walker, role: str) -> None:
+def end_lasting(explorer: Explorer, role: str) -> None:
     """Nobody drives to the waypoint any more."""
-    drop_events(walker, role)
-    walker.client(role).send(Standby(), to=walker.component)
-    walker.where = None
+    drop_events(explorer, role)
+    explorer.client(role).send(Standby(), to=explorer.component)
+    explorer.where = None
 
 
-def _end_is_told(then: Aftermath) -> None:
+def _end_is_told(then: StimulusResult) -> None:
     """A command event that was confirmed ends in time, one way or the other, and its client is told."""
     if any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
-        events = confirmed(then.walker, then.role)
-        within = 1.0 + DURATION / then.walker.tester.timeout
+        events = confirmed(then.explorer, then.role)
+        within = 1.0 + DURATION / then.explorer.tester.timeout
         taken = then.before.controller == then.role and "Available" in then.before.state
         right = has(command_result=Result.SUCCESSFUL if taken else Result.UNSUCCESSFUL)
-        client = then.walker.client(then.role)
+        client = then.explorer.client(then.role)
         client.expect(CommandEvent, right, where=lambda end: end.event_id in events, within=within)
         then.took("CommandCompleted")
 
 
-def _is_the_same(then: Aftermath) -> None:
-    walker = then.walker
-    before, after = held(walker), confirmed(walker, then.role)[-1]
-    walker.tester.check("the event keeps its id", "" if before == after else f"{before} has become {after}")
+def _is_the_same(then: StimulusResult) -> None:
+    explorer = then.explorer
+    before, after = held(explorer), confirmed(explorer, then.role)[-1]
+    explorer.tester.check("the event keeps its id", "" if before == after else f"{before} has become {after}")
 
 
 COMMANDS: Final = (
@@ -339,7 +349,7 @@ COMMANDS: Final = (
     ),
     Stimulus(
         "CreateCommandEvent",
-        lambda walker: CreateCommandEvent(CREATE, DURATION, SetAuthority(walker.authority)),
+        lambda explorer: CreateCommandEvent(CREATE, DURATION, SetAuthority(explorer.authority)),
         "of a command that ends at once",
         {"eventExists": False},
         after=drop_events,

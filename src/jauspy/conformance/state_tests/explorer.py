@@ -8,8 +8,8 @@ from typing import Final, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
-from jauspy.conformance.results import Failed, Outcome, Silent, Skipped
-from jauspy.conformance.state_tests.behaviour import Judge, Prediction, Situation, Subject, Truth
+from jauspy.conformance.results import Failed, Silent, Skipped, StepOutcome
+from jauspy.conformance.state_tests.behaviour import ComponentUnderTest, Decide, Prediction, Situation, TruthValue
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, Client, Tester
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -37,7 +37,7 @@ from jauspy.messages.core import (
 from jauspy.schema import behavior
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
-AUTHORITY: Final = 200
+MIN_AUTHORITY: Final = 200
 """Authority of the controller, when the default authority of the component is less."""
 STATUS: Final[Mapping[str, ReportStatus.Status]] = {
     "Init": ReportStatus.Status.INITIALIZE,
@@ -50,7 +50,7 @@ STATUS: Final[Mapping[str, ReportStatus.Status]] = {
 """What Management reports in a state, by the state's name (AS5710)."""
 MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
 
-STEERING: Final[tuple[tuple[str, str], ...]] = (
+STEERING_INPUTS: Final[tuple[tuple[str, str], ...]] = (
     ("RequestControl", CONTROLLER),
     ("Resume", CONTROLLER),
     ("Standby", CONTROLLER),
@@ -64,7 +64,7 @@ STEERING: Final[tuple[tuple[str, str], ...]] = (
 
 
 @dataclass(frozen=True, slots=True)
-class Seen:
+class ObservedState:
     """What the component says of itself; None where it has no service that tells."""
 
     status: ReportStatus.Status | int | None
@@ -75,7 +75,7 @@ class Seen:
         return f"status {name}, " + (f"controlled by {self.controller}" if self.controller else "not controlled")
 
 
-class Walker:
+class Explorer:
     """One component of the target, with the tester's clients in their roles."""
 
     def __init__(self, tester: Tester, component: JausID, services: frozenset[str], start: Situation) -> None:
@@ -95,7 +95,7 @@ class Walker:
     @property
     def authority(self) -> int:
         """Authority of the controller."""
-        return min(254, max(AUTHORITY, self.default_authority + 2))
+        return min(254, max(MIN_AUTHORITY, self.default_authority + 2))
 
     def client(self, role: str) -> Client:
         """The client in this role."""
@@ -107,12 +107,12 @@ class Walker:
         try:
             self._measure()
             where, self.where = self.where, None
-            seen = self.look()
+            seen = self.observe()
             if where != goal or not self.agrees(seen, goal):
                 seen = self._travel(path)
             if goal.controller == CONTROLLER and "Emergency" not in goal.state:
                 self.steer("RequestControl", CONTROLLER)
-        except Outcome as outcome:
+        except StepOutcome as outcome:
             if not path:
                 raise  # where the component begins it must at least say where it is
             first = Silent if isinstance(outcome, Silent) else Failed
@@ -128,29 +128,29 @@ class Walker:
         again, self._start_missed = self._start_missed, True
         try:
             seen = self._go_home()
-        except Outcome as outcome:
+        except StepOutcome as outcome:
             raise Skipped(str(outcome)) if again else outcome from None
         self._start_missed = not self.agrees(seen, self.start)
         if self._start_missed:
             raise (Skipped if again else Failed)(self._away(seen))
 
-    def _away(self, seen: Seen) -> str:
+    def _away(self, seen: ObservedState) -> str:
         if seen.status == STATUS["Shutdown"]:
             return f"{self.component} is shut down, and nothing leads out of that: start it again before a test"
         return f"{self.component} reports {seen}, and a test begins in {self.start}"
 
-    def _out_of_reach(self, goal: Situation, why: str, first: type[Outcome] = Failed) -> Outcome:
+    def _out_of_reach(self, goal: Situation, why: str, first: type[StepOutcome] = Failed) -> StepOutcome:
         """Every situation can be reached, so the first step that wants it fails, and the others have their reason."""
         kind = Skipped if goal in self._lost else first
         self._lost.add(goal)
         return kind(f"the component cannot be brought to {goal}: {why}")
 
-    def _travel(self, path: tuple[tuple[str, str], ...]) -> Seen:
+    def _travel(self, path: tuple[tuple[str, str], ...]) -> ObservedState:
         seen = self._go_home()
         if self.agrees(seen, self.start):
             for message, role in path:
                 self.steer(message, role)
-            return self.look()
+            return self.observe()
         return seen  # some states are never left, and may be the goal
 
     def steer(self, message: str, role: str) -> None:
@@ -164,7 +164,7 @@ class Walker:
             client.send(made, to=self.component)
 
     def steering(self, message: str) -> Message:
-        """The message for `STEERING`."""
+        """The message for `STEERING_INPUTS`."""
         made: Mapping[str, Message] = {
             "RequestControl": RequestControl(self.authority),
             "Resume": Resume(),
@@ -177,12 +177,12 @@ class Walker:
         }
         return made[message]
 
-    def look(self) -> Seen:
+    def observe(self) -> ObservedState:
         """Ask the component where it is; what it was told before, it has heard when it answers."""
         with self.tester.unreported():
             return self._ask()
 
-    def _ask(self) -> Seen:
+    def _ask(self) -> ObservedState:
         observer = self.client(OBSERVER)
         status: ReportStatus.Status | int | None = None
         controller: JausID | None = None
@@ -194,9 +194,9 @@ class Walker:
             controller = id if int(id) else None
         if not self.services & {MANAGEMENT, ACCESS_CONTROL}:
             observer.ask(QueryEvents(AllEventsRec(0)), ReportEvents, to=self.component)
-        return Seen(status, controller)
+        return ObservedState(status, controller)
 
-    def agrees(self, seen: Seen, situation: Situation) -> bool:
+    def agrees(self, seen: ObservedState, situation: Situation) -> bool:
         """True when what the component says fits a situation; initialization may be over at once."""
         wanted = status_of(situation)
         client = JausID.parse(CLIENTS[situation.controller]) if situation.controller else None
@@ -205,13 +205,13 @@ class Walker:
             ACCESS_CONTROL not in self.services or seen.controller == client
         )
 
-    def settle(self, situation: Situation) -> Seen:
-        """As `look`, and wait while the component initializes."""
+    def settle(self, situation: Situation) -> ObservedState:
+        """As `observe`, and wait while the component initializes."""
         end = self.tester.now + self.tester.timeout
-        seen = self.look()
+        seen = self.observe()
         while seen.status == STATUS["Init"] and "Init" in situation.state and self.tester.now < end:
             self.tester.wait(0.05 * self.tester.timeout)
-            seen = self.look()
+            seen = self.observe()
         return seen
 
     def quiet(self) -> None:
@@ -219,10 +219,10 @@ class Walker:
         for role in CLIENTS:
             self.client(role).pending.clear()
         self.tester.why.clear()
-        self.tester.looked.clear()
+        self.tester.checks.clear()
         self.tester.expected.clear()
 
-    def _go_home(self) -> Seen:
+    def _go_home(self) -> ObservedState:
         """Undo everything that the tester may have done."""
         if MANAGEMENT in self.services:
             for role in CLIENTS:
@@ -242,12 +242,12 @@ class Walker:
         self._measured = True
 
 
-def walker_of(subject: Subject, tester: Tester) -> Walker:
-    """The one walker of this component in this run."""
-    known: dict[JausID, Walker] = tester.memory.setdefault("walkers", {})
+def explorer_of(subject: ComponentUnderTest, tester: Tester) -> Explorer:
+    """The one explorer of this component in this run."""
+    known: dict[JausID, Explorer] = tester.memory.setdefault("explorers", {})
     if subject.component not in known:
         services = frozenset(each.id for each in subject.definitions)
-        known[subject.component] = Walker(tester, subject.component, services, subject.machine.start)
+        known[subject.component] = Explorer(tester, subject.component, services, subject.machine.start)
     return known[subject.component]
 
 
@@ -256,30 +256,30 @@ def status_of(situation: Situation) -> ReportStatus.Status | None:
     return next((STATUS[name] for name in reversed(situation.state[2:]) if name in STATUS), None)
 
 
-Make: TypeAlias = Callable[[Walker], Message]
-Prepare: TypeAlias = Callable[[Walker, str], None]
+Make: TypeAlias = Callable[[Explorer], Message]
+Prepare: TypeAlias = Callable[[Explorer, str], None]
 """Takes the role of the sender, too."""
 
-SENDER: Final = frozenset({"isControllingClient"})
-SETTER: Final = frozenset({"isIDStored"})
+SENDER_PREDICATES: Final = frozenset({"isControllingClient"})
+EMERGENCY_PREDICATES: Final = frozenset({"isIDStored"})
 """Predicates about who sends."""
 
 
-LONGEST: Final = 70.0
+MAX_TIMER_WAIT: Final = 70.0
 """Seconds that a step may wait for a timer of the component: the default of events is a minute."""
-EARLIEST: Final = 0.8
+MIN_TIMER_FRACTION: Final = 0.8
 """Of a timer: the part of its time that must have passed."""
 
 
-def nothing(walker: Walker, role: str) -> None:
+def no_preparation(explorer: Explorer, role: str) -> None:
     """The usual preparation."""
 
 
 @dataclass(frozen=True, slots=True)
-class Aftermath:
+class StimulusResult:
     """What is known when an input has been answered: who sent it, where that was, and the outcome that fits."""
 
-    walker: Walker
+    explorer: Explorer
     role: str
     before: Situation
     outcome: Prediction
@@ -294,13 +294,13 @@ class Stimulus:
     message: str
     make: Make | None
     variant: str = ""
-    truths: Mapping[str, Truth] = field(default_factory=dict)
+    truths: Mapping[str, TruthValue] = field(default_factory=dict)
     """What is known of predicates, by name."""
-    before: Prepare = nothing
-    after: Prepare = nothing
+    before: Prepare = no_preparation
+    after: Prepare = no_preparation
     checks: Mapping[str, tuple[Check, ...]] = field(default_factory=dict)
     """What to look at in outputs, by message name."""
-    verify: Callable[[Aftermath], None] | None = None
+    verify: Callable[[StimulusResult], None] | None = None
     """Looks at the effect."""
     by_controller: bool = False
     """Can only be prepared by the client in control."""
@@ -312,7 +312,7 @@ class Stimulus:
     """How the URN of the service begins that is meant, when messages of others have the same name."""
     also: tuple[str, ...] = ()
     """Internal events that it may bring about as well."""
-    seconds: Callable[[Walker], float] | None = None
+    seconds: Callable[[Explorer], float] | None = None
     """How long to wait: for an event that comes by itself, or an answer that takes its time."""
     earliest: float = 0.0
     """The part of that time before which it must not come."""
@@ -324,14 +324,14 @@ class Stimulus:
         controlled = situation.controller is not None or not self.by_controller
         return controlled and (not self.only_in or self.only_in in situation.state[2:])
 
-    def judge(self, role: str) -> Judge:
+    def judge(self, role: str) -> Decide:
         """Decides predicates for this input from this sender."""
 
-        def decide(call: behavior.Call, situation: Situation) -> Truth:
+        def decide(call: behavior.Call, situation: Situation) -> TruthValue:
             name = call.name.rpartition(".")[2]
-            if name in SENDER:
+            if name in SENDER_PREDICATES:
                 return situation.controller == role
-            if name in SETTER:
+            if name in EMERGENCY_PREDICATES:
                 return role in situation.emergencies
             return self.truths.get(name)
 

@@ -9,7 +9,7 @@ from jauspy.codec.message import Message
 from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Failed, Skipped
 from jauspy.conformance.state_tests.events import CREATE, UNKNOWN_ID
-from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Explorer, Stimulus, StimulusResult
 from jauspy.conformance.state_tests.sample_messages import neutral
 from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages import registry
@@ -62,91 +62,91 @@ def delete(uid: int) -> DeleteElement:
     return DeleteElement(DeleteElement.RequestIDRec(CREATE), [DeleteElement.DeleteElementRec(uid)])
 
 
-def _content_of(walker: Walker) -> str:
-    return f"content of the list of {walker.component}"
+def _content_of(explorer: Explorer) -> str:
+    return f"content of the list of {explorer.component}"
 
 
-def content(walker: Walker) -> Message:
+def content(explorer: Explorer) -> Message:
     """What this component's list takes, once that is known."""
-    found: Message = walker.tester.memory.get(_content_of(walker), Standby())
+    found: Message = explorer.tester.memory.get(_content_of(explorer), Standby())
     return found
 
 
-def clear(walker: Walker, role: str) -> None:
+def clear(explorer: Explorer, role: str) -> None:
     """An empty list, as far as the sender may do that."""
     if role == CONTROLLER:
         for uid in (UID, ALL):
-            walker.client(role).send(delete(uid), to=walker.component)
-        walker.look()
+            explorer.client(role).send(delete(uid), to=explorer.component)
+        explorer.observe()
 
 
-def find(walker: Walker, role: str) -> None:
+def find(explorer: Explorer, role: str) -> None:
     """An empty list, and content that it takes; those who are not in control send anything."""
-    clear(walker, role)
-    if role == CONTROLLER and _content_of(walker) not in walker.tester.memory:
-        taken = (each for each in map(_harmless, CANDIDATES) if _is_taken(walker, each))
+    clear(explorer, role)
+    if role == CONTROLLER and _content_of(explorer) not in explorer.tester.memory:
+        taken = (each for each in map(_harmless, CANDIDATES) if _is_taken(explorer, each))
         found = next(taken, None)
         if found is None:
-            must = any(each.endswith(WAYPOINT_LIST) for each in walker.services)
+            must = any(each.endswith(WAYPOINT_LIST) for each in explorer.services)
             raise (Failed if must else Skipped)(f"the list takes none of {', '.join(CANDIDATES)}")
-        walker.tester.memory[_content_of(walker)] = found
-        clear(walker, role)
-    _count(walker, role)
+        explorer.tester.memory[_content_of(explorer)] = found
+        clear(explorer, role)
+    _count(explorer, role)
 
 
 def _harmless(name: str) -> Message:
     return neutral(registry.by_name(name))
 
 
-def _is_taken(walker: Walker, candidate: Message) -> bool:
-    client, answers = walker.client(CONTROLLER), (ConfirmElementRequest.CODE, RejectElementRequest.CODE)
+def _is_taken(explorer: Explorer, candidate: Message) -> bool:
+    client, answers = explorer.client(CONTROLLER), (ConfirmElementRequest.CODE, RejectElementRequest.CODE)
     client.pending.clear()
-    client.send(upload(candidate), to=walker.component)
-    end = walker.tester.now + walker.tester.timeout
-    walker.tester.pump(end, lambda: any(each.code in answers for each in client.pending))
+    client.send(upload(candidate), to=explorer.component)
+    end = explorer.tester.now + explorer.tester.timeout
+    explorer.tester.pump(end, lambda: any(each.code in answers for each in client.pending))
     return any(each.code == ConfirmElementRequest.CODE for each in client.pending)
 
 
-def hold(walker: Walker, role: str) -> None:
+def hold(explorer: Explorer, role: str) -> None:
     """The list has one element."""
-    find(walker, role)
-    client = walker.client(role)
-    client.ask(upload(content(walker)), ConfirmElementRequest, has(request_id=CREATE), to=walker.component)
+    find(explorer, role)
+    client = explorer.client(role)
+    client.ask(upload(content(explorer)), ConfirmElementRequest, has(request_id=CREATE), to=explorer.component)
 
 
-def _left_behind(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
+def _left_behind(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     """By a client that has gone since; whether it stays, the component decides."""
-    walker.steer("RequestControl", CONTROLLER)
-    hold(walker, CONTROLLER)
-    walker.steer("ReleaseControl", CONTROLLER)
-    walker.look()
+    explorer.steer("RequestControl", CONTROLLER)
+    hold(explorer, CONTROLLER)
+    explorer.steer("ReleaseControl", CONTROLLER)
+    explorer.observe()
 
 
-def _removed(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
-    walker.steer("RequestControl", CONTROLLER)
-    clear(walker, CONTROLLER)
-    walker.steer("ReleaseControl", CONTROLLER)
-    walker.look()
+def _removed(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
+    explorer.steer("RequestControl", CONTROLLER)
+    clear(explorer, CONTROLLER)
+    explorer.steer("ReleaseControl", CONTROLLER)
+    explorer.observe()
 
 
-def _count(walker: Walker, role: str) -> None:  # noqa: ARG001 - a Prepare
-    observer = walker.client(OBSERVER)
-    report = observer.ask(QueryElementCount(), ReportElementCount, to=walker.component)
-    walker.tester.memory[COUNT] = report.element_count
+def _count(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
+    observer = explorer.client(OBSERVER)
+    report = observer.ask(QueryElementCount(), ReportElementCount, to=explorer.component)
+    explorer.tester.memory[COUNT] = report.element_count
 
 
-def _leaves(*uids: int) -> Callable[[Aftermath], None]:
+def _leaves(*uids: int) -> Callable[[StimulusResult], None]:
     """What the list holds when the one in control has sent this; others change nothing."""
 
-    def verify(then: Aftermath) -> None:
-        walker = then.walker
-        observer, mine = walker.client(OBSERVER), then.role == CONTROLLER
+    def verify(then: StimulusResult) -> None:
+        explorer = then.explorer
+        observer, mine = explorer.client(OBSERVER), then.role == CONTROLLER
         if not mine:
-            unchanged = has(element_count=walker.tester.memory[COUNT])
-            observer.ask(QueryElementCount(), ReportElementCount, unchanged, to=walker.component)
+            unchanged = has(element_count=explorer.tester.memory[COUNT])
+            observer.ask(QueryElementCount(), ReportElementCount, unchanged, to=explorer.component)
         else:
             right = that("lists what was set", lambda report: [e.element_uid for e in report.element_list] == [*uids])
-            observer.ask(QueryElementList(), ReportElementList, right, to=walker.component)
+            observer.ask(QueryElementList(), ReportElementList, right, to=explorer.component)
 
     return verify
 
@@ -157,7 +157,7 @@ _CONFIRMED: Final = {"ConfirmElementRequest": has(request_id=CREATE)}
 LISTS: Final = (
     Stimulus(
         "SetElement",
-        lambda walker: upload(content(walker)),
+        lambda explorer: upload(content(explorer)),
         "a new one",
         {"isValidElementRequest": True, "isElementSupported": True},
         before=find,
@@ -167,7 +167,7 @@ LISTS: Final = (
     ),
     Stimulus(
         "SetElement",
-        lambda walker: upload(content(walker), previous=UNKNOWN_ID),
+        lambda explorer: upload(content(explorer), previous=UNKNOWN_ID),
         "after an unknown one",
         {"isValidElementRequest": False},
         before=find,

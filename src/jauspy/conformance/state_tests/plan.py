@@ -17,16 +17,29 @@ from jauspy.conformance.state_tables import table_steps
 from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.access_control import ACCESS, SILENT_CLIENT
 from jauspy.conformance.state_tests.arms import ARMS
-from jauspy.conformance.state_tests.behaviour import Machine, Prediction, Rule, Situation, Subject, subject_of
+from jauspy.conformance.state_tests.behaviour import (
+    BehaviourModel,
+    ComponentUnderTest,
+    MergedTransition,
+    Prediction,
+    Situation,
+    component_under_test,
+)
 from jauspy.conformance.state_tests.driving import DRIVING
 from jauspy.conformance.state_tests.effects import EFFECTS
 from jauspy.conformance.state_tests.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
-from jauspy.conformance.state_tests.explorer import SENDER, SETTER, STEERING, STOP, Stimulus
+from jauspy.conformance.state_tests.explorer import (
+    EMERGENCY_PREDICATES,
+    SENDER_PREDICATES,
+    STEERING_INPUTS,
+    STOP,
+    Stimulus,
+)
 from jauspy.conformance.state_tests.lists import LISTS
 from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
-from jauspy.conformance.state_tests.sensors import PICTURES, SENSORS
-from jauspy.conformance.state_tests.settings import CLOCKS, MIRRORS
-from jauspy.conformance.state_tests.state_test import Trial
+from jauspy.conformance.state_tests.sensors import SENSORS, STILL_IMAGES
+from jauspy.conformance.state_tests.settings import CLOCK_STIMULI, LIMITS
+from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Tester
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
@@ -35,7 +48,10 @@ from jauspy.schema import behavior
 
 
 def untried(
-    subject: Subject, services: Collection[ServiceKey], steps: Iterable[Step], situations: Collection[Situation]
+    subject: ComponentUnderTest,
+    services: Collection[ServiceKey],
+    steps: Iterable[Step],
+    situations: Collection[Situation],
 ) -> Iterator[Step]:
     """A step for each trigger and state; `services` are those whose transitions are of interest."""
     tried = {name for step in steps for name in step.transitions}
@@ -51,11 +67,11 @@ def untried(
         yield Step(id, f"the transition {first.name}", skip(reason), transitions=names)
 
 
-def _id(rule: Rule) -> str:
+def _id(rule: MergedTransition) -> str:
     return f"untried/{'.'.join(rule.node.path[2:]) or 'Ready'}/{rule.trigger}"
 
 
-def _reason(machine: Machine, rule: Rule, situations: Collection[Situation]) -> str:
+def _reason(machine: BehaviourModel, rule: MergedTransition, situations: Collection[Situation]) -> str:
     inside = [each for each in situations if each.state[: len(rule.node.path)] == rule.node.path]
     if not inside:
         return f"no input leads to {rule.node}"
@@ -66,7 +82,7 @@ def _reason(machine: Machine, rule: Rule, situations: Collection[Situation]) -> 
     return f"{rule.trigger} comes from inside of the component, and cannot be brought about there from outside"
 
 
-def _outcomes(machine: Machine, situation: Situation, trigger: str) -> Iterable[Prediction]:
+def _outcomes(machine: BehaviourModel, situation: Situation, trigger: str) -> Iterable[Prediction]:
     return machine.predict(situation, trigger, "", lambda *_: None)
 
 
@@ -89,9 +105,9 @@ _STEERED: Final = {
 
 @dataclass(frozen=True)
 class Routes:
-    """By the inputs of `STEERING` alone."""
+    """By the inputs of `STEERING_INPUTS` alone."""
 
-    machine: Machine
+    machine: BehaviourModel
 
     def ways(self) -> dict[Situation, Path]:
         """One situation for each state that can be reached, and the inputs that lead there."""
@@ -110,7 +126,7 @@ class Routes:
 
     def moves(self, situation: Situation) -> Iterator[tuple[Situation, tuple[str, str]]]:
         """Where single inputs lead, and which; those whose outcome is not known are left out."""
-        for message, role in STEERING:
+        for message, role in STEERING_INPUTS:
             stimulus = _STEERED.get(message) or Stimulus(message, None)
             (first, *others) = self.machine.predict(situation, message, role, stimulus.judge(role))
             after = self._settled(first.after)
@@ -143,7 +159,7 @@ def _one(message: Message, variant: str = "", **fields: object) -> Stimulus:
     return Stimulus(message.NAME, lambda _: message, variant, checks=checks)
 
 
-RECIPES: Final[tuple[Stimulus, ...]] = (
+STIMULI: Final[tuple[Stimulus, ...]] = (
     *ACCESS,
     *EVENTS,
     *COMMANDS,
@@ -151,10 +167,10 @@ RECIPES: Final[tuple[Stimulus, ...]] = (
     *EFFECTS,
     *DRIVING,
     *ARMS,
-    *PICTURES,
-    *CLOCKS,
+    *STILL_IMAGES,
+    *CLOCK_STIMULI,
     *SENSORS,
-    *MIRRORS,
+    *LIMITS,
     _one(SetEmergency(STOP)),
     _one(ClearEmergency(STOP)),
     *(_one(QueryIdentification(level), f"level {level}", query_type=level) for level in (1, 2, 3, 4)),
@@ -163,12 +179,12 @@ RECIPES: Final[tuple[Stimulus, ...]] = (
 )
 """Of all other inputs the neutral message is sent; queries with presence vectors ask for all and for none."""
 
-SPONTANEOUS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
+INTERNAL_EVENTS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
 """Internal events that can be brought about from outside."""
 
 
 STANDARD: Final = "urn:jaus:jss:"
-ROLES: Final = (
+ROLE_NOTE: Final = (
     f"the controller is {CLIENTS[CONTROLLER]}, which takes control; the other client {CLIENTS[OTHER_CLIENT]}, which "
     f"does not have it; the emergency client {CLIENTS[EMERGENCY_CLIENT]}, which sets emergencies; and the observer "
     f"{CLIENTS[OBSERVER]}, which only sends queries"
@@ -195,11 +211,11 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
             for id, services in found.items()
             for step in (
                 *table_steps(id, offers.components[id], services),
-                *Planner(subject_of(id, offers.components[id]), services).steps(),
+                *Planner(component_under_test(id, offers.components[id]), services).steps(),
             )
         ]
 
-    return Profile(name, title, steps, (ROLES,))
+    return Profile(name, title, steps, (ROLE_NOTE,))
 
 
 def _services(set_name: str, version: str) -> frozenset[ServiceKey]:
@@ -211,7 +227,7 @@ def _services(set_name: str, version: str) -> frozenset[ServiceKey]:
 class Planner:
     """Steps for one component; `services` are the ones whose inputs are tried."""
 
-    subject: Subject
+    subject: ComponentUnderTest
     services: frozenset[ServiceKey]
 
     def steps(self) -> list[Step]:
@@ -220,20 +236,20 @@ class Planner:
         ways = routes.ways()
         ends = {situation for situation in ways if not routes.returns(situation)}
         lasting = [each for each in ways if each not in ends]
-        trials = [trial for situation in lasting for trial in self._trials(situation, ways[situation])]
-        fatal = [trial for trial in trials if any(each.after in ends for each in trial.predictions)]
-        steps = [_step(trial) for trial in trials if trial not in fatal]
-        steps += [_skipped(_step(trial), _step(fatal[-1])) for trial in fatal[:-1]]
-        steps += [_step(trial) for trial in fatal[-1:]]
+        tests = [test for situation in lasting for test in self._trials(situation, ways[situation])]
+        fatal = [test for test in tests if any(each.after in ends for each in test.predictions)]
+        steps = [_step(test) for test in tests if test not in fatal]
+        steps += [_skipped(_step(test), _step(fatal[-1])) for test in fatal[:-1]]
+        steps += [_step(test) for test in fatal[-1:]]
         if fatal:
-            steps += [_step(trial) for end in sorted(ends, key=str) for trial in self._trials(end, ways[end])]
+            steps += [_step(test) for end in sorted(ends, key=str) for test in self._trials(end, ways[end])]
         return [*steps, *untried(self.subject, self.services, steps, ways)]
 
-    def _trials(self, situation: Situation, path: Path) -> Iterator[Trial]:
+    def _trials(self, situation: Situation, path: Path) -> Iterator[StateTest]:
         for stimulus in (*self._stimuli(), *self._spontaneous()):
             if stimulus.fits(situation) and (not stimulus.once or situation == self.subject.machine.start):
                 for role in self._roles(stimulus, situation):
-                    yield Trial(self.subject, situation, path, stimulus, role)
+                    yield StateTest(self.subject, situation, path, stimulus, role)
 
     def _stimuli(self) -> Iterator[Stimulus]:
         """Each input of the services, in all variants that matter."""
@@ -245,7 +261,7 @@ class Planner:
 
     def _variants(self, name: str) -> Iterable[Stimulus]:
         kind = self.subject.kind(name)
-        known = [each for each in RECIPES if each.message == name and kind.SERVICE.startswith(each.of)]
+        known = [each for each in STIMULI if each.message == name and kind.SERVICE.startswith(each.of)]
         if known:
             return known
         if not presence_fields(kind):
@@ -255,7 +271,7 @@ class Planner:
     def _spontaneous(self) -> Iterator[Stimulus]:
         """Internal events of these services that can be brought about."""
         awaited = {rule.trigger for rule in self.subject.machine.rules if rule.owner.key in self.services}
-        yield from (each for each in SPONTANEOUS if each.message in awaited)
+        yield from (each for each in INTERNAL_EVENTS if each.message in awaited)
 
     def _roles(self, stimulus: Stimulus, situation: Situation) -> tuple[str, ...]:
         """The senders that the guards distinguish."""
@@ -269,28 +285,28 @@ class Planner:
             if rule.trigger == stimulus.message and rule.transition.guard.strip()
             for call in behavior.calls(behavior.parse(rule.transition.guard))
         }
-        if asked & SETTER:
+        if asked & EMERGENCY_PREDICATES:
             return (EMERGENCY_CLIENT, CONTROLLER)
-        return (CONTROLLER, OTHER_CLIENT) if asked & SENDER and situation.controller else (OTHER_CLIENT,)
+        return (CONTROLLER, OTHER_CLIENT) if asked & SENDER_PREDICATES and situation.controller else (OTHER_CLIENT,)
 
 
-def _step(trial: Trial) -> Step:
-    state = ".".join(trial.situation.state[len(PREFIX) :]) or "Ready"
-    stimulus = trial.stimulus
+def _step(test: StateTest) -> Step:
+    state = ".".join(test.situation.state[len(PREFIX) :]) or "Ready"
+    stimulus = test.stimulus
     variant = f", {stimulus.variant}" if stimulus.variant else ""
-    parts = [state, stimulus.message, trial.role, stimulus.variant]
+    parts = [state, stimulus.message, test.role, stimulus.variant]
     id = "/".join(part.replace(" ", "-") for part in parts if part)
-    title = f"{stimulus.message} from the {trial.role}{variant}"
-    return Step(id, title, trial, moves=_moves(trial), transitions=trial.transitions)
+    title = f"{stimulus.message} from the {test.role}{variant}"
+    return Step(id, title, test, moves=_moves(test), transitions=test.transitions)
 
 
-def _moves(trial: Trial) -> bool:
+def _moves(test: StateTest) -> bool:
     """A command in Ready may make something move, however harmless it is; those of the core services do not."""
-    if not set(trial.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
+    if not set(test.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
         return False
-    if trial.stimulus.moves or trial.stimulus.make is None:
-        return trial.stimulus.moves
-    kind = trial.subject.kind(trial.stimulus.message)
+    if test.stimulus.moves or test.stimulus.make is None:
+        return test.stimulus.moves
+    kind = test.subject.kind(test.stimulus.message)
     return kind.IS_COMMAND and ":core:" not in kind.SERVICE
 
 

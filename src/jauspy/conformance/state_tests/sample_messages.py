@@ -12,7 +12,7 @@ from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message, Struct
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.conformance.checks import Check
-from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus
+from jauspy.conformance.state_tests.explorer import Stimulus, StimulusResult
 from jauspy.conformance.tester import OBSERVER
 
 PRESENCE: Final = "presence_vector"
@@ -128,17 +128,17 @@ class _Parts:
         self._kind = kind
         self._report = report
 
-    def __call__(self, then: Aftermath) -> None:
+    def __call__(self, then: StimulusResult) -> None:
         if not then.outcome.outputs:
             return
-        vectors, walker = presence_fields(self._kind), then.walker
-        observer = walker.client(OBSERVER)
-        full = observer.ask(neutral(self._kind, asks_for=EVERYTHING), self._report, to=walker.component)
+        vectors, explorer = presence_fields(self._kind), then.explorer
+        observer = explorer.client(OBSERVER)
+        full = observer.ask(neutral(self._kind, asks_for=EVERYTHING), self._report, to=explorer.component)
         has = frozenset(bit for bit, _, value in _fields(full, vectors) if value is not None)
         for asked in _halves(max((place for (_, place), _, _ in _fields(full, vectors)), default=0) + 1):
             query = neutral(self._kind, asks_for=asked)
             right = _carries(vectors, asked, has)
-            observer.ask(query, self._report, right, to=walker.component)
+            observer.ask(query, self._report, right, to=explorer.component)
 
 
 def _halves(count: int) -> Iterator[int]:

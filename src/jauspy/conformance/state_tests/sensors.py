@@ -10,7 +10,7 @@ from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, that
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.state_tests.events import CREATE
-from jauspy.conformance.state_tests.explorer import Aftermath, Stimulus, Walker
+from jauspy.conformance.state_tests.explorer import Explorer, Stimulus, StimulusResult
 from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec
 from jauspy.messages.environment_sensing.v2_0.digital_video import (
@@ -42,7 +42,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     SetVisualSensorConfiguration as SetVisual,
 )
 
-PRESENT: Final = "setting of a sensor"
+CURRENT_SETTING: Final = "setting of a sensor"
 PRECISION: Final = 0.01
 """Part of a number that may be lost on the wire and in a sensor."""
 
@@ -65,7 +65,7 @@ class Setting:
         """The command that sets it."""
         return Stimulus(
             self.command(1, None).NAME,
-            lambda walker: self.command(_sensor(walker), self.other(_value(walker))),
+            lambda explorer: self.command(_sensor(explorer), self.other(_value(explorer))),
             before=self._read,
             after=self._set_back,
             checks={"ConfirmSensorConfiguration": has(request_id_rec__request_id=CREATE)},
@@ -75,49 +75,49 @@ class Setting:
     def _told(self, report: Message) -> dict[int, Any]:
         return {each.sensor_id: getattr(each, self.field) for each in self.records(report)}
 
-    def _read(self, walker: Walker, role: str) -> None:  # noqa: ARG002 - a Prepare
-        walker.tester.memory.pop(PRESENT, None)
-        report = walker.client(OBSERVER).ask(self.query, self.report, to=walker.component)
+    def _read(self, explorer: Explorer, role: str) -> None:  # noqa: ARG002 - a Prepare
+        explorer.tester.memory.pop(CURRENT_SETTING, None)
+        report = explorer.client(OBSERVER).ask(self.query, self.report, to=explorer.component)
         known = next((item for item in self._told(report).items() if item[1] is not None), None)
         if known is None:
             raise Skipped(f"{self.report.NAME} tells the {self.field} of no sensor, which would show what is set")
-        walker.tester.memory[PRESENT] = known
+        explorer.tester.memory[CURRENT_SETTING] = known
 
-    def _set_back(self, walker: Walker, role: str) -> None:
-        if PRESENT in walker.tester.memory:
-            walker.client(role).send(self.command(_sensor(walker), _value(walker)), to=walker.component)
-            walker.look()
+    def _set_back(self, explorer: Explorer, role: str) -> None:
+        if CURRENT_SETTING in explorer.tester.memory:
+            explorer.client(role).send(self.command(_sensor(explorer), _value(explorer)), to=explorer.component)
+            explorer.observe()
 
-    def _is_used(self, then: Aftermath) -> None:
-        walker = then.walker
+    def _is_used(self, then: StimulusResult) -> None:
+        explorer = then.explorer
         taken = then.outcome.acts and _is_confirmed(then)
-        wanted = self.other(_value(walker)) if taken else _value(walker)
+        wanted = self.other(_value(explorer)) if taken else _value(explorer)
 
         def problem(report: Message) -> str:
-            value = self._told(report).get(_sensor(walker))
+            value = self._told(report).get(_sensor(explorer))
             same = value is not None and abs(value - wanted) <= PRECISION * abs(wanted)
-            return "" if same else f"{self.field} of sensor {_sensor(walker)} is {value}, not {wanted}"
+            return "" if same else f"{self.field} of sensor {_sensor(explorer)} is {value}, not {wanted}"
 
         right = Check("shows what was confirmed, and nothing else", problem)
-        walker.client(OBSERVER).ask(self.query, self.report, right, to=walker.component)
+        explorer.client(OBSERVER).ask(self.query, self.report, right, to=explorer.component)
 
 
-def _sensor(walker: Walker) -> int:
-    found: int = walker.tester.memory[PRESENT][0]
+def _sensor(explorer: Explorer) -> int:
+    found: int = explorer.tester.memory[CURRENT_SETTING][0]
     return found
 
 
-def _value(walker: Walker) -> Any:
-    return walker.tester.memory[PRESENT][1]
+def _value(explorer: Explorer) -> Any:
+    return explorer.tester.memory[CURRENT_SETTING][1]
 
 
-def _is_confirmed(then: Aftermath) -> bool:
+def _is_confirmed(then: StimulusResult) -> bool:
     """Whether the sensor says that it is set so; the answer must be about that one alone."""
-    walker = then.walker
-    answer = ConfirmSensorConfiguration.decode(walker.client(then.role).confirmed[-1].payload)
+    explorer = then.explorer
+    answer = ConfirmSensorConfiguration.decode(explorer.client(then.role).confirmed[-1].payload)
     about = [getattr(each, "sensor_id", None) for each in answer.confirm_sensor_list]
-    wrong = "" if about == [_sensor(walker)] else f"it is about {about}, and sensor {_sensor(walker)} was to be set"
-    walker.tester.check("the answer is about the sensor that was to be set", wrong)
+    wrong = "" if about == [_sensor(explorer)] else f"it is about {about}, and sensor {_sensor(explorer)} was to be set"
+    explorer.tester.check("the answer is about the sensor that was to be set", wrong)
     return isinstance(answer.confirm_sensor_list[0], SensorIdRec)
 
 
@@ -187,7 +187,7 @@ SETTINGS: Final = (
 SENSORS: Final = tuple(each.stimulus() for each in SETTINGS)
 
 
-PATIENCE: Final = 10.0
+IMAGE_TIMEOUT: Final = 10.0
 """Seconds that a picture may take, from a camera that has to be switched on."""
 
 _ANY: Final = {"isCoordinateTransformSupported": False}
@@ -203,7 +203,7 @@ def _has_pictures(report: ReportStillImageDataExt) -> bool:
     return bool(pictures) and all(each.image_frame is not None or each.still_image_uri for each in pictures)
 
 
-PICTURES: Final = (
+STILL_IMAGES: Final = (
     Stimulus("QueryStillImageDataExt", lambda _: QueryStillImageDataExt([]), "no camera", _ANY),
     Stimulus(
         "QueryStillImageDataExt",
@@ -213,7 +213,7 @@ PICTURES: Final = (
         checks={
             "ReportStillImageDataExt": (that("has a picture of each camera, or where to fetch it", _has_pictures),)
         },
-        seconds=lambda _: PATIENCE,
+        seconds=lambda _: IMAGE_TIMEOUT,
         once=True,  # control would time out meanwhile
     ),
 )
