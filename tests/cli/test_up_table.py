@@ -15,8 +15,7 @@ import psutil
 import pytest
 from rich.console import Console
 
-from jauspy.cli.up_look import Lookout, _tells_of_loss
-from jauspy.cli.up_table import table
+from jauspy.cli.up_table import StatusSampler, _is_loss, table
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, RequestControl, Resume
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
@@ -52,7 +51,7 @@ def drawn(runner, look):
     ],
 )
 def test_what_went_well_and_answers_kept_to_a_packet_are_no_loss(counter, lost):
-    assert _tells_of_loss(counter) == lost
+    assert _is_loss(counter) == lost
 
 
 async def test_shows_who_controls_what_and_what_was_lost() -> None:
@@ -60,8 +59,8 @@ async def test_shows_who_controls_what_and_what_was_lost() -> None:
     endpoint, wire = Endpoint(CLIENT, first_sequence=0), LoopbackTransport(CLIENT, hub)
     await wire.open()
     async with RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), backend="kinematic") as runner:
-        lookout = Lookout(runner)
-        first = lookout.look(10.0, {**STATUS, "counters": {}})
+        sampler = StatusSampler(runner)
+        first = sampler.sample(10.0, {**STATUS, "counters": {}})
         assert (first.modules[0].status, first.modules[0].controller) == ("standby", "")
         event = CreateEvent(
             request_id=1,
@@ -76,7 +75,7 @@ async def test_shows_who_controls_what_and_what_was_lost() -> None:
         async with asyncio.timeout(20):
             while runner.components[0].counters.get("endpoint.received", 0) < 4:
                 await asyncio.sleep(0.01)
-        look = lookout.look(12.0, STATUS)
+        look = sampler.sample(12.0, STATUS)
         driver, *others = look.modules
         who = (driver.id, driver.type, driver.status, driver.controller)
         assert who == ("101.1.102", "CM-MOB", "ready", "42.1.1 (200)")
@@ -104,11 +103,11 @@ def test_is_drawn_on_a_terminal_and_ends_in_order(free_port, local_root) -> None
         env={**os.environ, "TERM": "xterm", "COLUMNS": "120", "LINES": "50"},
     )
     os.close(theirs)
-    said = read_until(ours, "101.1.107", "CM-VIS", "Ctrl-C stops all of it")
+    said = read_until(ours, "101.1.107", "CM-VIS", "Ctrl-C stops the robot")
     family = psutil.Process(process.pid).children(recursive=True)
     assert "of real time" in said
     process.send_signal(signal.SIGINT)
-    ended = read_until(ours, "all of it has stopped")
+    ended = read_until(ours, "everything has stopped")
     assert process.wait(20) == 130
     os.close(ours)
     order = [ended.index(f"stopping the {what}") for what in ("modules", "node manager")]

@@ -8,12 +8,12 @@ import sys
 import psutil
 import pytest
 
-from jauspy.cli.children import Child, ChildFailed
+from jauspy.cli.processes import ChildFailed, ChildProcess
 from jauspy.transport.local import is_alive
 
 
 async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, local_root):
-    async with Child(
+    async with ChildProcess(
         "node manager", ["node-manager", "--port", str(free_port), "--local-root", str(local_root)]
     ) as child:
         assert is_alive(local_root / "JuniorRTE")
@@ -25,21 +25,21 @@ async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, l
 async def test_a_child_that_fails_says_why(free_port, local_root):
     arguments = ["node-manager", "--port", str(free_port), "--local-root", str(local_root), "--address", "203.0.113.9"]
     with pytest.raises(ChildFailed, match=r"^node manager: 203\.0\.113\.9 is no address of this machine"):
-        async with Child("node manager", arguments):
+        async with ChildProcess("node manager", arguments):
             pass
 
 
 async def test_a_child_that_ends_is_noticed(free_port, local_root):
     where = ["--port", str(free_port), "--interface", "127.0.0.1", "--local-root", str(local_root)]
     arguments = ["node-manager", *where]
-    async with Child("node manager", arguments) as child:
+    async with ChildProcess("node manager", arguments) as child:
         os.kill(child.pid, signal.SIGKILL)
         error = await child.ended()
     assert str(error) == "node manager: ended by signal 9"
 
 
 async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
-    heard = []
+    lines = []
     say = tmp_path / "say"
     say.write_text(
         "#!/bin/sh\ntrap go=1 USR1\nhead -c 200000 /dev/zero | tr '\\0' x; echo\n"
@@ -48,24 +48,25 @@ async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
     )
     say.chmod(0o755)
     monkeypatch.setattr(sys, "executable", str(say))
-    async with Child("talker", [], heard=heard.append) as child:
+    async with ChildProcess("talker", [], on_error_line=lines.append) as child:
         child.signal(signal.SIGUSR1)
         assert str(await child.ended()) == "talker: ended with exit status 3"
-    assert heard[-1] == "last"
-    assert "".join(heard[:-1]) == "y" * 200000
-    async with Child("talker", []) as child:
+    assert lines[-1] == "last"
+    assert "".join(lines[:-1]) == "y" * 200000
+    async with ChildProcess("talker", []) as child:
         child.signal(signal.SIGUSR1)
-        told = str(await child.ended())
-    assert told.startswith("talker: yyy")
-    assert told.endswith(" last")
+        message = str(await child.ended())
+    assert message.startswith("talker: yyy")
+    assert message.endswith(" last")
 
 
 PARENT = """
 import asyncio, sys
-from jauspy.cli.children import Child
+from jauspy.cli.processes import ChildProcess
 
 async def main():
-    async with Child("node manager", ["node-manager", "--port", sys.argv[1], "--local-root", sys.argv[2]]) as child:
+    arguments = ["node-manager", "--port", sys.argv[1], "--local-root", sys.argv[2]]
+    async with ChildProcess("node manager", arguments) as child:
         print(child.pid, flush=True)
         await asyncio.Event().wait()
 
