@@ -26,8 +26,7 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
-from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, offered
-from jauspy.services.environment_sensing.video_camera import Cameras
+from jauspy.services.environment_sensing.video_camera import OFFERED, Cameras, number_of, offered
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
