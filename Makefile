@@ -12,11 +12,11 @@ CASES ?= 200000
 SECONDS ?= 600
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test test-slow coverage check lint types imports unit wheel-test bench fuzz soak format generate clean
+.PHONY: help setup dev demo test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: test-slow coverage lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
+	@echo "others: test-slow lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -34,13 +34,10 @@ demo: setup
 
 test: check wheel-test unit
 
-coverage: dev
-	$(BIN)/pytest -n 2 --cov --cov-report=term $(PYTEST_ARGS)
-
 test-slow: dev
 	$(BIN)/pytest -n 2 -m slow $(PYTEST_ARGS)
 
-check: lint types imports
+check: lint types imports docs
 
 lint: dev
 	$(BIN)/ruff check
@@ -51,6 +48,10 @@ types: dev
 
 imports: dev
 	$(BIN)/lint-imports
+
+# the documentation as a web site, for which a warning is an error
+docs: dev
+	$(BIN)/mkdocs build -q --strict
 
 unit: dev
 	$(BIN)/pytest -n 2 $(PYTEST_ARGS)
@@ -76,4 +77,4 @@ generate: dev
 	$(BIN)/python tools/generate_sync.py
 
 clean:
-	rm -rf $(VENV) dist build .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache
+	rm -rf $(VENV) dist build site .mypy_cache .pytest_cache .ruff_cache .hypothesis .import_linter_cache

@@ -1,4 +1,4 @@
-"""The programs in docs/components.md, docs/ocu.md and docs/testing.md do what they say."""
+"""Tests of the programs in docs/, and of the index of decision records."""
 
 from __future__ import annotations
 
@@ -65,3 +65,15 @@ def test_the_first_tests_of_a_component(pytester: pytest.Pytester) -> None:
     pytester.makepyfile("\n\n".join([first, "import jauspy", without_asyncio]))
     result = pytester.runpytest_subprocess("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=auto")
     result.assert_outcomes(passed=2)
+
+
+def test_the_index_of_decisions_is_complete() -> None:
+    listed = [line for line in (DOCS / "adr" / "README.md").read_text().splitlines() if line.startswith("| [")]
+    records = []
+    for path in sorted((DOCS / "adr").glob("[0-9]*.md")):
+        found = re.match(r"# (\d+)\. (.+)\n\n- Status: (.+)\n- Date: (\d{4}-\d\d-\d\d)\n", path.read_text())
+        assert found, f"{path.name} must begin with title, status and date"
+        number, title, status, date = found.groups()
+        assert number == str(int(path.name[:4]))
+        records.append(f"| [{number}]({path.name}) | {title} | {status} | {date} |")
+    assert listed == records

@@ -13,9 +13,9 @@ import pytest
 from typer.testing import CliRunner
 
 from jauspy.capture.reader import is_capture
-from jauspy.cli import run
+from jauspy.cli import processes
 from jauspy.cli.main import app
-from jauspy.cli.run import stoppable
+from jauspy.cli.processes import stoppable
 
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 SOME = ("--only", "01", "--only", "02", "--only", "2", "--only", "31")
@@ -106,7 +106,7 @@ def test_who_stops_a_run_twice_gets_the_report_all_the_same(monkeypatch):
         signal.raise_signal(signal.SIGINT)  # the robot is being left in order
         signal.raise_signal(signal.SIGTERM)
         assert status() == 130
-        monkeypatch.setattr(run, "PARTING", 0.0)
+        monkeypatch.setattr(processes, "REPEATED_SIGNAL_TIME", 0.0)
         with pytest.raises(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
 
@@ -115,10 +115,10 @@ def test_wrong_use():
     assert "there are: " in invoke("igvc-1815", "--target", "1.1.1").stderr
     nothing = invoke("igvc-2015")
     assert nothing.exit_code == 2
-    assert "say which test" in nothing.stderr
+    assert "name a profile and a target" in nothing.stderr
     assert invoke("igvc-2015", "--target", "1.1").exit_code == 2
     assert invoke("igvc-1815", "--list").exit_code == 2
-    assert "0.0.0 is nobody" in invoke("igvc-2015", "--target", "0.0.0").stderr
+    assert "0.0.0 is not the id of a component" in invoke("igvc-2015", "--target", "0.0.0").stderr
     assert "42.1.1 is an id that the test itself speaks as" in invoke("igvc-2015", "--target", "42.1.1").stderr
 
 
@@ -136,7 +136,7 @@ def test_two_reports_in_one_file_are_a_mistake(tmp_path):
     both = tmp_path / "report"
     result = invoke("igvc-2015", "--target", "1.1.1", "--html", both, "--junit", tmp_path / "." / "report")
     assert result.exit_code == 2
-    assert "is to be the --junit file and the --html file" in result.stderr
+    assert "is given for --junit and for --html" in result.stderr
     assert not both.exists()
 
 
@@ -172,7 +172,7 @@ def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
 
 
 def test_steps_that_are_made_for_a_target_need_one(free_port):
-    assert "say of which, as in --target 101.1.102" in invoke("core-1.1", "--list").stderr
+    assert "add --target, as in --target 101.1.102" in invoke("core-1.1", "--list").stderr
     nobody = invoke(
         "core-1.1", "--list", "--target", "7.1.1", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", 0.1
     )

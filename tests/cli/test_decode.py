@@ -170,7 +170,7 @@ def test_head_is_no_failure_and_no_traceback(form):
         ("decode 0220 --json >/dev/full", "the results cannot be written: No space left on device"),
         ("--help >/dev/full", "the results cannot be written: No space left on device"),
         ("decode - <&-", "standard input is empty"),
-        ("decode 0220 >&-", "standard output is closed; write `>/dev/null` to do without it"),
+        ("decode 0220 >&-", "standard output is closed; redirect it to /dev/null to discard the results"),
     ],
 )
 def test_closed_and_full_streams_get_one_sentence(command, sentence):
@@ -213,7 +213,7 @@ def test_a_capture_cut_short_is_shown_and_fails(tmp_path):
 
 def test_a_capture_without_packets_says_so(tmp_path):
     result = run(pcap(tmp_path / "x.pcap", []))
-    assert (result.stdout, result.stderr) == ("", "there are no packets in it\n")
+    assert (result.stdout, result.stderr) == ("", "the capture has no packets\n")
 
 
 def test_a_control_byte_of_ff_is_decoded_and_remarked():

@@ -1,4 +1,4 @@
-"""`--from`, `--service` and `--version` of the verbs that read and make messages."""
+"""`--schemas`, `--service` and `--version` of the verbs that read and make messages."""
 
 import json
 from pathlib import Path
@@ -29,21 +29,21 @@ def decoded(*arguments, status=0):
 @pytest.mark.parametrize("source", [LAMP, LAMP.parent])
 def test_messages_of_own_files(source):
     assert decoded("03d046", status=1)["problem"] == "unknown message D003h"
-    found = decoded("03d046", "--from", source)
+    found = decoded("03d046", "--schemas", source)
     assert (found["message"], found["service"], found["version"]) == ("ReportLamp", "urn:example:vendor:Lamp", "1.2")
     assert found["fields"] == {"brightness": 70}
-    assert "urn:jaus:jss:core:" in decoded("0f0000", "--from", source)["service"]
+    assert "urn:jaus:jss:core:" in decoded("0f0000", "--schemas", source)["service"]
 
 
 def test_own_messages_are_explained():
-    assert "brightness" in run("decode", "03d046", "--from", LAMP, "--explain").stdout.casefold()
-    assert "response" in run("decode", "0f0000", "--from", LAMP, "--explain").stdout.casefold()
+    assert "brightness" in run("decode", "03d046", "--schemas", LAMP, "--explain").stdout.casefold()
+    assert "response" in run("decode", "0f0000", "--schemas", LAMP, "--explain").stdout.casefold()
 
 
 def test_own_messages_inside_built_in_ones():
     event = Event(1, 0, bytes.fromhex("03d046")).encode().hex()
     assert "hex" in decoded(event)["fields"]["report_message"]
-    assert decoded(event, "--from", LAMP)["fields"]["report_message"]["message"] == "ReportLamp"
+    assert decoded(event, "--schemas", LAMP)["fields"]["report_message"]["message"] == "ReportLamp"
 
 
 def test_other_versions_are_named_once(tmp_path):
@@ -90,11 +90,11 @@ def test_two_messages_of_one_service():
         ("--service", "PrimitveDriver", "no service PrimitveDriver is known; did you mean PrimitiveDriver"),
         ("--version", "9.9", "no version 9.9 is known"),
         ("--message", "ReportLmap", "no message ReportLmap is known; did you mean ReportLamp"),
-        ("--from", "nowhere/*.xml", "no JSIDL file matches 'nowhere/*.xml'"),
+        ("--schemas", "nowhere/*.xml", "no JSIDL file matches 'nowhere/*.xml'"),
     ],
 )
 def test_what_is_not_there(option, value, sentence):
-    assert sentence in run("decode", "0f0000", "--from", LAMP, option, value, status=1).stderr
+    assert sentence in run("decode", "0f0000", "--schemas", LAMP, option, value, status=1).stderr
 
 
 def test_a_message_of_one_service_and_version():
@@ -105,7 +105,7 @@ def test_a_message_of_one_service_and_version():
     )
     assert (newest.VERSION, older.VERSION) == ("1.1", "1.0")
     with pytest.raises(
-        ConfigError, match=r"no message QueryLamp is known; .*\? \(`--from` reads definitions of your own\)$"
+        ConfigError, match=r"no message QueryLamp is known; .*\? \(`--schemas` reads your own definitions\)$"
     ):
         message_from(known.registry, "QueryLamp", [])
     with pytest.raises(ConfigError, match=r"no message SetTime of Discovery is known"):
@@ -116,12 +116,12 @@ def test_a_message_of_one_service_and_version():
     ("verb", "message", "sentence"),
     [
         ("query", ["QueryLamp"], "was sent QueryLamp 6 times"),
-        ("query", ["SetLamp", "brightness=3"], "SetLamp is no query"),
+        ("query", ["SetLamp", "brightness=3"], "SetLamp is not a query"),
         ("send", ["SetLamp", "brightness=3"], "sent, but 101.1.7 does not answer"),
         ("send", ["QueryLamp"], "QueryLamp is a query"),
     ],
 )
 def test_own_messages_are_sent(verb, message, sentence, free_port):
-    where = ("--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.3", "--from", LAMP, "--version", "1.2")
+    where = ("--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.3", "--schemas", LAMP, "--version", "1.2")
     status = 0 if "does not answer" in sentence else 1
     assert sentence in run(verb, "101.1.7", *message, *where, status=status).stderr

@@ -43,7 +43,7 @@ def test_a_file_without_messages_is_left_out(tmp_path):
         "codec", tmp_path / "empty.hex", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl"
     )
     assert with_both.exit_code == 0
-    assert f"there is no JAUS message in {tmp_path / 'empty.hex'}; the campaign goes on" in with_both.stderr
+    assert f"{tmp_path / 'empty.hex'} has no JAUS messages and is ignored" in with_both.stderr
     assert with_both.stdout == run("codec", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl").stdout
 
 
@@ -70,7 +70,7 @@ def test_findings_are_saved(tmp_path, monkeypatch):
 
 
 def test_messages_of_ones_own(tmp_path):
-    result = run("codec", "--from", LAMP, "--cases", 30, "--out", tmp_path)
+    result = run("codec", "--schemas", LAMP, "--cases", 30, "--out", tmp_path)
     assert result.exit_code == 0, result.output
     assert re.fullmatch(r"30 cases from \d+ seeds of 3 messages: nothing found\n", result.stdout)
 
@@ -78,13 +78,13 @@ def test_messages_of_ones_own(tmp_path):
 def test_findings_in_messages_of_ones_own(tmp_path, monkeypatch):
     write = Number.write
     monkeypatch.setattr(Number, "write", lambda self, writer, value, path: write(self, writer, value ^ 1, path))
-    result = run("codec", "--from", LAMP, "--cases", 20, "--message", "SetLamp", "--out", tmp_path)
+    result = run("codec", "--schemas", LAMP, "--cases", 20, "--message", "SetLamp", "--out", tmp_path)
     (file,) = tmp_path.iterdir()
-    assert f"jauspy fuzz replay {file} --from {LAMP}\n" in result.stdout
+    assert f"jauspy fuzz replay {file} --schemas {LAMP}\n" in result.stdout
     assert result.stdout.endswith(": 1 finding\n")
-    assert run("replay", file, "--from", LAMP).exit_code == 1
+    assert run("replay", file, "--schemas", LAMP).exit_code == 1
     monkeypatch.undo()
-    assert run("replay", file, "--from", LAMP).exit_code == 0
+    assert run("replay", file, "--schemas", LAMP).exit_code == 0
     assert run("replay", file).exit_code == 2
 
 
@@ -92,8 +92,8 @@ def test_findings_in_messages_of_ones_own(tmp_path, monkeypatch):
     "arguments",
     [
         ("codec", "no-such-file"),
-        ("codec", "--from", "no-such-file"),
-        ("codec", "--from", __file__),
+        ("codec", "--schemas", "no-such-file"),
+        ("codec", "--schemas", __file__),
         ("codec", "--message", "NoSuchMessage"),
         ("codec", "--cases", "0"),
         ("codec", __file__),

@@ -6,7 +6,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from jauspy.cli import local_node
+from jauspy.cli import up
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import junior
 from jauspy.testing import until
@@ -15,7 +15,7 @@ from jauspy.transport import local as local_socket
 
 @pytest.fixture(autouse=True)
 def quick(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(local_node, "RESTART_DELAY", 0.05)
+    monkeypatch.setattr(up, "RESTART_DELAY", 0.05)
 
 
 def is_there(root: Path) -> bool:
@@ -32,7 +32,7 @@ async def test_one_that_was_running_is_replaced_when_it_ends(
 ) -> None:
     other = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
     await other.open()
-    async with local_node.node_manager(root, free_port) as node:
+    async with up.node_manager(root, free_port) as node:
         assert node.where == f"was running, local sockets in {root}"
         assert children() == []
         await other.close()
@@ -47,7 +47,7 @@ async def test_one_that_was_running_is_replaced_when_it_ends(
 
 
 async def test_a_child_is_stopped_even_when_its_keeper_never_ran(root: Path, free_port: int) -> None:
-    async with local_node.node_manager(root, free_port) as node:
+    async with up.node_manager(root, free_port) as node:
         assert node.where == f"UDP port {free_port}, local sockets in {root}"
         assert len(children()) == 1
     assert children() == []
@@ -62,7 +62,7 @@ async def test_what_is_wrong_with_the_next_one_is_told_once(
     await with_port.open()
     await other.open()
     told = ""
-    async with local_node.node_manager(root, free_port):
+    async with up.node_manager(root, free_port):
         await other.close()
         async with asyncio.timeout(20):
             while "--port" not in told:

@@ -2,12 +2,13 @@
 
 import subprocess
 import sys
+from importlib import import_module
 
 import pytest
 from typer.testing import CliRunner
 
 from jauspy import __version__
-from jauspy.cli.main import VERBS, app
+from jauspy.cli.main import GROUPS, VERBS, app
 from jauspy.errors import ConfigError
 
 
@@ -64,12 +65,24 @@ def test_a_query_is_not_sent():
 
 @pytest.mark.parametrize("verb", ["query", "send"])
 def test_ids_of_nobody_are_refused(verb):
-    assert "101.1.0 is nobody's id" in run(verb, "101.1.0", "QueryStatus", status=1).stderr
+    assert "101.1.0 is not the id of a component" in run(verb, "101.1.0", "QueryStatus", status=1).stderr
 
 
 def test_a_command_is_waited_for_in_control_only():
-    assert "only waited for with --control" in run("send", "101.1.1", "Resume", "--within", "1", status=2).stderr
+    assert "it requires --control" in run("send", "101.1.1", "Resume", "--within", "1", status=2).stderr
 
 
 def test_control_of_many_is_refused():
-    assert "one component at a time" in run("send", "101.1.255", "Resume", "--control", "9", status=1).stderr
+    assert "control of one component" in run("send", "101.1.255", "Resume", "--control", "9", status=1).stderr
+
+
+@pytest.mark.parametrize(("group", "name"), [(group, name) for group, verbs in GROUPS.items() for name in verbs])
+def test_the_line_in_the_help_is_the_first_of_the_verbs_own_help(group, name):
+    target, line = GROUPS[group][name]
+    module, _, function = target.partition(":")
+    assert (getattr(import_module(module), function).__doc__ or "").partition("\n")[0] == line
+
+
+def test_a_verb_is_imported_when_it_runs():
+    script = "import sys; import jauspy.cli.main as main; print([m for m in sys.modules if m.startswith('jauspy.ocu')])"
+    assert subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout == "[]\n"

@@ -6,7 +6,7 @@ import sys
 import pytest
 import yaml
 
-from jauspy.cli import map_robot
+from jauspy.cli import map as map_robot
 from jauspy.cli.main import app
 from jauspy.testing import LocalNode
 
@@ -25,7 +25,7 @@ def test_writes_a_map_of_what_a_robot_sees(robot, node_manager: LocalNode, tmp_p
 @pytest.mark.parametrize(
     ("options", "said"),
     [
-        (["nowhere/yard"], "there is no folder"),
+        (["nowhere/yard"], "does not exist"),
         (["yard", "--size", "1000", "--resolution", "0.01"], "cells along a side; a map has 2..4000"),
     ],
 )

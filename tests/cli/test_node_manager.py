@@ -11,7 +11,7 @@ import sys
 
 import pytest
 
-from jauspy.cli.node_serve import FILES
+from jauspy.cli.node_manager import MAX_OPEN_FILES
 
 COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 
@@ -77,7 +77,7 @@ def test_wrong_settings_get_a_sentence():
 def test_json_is_a_form_of_the_status():
     ended = subprocess.run([*COMMAND, "--json"], check=False, capture_output=True, text=True, timeout=20)
     assert ended.returncode == 2
-    assert "it goes with --status only" in ended.stderr
+    assert "it requires --status" in ended.stderr
 
 
 def test_it_lets_itself_have_a_file_for_each_component(free_port, local_root):
@@ -87,7 +87,7 @@ def test_it_lets_itself_have_a_file_for_each_component(free_port, local_root):
     try:
         assert process.stdout.readline().startswith("node manager ready")
         _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-        assert resource.prlimit(process.pid, resource.RLIMIT_NOFILE)[0] == min(FILES, hard)
+        assert resource.prlimit(process.pid, resource.RLIMIT_NOFILE)[0] == min(MAX_OPEN_FILES, hard)
     finally:
         process.kill()
         process.communicate()

@@ -6,7 +6,7 @@ import sys
 
 import pytest
 
-WAIT = "import asyncio\nfrom jauspy.cli.run import run, end_with_parent\n"
+WAIT = "import asyncio\nfrom jauspy.cli.processes import run, end_with_parent\n"
 
 FOREVER = (
     WAIT
@@ -26,8 +26,8 @@ STUBBORN = (
     WAIT
     + """
 import signal, threading
-from jauspy.cli import run
-run.GRACE = 0.1
+from jauspy.cli import processes
+processes.PARENT_GRACE = 0.1
 signal.signal(signal.SIGTERM, signal.SIG_IGN)
 end_with_parent()
 print("ready", flush=True)

@@ -111,9 +111,9 @@ def test_ls_json_has_one_object_per_service():
 
 def test_ls_of_a_set_and_of_own_files(old):
     assert {item["set"] for item in objects("ls", "--set", "Core")} == {"core"}
-    assert [item["name"] for item in objects("ls", "--from", old)] == ["Thruster"]
+    assert [item["name"] for item in objects("ls", "--schemas", old)] == ["Thruster"]
     message = run("ls", "--set", "cor", status=2).stderr
-    assert message.startswith("Error: there is no service set 'cor'; there is ")
+    assert message.startswith("Error: there is no service set 'cor'; the sets are ")
     assert " core, " in message
 
 
@@ -175,8 +175,8 @@ def test_show_one_id_of_two_messages():
 
 
 def test_show_own_definitions(old):
-    assert "EffortX" in run("show", "SetThrust", "--from", old).stdout
-    assert "SetThrust [isReady( msg )]: setThrust(msg)" in run("show", "Thruster", "--from", old).stdout
+    assert "EffortX" in run("show", "SetThrust", "--schemas", old).stdout
+    assert "SetThrust [isReady( msg )]: setThrust(msg)" in run("show", "Thruster", "--schemas", old).stdout
 
 
 def test_show_json():
@@ -203,7 +203,7 @@ def test_show_json():
 def test_show_ranges_with_their_units(changed, type, inside, shown):
     before = 'field_type="unsigned byte"'
     path = changed((f'name="EffortX" {before}', f'name="EffortX" field_type="{type}"'), (SCALE, inside))
-    rows = {row["name"]: row for row in objects("show", "SetThrust", "--from", path)[0]["layout"]}
+    rows = {row["name"]: row for row in objects("show", "SetThrust", "--schemas", path)[0]["layout"]}
     assert rows["EffortX"]["values"] == [shown]
 
 
@@ -218,7 +218,7 @@ def test_show_what_no_presence_bit_announces():
     assert (rows["LeftRadialLine"]["presence_bit"], rows["LeftRadialLine"]["size"]) == (7, "4")
     for name in ("RightRadialLine", "DetectionAltitude"):
         assert (rows[name]["presence_bit"], rows[name]["size"], rows[name]["offset"]) == (None, "0", "")
-        assert rows[name]["values"] == ["never there: no presence bit is left"]
+        assert rows[name]["values"] == ["never present: no presence bit is left"]
 
 
 @pytest.mark.parametrize("name", ["core:Time{}", "urn:jaus:jss:core:Time{}", "SetTime{}", "0011{}"])
@@ -228,7 +228,7 @@ def test_show_a_version_behind_the_name(name):
     assert objects("show", name.format("@1.0"), "--version", "1.0")[0]["version"] == "1.0"
     assert objects("show", name.format(""))[0]["version"] == "1.1"
     both = run("show", name.format("@1.0"), "--version", "1.1", status=2).stderr
-    assert "in version 1.0 and in 1.1; say one of them" in both
+    assert "with version 1.0 and with 1.1; give one version" in both
 
 
 def test_show_what_is_not_there():
@@ -236,7 +236,7 @@ def test_show_what_is_not_there():
         "no service or message is called 'SetWrenchEffor'; did you mean SetWrenchEffort"
         in run("show", "SetWrenchEffor", status=2).stderr
     )
-    assert "nothing has the version 9.9; there are 1" in run("show", "Time", "--version", "9.9", status=2).stderr
+    assert "no service has version 9.9; the versions are 1" in run("show", "Time", "--version", "9.9", status=2).stderr
 
 
 def test_sets_by_every_name():
@@ -256,9 +256,9 @@ def test_sets_by_every_name():
     "arguments",
     [
         ["ls", "--set", "nonsense"],
-        ["ls", "--from", "nowhere/*.xml"],
+        ["ls", "--schemas", "nowhere/*.xml"],
         ["show", "Nonsense"],
-        ["show", "Time", "--from", "nowhere/*.xml"],
+        ["show", "Time", "--schemas", "nowhere/*.xml"],
         ["lint", "nowhere/*.xml"],
         ["diff", "nowhere/*.xml", "Time"],
         ["generate", "nowhere/*.xml", "-o", "nowhere"],
@@ -271,7 +271,7 @@ def test_what_cannot_be_done_has_one_exit_status(arguments):
 
 def test_exit_statuses_are_documented():
     text = " ".join(run("--help").stdout.replace("│", " ").split())
-    assert "0 done, 1 lint found something or diff a difference, 2 wrong use" in text
+    assert "0 success; 1 lint found something or diff found a difference; 2 wrong use" in text
 
 
 # --- diff -----------------------------------------------------------------------------------------------------------
@@ -357,7 +357,10 @@ def test_diff_json_of_the_same():
 
 @pytest.mark.parametrize(
     ("what", "sentence"),
-    [("nowhere.xml", "no JSIDL file matches 'nowhere.xml'"), ("Time@7.0", "Time 7.0 is not built in; there is 1")],
+    [
+        ("nowhere.xml", "no JSIDL file matches 'nowhere.xml'"),
+        ("Time@7.0", "Time 7.0 is not built in; the versions are 1"),
+    ],
 )
 def test_diff_of_what_cannot_be_read(what, sentence):
     assert sentence in run("diff", what, "Time", status=2).stderr

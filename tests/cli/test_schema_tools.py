@@ -181,7 +181,7 @@ def test_files_of_others_are_not_overwritten(lamp, tmp_path):
 
 
 def test_wrong_use_gets_one_sentence(lamp, tmp_path):
-    assert "is no name of a Python package" in run("generate", lamp, "-o", tmp_path / "a-b", status=2).output
+    assert "is not the name of a Python package" in run("generate", lamp, "-o", tmp_path / "a-b", status=2).output
     (tmp_path / "file").write_text("")
     assert "cannot be written" in run("generate", lamp, "-o", tmp_path / "file" / "acme", status=2).stderr
     change(lamp, "core.TimeStamp", "core.TimeStump")

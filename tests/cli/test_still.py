@@ -60,10 +60,10 @@ def test_a_component_without_cameras_and_a_sensor_that_is_not_there(robot, tmp_p
 @pytest.mark.parametrize(
     ("arguments", "said"),
     [
-        (["101.1.255", "--save", "x.jpg"], "may be several"),
-        (["101.1.106", "--save", "x.gif"], "cannot tell the format of x.gif; end its name in .jpg, .jpeg, .png"),
-        (["101.1.106", "--save", "/no/such/folder/x.jpg"], "there is no folder /no/such/folder"),
-        (["101.1.106", "--save", "x.jpg", "--size", "large"], "'large' is no size; write --size 640x480"),
+        (["101.1.255", "--save", "x.jpg"], "has wildcards"),
+        (["101.1.106", "--save", "x.gif"], "the format of x.gif is unknown; use a suffix of .jpg, .jpeg, .png"),
+        (["101.1.106", "--save", "/no/such/folder/x.jpg"], "the directory /no/such/folder does not exist"),
+        (["101.1.106", "--save", "x.jpg", "--size", "large"], "'large' is not a size, as in --size 640x480"),
     ],
 )
 def test_wrong_use(arguments, said):

@@ -95,7 +95,7 @@ def test_frames_of_a_running_robot(robot, local_root):
     assert not any("assumed" in line for line in tree), "its components tell where all joints are"
 
     alone = jauspy("tf", "base_link", "--connect", local, status=1)
-    assert "give the frame to start from" in alone.stderr
+    assert "give two frames, FROM and TO" in alone.stderr
     wrong = jauspy("tf", "base_link", "nose", "--connect", local, status=1)
     assert "no frame 'nose'; there are: arm_camera_link" in wrong.stderr
 
@@ -139,7 +139,7 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_r
 def test_send_says_what_speaks_against_an_effect(robot, local_root):
     where = ("--connect", f"local:{local_root}")
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
-    assert "that is nobody: use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
+    assert "its controller, nobody; use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
     assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where).stderr
     emergency = ("Emergency", "emergency_code=STOP")
     assert jauspy("send", "101.1.102", f"Set{emergency[0]}", emergency[1], *where).stderr == ""
@@ -274,7 +274,7 @@ def test_the_demo(free_port):
         "✓ drive",
         "✓ arm",
         "Standby, release",
-        "it works",
+        "all goals were reached",
     ):
         assert step in text
     assert "real time" in text
@@ -292,7 +292,7 @@ def test_a_stopped_demo_says_so_and_leaves_nothing(free_port, local_root, monkey
     assert len(family) == 2
     demo.send_signal(number)
     _, err = demo.communicate(timeout=20)
-    said = "" if number == signal.SIGKILL else "stopped; control was given back\n"
+    said = "" if number == signal.SIGKILL else "stopped; control was released\n"
     assert (demo.returncode, err) == (status, said)
     assert_gone(family)
     assert not list(local_root.iterdir())

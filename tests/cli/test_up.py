@@ -7,7 +7,7 @@ from types import SimpleNamespace
 
 import pytest
 
-from jauspy.cli.up_tell import tell
+from jauspy.cli.up import print_summary
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.robots import load
 
@@ -18,26 +18,28 @@ def test_says_how_to_drive_only_what_can_be_driven(capsys, services, drives) -> 
     module = config.modules[0].model_copy(update={"services": services})
     config = config.model_copy(update={"modules": (module,)})
     runner = SimpleNamespace(config=config, components=[SimpleNamespace(id=config.id_of(module))])
-    tell(runner, "running", Path("/tmp/elsewhere"))
+    print_summary(runner, "running", Path("/tmp/elsewhere"))
     text = capsys.readouterr().out
     assert ("drive it:  jauspy send 101.1.102 SetWrenchEffort" in text) == drives
     assert "ask it:    jauspy query 101.1.102 QueryStatus --connect local:/tmp/elsewhere" in text
 
 
 @pytest.mark.parametrize(
-    ("robot", "timeout", "caution"),
+    ("robot", "timeout", "warning"),
     [
         ("inc1", None, ""),
-        ("igvc", None, "careful:   105.1.1 goes on 120 s after its client fell silent: access_control.timeout = 120"),
-        ("igvc", 0, "careful:   105.1.1 goes on for ever when its client fell silent: access_control.timeout = 0"),
+        ("igvc", None, "warning:   105.1.1 keeps moving for 120 s after its client died: access_control.timeout = 120"),
+        ("igvc", 0, "warning:   105.1.1 keeps moving without limit after its client died: access_control.timeout = 0"),
     ],
 )
-def test_says_that_a_robot_goes_on_without_its_client(capsys, robot, timeout, caution) -> None:
+def test_says_that_a_robot_goes_on_without_its_client(capsys, robot, timeout, warning) -> None:
     config = load(robot)
     if timeout is not None:
         access = AccessControlConfig(timeout=timeout)
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
-    tell(SimpleNamespace(config=config, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)), "", Path())
-    lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("careful")]
-    assert lines[:1] == [caution] * bool(caution)
+    print_summary(
+        SimpleNamespace(config=config, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)), "", Path()
+    )
+    lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("warning:")]
+    assert lines[:1] == [warning] * bool(warning)

@@ -29,7 +29,7 @@ from jauspy.testing import until
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
 SETTINGS = DepthSettings(80, 60, rate=20.0, least=0.1, most=5.0)
-PATIENCE = 100.0
+TIMEOUT = 100.0
 """Seconds; the process has what other work leaves of the processors, which may be little."""
 
 
@@ -58,7 +58,7 @@ def subscriber(stream: DepthStream) -> Iterator[CloudSubscriber]:
 
 
 async def next_cloud(subscriber: CloudSubscriber) -> Cloud:
-    cloud = await asyncio.to_thread(subscriber.receive, PATIENCE)
+    cloud = await asyncio.to_thread(subscriber.receive, TIMEOUT)
     assert cloud is not None
     return cloud
 
@@ -82,7 +82,7 @@ async def test_each_cloud_has_a_number_and_what_was_sent_is_counted(
     first, second = await next_cloud(subscriber), await next_cloud(subscriber)
     assert second.number == first.number + 1
     assert second.time == pytest.approx(first.time, abs=0.01), "of the same state: the robot stands"
-    await until(lambda: process.counters.get("published", 0) >= 2, PATIENCE)
+    await until(lambda: process.counters.get("published", 0) >= 2, TIMEOUT)
     assert process.counters["points"] == process.counters["published"] * len(first)
     assert "floor" in process.description
 
@@ -94,7 +94,7 @@ async def test_a_process_that_dies_is_started_again(
     first = await next_cloud(subscriber)
     assert process.pid is not None
     os.kill(process.pid, signal.SIGKILL)
-    async with asyncio.timeout(PATIENCE):
+    async with asyncio.timeout(TIMEOUT):
         while (await next_cloud(subscriber)).stream == first.stream:
             pass
     assert process.counters["started"] == 2

@@ -15,7 +15,7 @@ from dpkt.ip import IP
 from tests.conformance.scripted import ScriptedWire
 
 from jauspy.capture.reader import CaptureReader
-from jauspy.cli.conformance_files import Files
+from jauspy.cli.conformance import ReportFiles
 from jauspy.conformance import Profile, Step, Verdict, ask, has, run
 from jauspy.conformance.reports import capture, junit, page, result_json, summary, summary_json
 from jauspy.conformance.results import DEPENDS_ON_TARGET, Report, Result, Transition
@@ -126,7 +126,7 @@ def test_html_without_jinja2_is_refused_with_the_extra_to_install(report, monkey
     with pytest.raises(ConfigError, match=r"HTML reports need Jinja2: pip install 'jauspy\[conformance\]'"):
         page(report)
     with pytest.raises(ConfigError, match="Jinja2"):
-        Files(html=Path("report.html"))
+        ReportFiles(html=Path("report.html"))
 
 
 def test_pcapng(report, tmp_path):

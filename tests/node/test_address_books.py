@@ -6,7 +6,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.node import NodeConfig, address_books as addresses
+from jauspy.node import NodeConfig, address_books
 from jauspy.protocol.addressing import SerialPort, TcpPort, UdpPort
 
 TOML = """
@@ -31,10 +31,10 @@ addrbook:
 """
 
 
-def load(folder: Path, name: str, text: str) -> addresses.AddressEntries:
+def load(folder: Path, name: str, text: str) -> address_books.AddressEntries:
     path = folder / name
     path.write_text(text)
-    return addresses.load_address_book(path)
+    return address_books.load_address_book(path)
 
 
 def test_our_toml(tmp_path: Path) -> None:
@@ -92,7 +92,7 @@ def test_mistakes_name_the_file_and_what_to_write(tmp_path: Path, name: str, tex
 
 def test_a_file_that_is_not_there(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match="No such file"):
-        addresses.load_address_book(tmp_path / "nowhere.toml")
+        address_books.load_address_book(tmp_path / "nowhere.toml")
 
 
 def test_settings_and_files_are_one_book(tmp_path: Path) -> None:

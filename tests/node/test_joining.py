@@ -11,7 +11,7 @@ from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.testing import until
-from jauspy.transport import multicast as memberships
+from jauspy.transport import multicast
 
 ABSENT = "192.0.2.1"  # for documentation (RFC 5737), so nobody's
 ID = JausID.parse("126.1.11")
@@ -20,15 +20,15 @@ ID = JausID.parse("126.1.11")
 async def test_an_interface_that_is_not_there_is_told_and_tried_again(
     root: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
-    monkeypatch.setattr(memberships, "WATCH_INTERVAL", 0.02)
-    attempts: list[memberships.Memberships] = []
-    refresh = memberships.Memberships.refresh
+    monkeypatch.setattr(multicast, "WATCH_INTERVAL", 0.02)
+    attempts: list[multicast.Memberships] = []
+    refresh = multicast.Memberships.refresh
 
-    def noted(self: memberships.Memberships) -> None:
+    def noted(self: multicast.Memberships) -> None:
         attempts.append(self)
         refresh(self)
 
-    monkeypatch.setattr(memberships.Memberships, "refresh", noted)
+    monkeypatch.setattr(multicast.Memberships, "refresh", noted)
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, multicast_interfaces=(ABSENT,))
     async with NodeManager(config) as node:
         await until(lambda: len(attempts) > 2)

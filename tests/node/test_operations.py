@@ -14,7 +14,7 @@ from pathlib import Path
 import dpkt
 import pytest
 
-from jauspy.cli.node_serve import JsonLines
+from jauspy.cli.node_manager import JsonLines
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, metrics, mirror, status

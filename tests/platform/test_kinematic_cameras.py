@@ -90,7 +90,7 @@ def test_without_numpy_it_says_what_to_install(robot, monkeypatch):
     def fail(_):
         raise ImportError("No module named 'numpy'")
 
-    monkeypatch.setattr(kinematic_camera, "FloorEye", fail)
+    monkeypatch.setattr(kinematic_camera, "FloorCameraSession", fail)
     with pytest.raises(Exception, match=r"cameras need NumPy: pip install 'jauspy\[video\]'"):
         robot.cameras["front"].open()
 

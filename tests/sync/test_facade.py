@@ -188,7 +188,7 @@ def test_what_cannot_be_opened_leaves_no_thread(tmp_path):
 
 
 def test_figures_may_be_looked_at_while_they_grow(ocu):
-    counters = ocu._async._component.transport.counters
+    counters = ocu._async._component._transport.counters
     done = threading.Event()
 
     def count() -> None:

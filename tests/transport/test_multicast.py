@@ -10,7 +10,7 @@ from typing import Any
 import psutil
 import pytest
 
-from jauspy.transport import multicast, multicast as memberships
+from jauspy.transport import multicast
 from jauspy.transport.multicast import ALL_INTERFACES, Memberships
 
 GROUP = "239.255.0.1"
@@ -69,7 +69,7 @@ def machine(monkeypatch: pytest.MonkeyPatch) -> Machine:
     ],
 )
 def test_interfaces_are_chosen_by_address_name_or_all(machine: Machine, chosen: list[str], found: tuple[str]) -> None:
-    assert memberships.addresses(chosen) == found
+    assert multicast.addresses(chosen) == found
 
 
 def test_joins_where_it_can_and_warns_once_of_the_rest(machine: Machine, caplog: pytest.LogCaptureFixture) -> None:
@@ -149,4 +149,4 @@ def test_interfaces_with_ipv6_by_name_or_any_address(
         for name, own in machine.items()
     }
     monkeypatch.setattr(psutil, "net_if_addrs", lambda: told)
-    assert memberships.names([chosen]) == found
+    assert multicast.names([chosen]) == found

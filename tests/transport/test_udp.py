@@ -12,7 +12,7 @@ from jauspy.errors import TransportError
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Broadcast, Packet
-from jauspy.transport import UdpTransport, multicast, multicast as memberships
+from jauspy.transport import UdpTransport, multicast
 
 US, PEER, OTHER = (JausID.parse(text) for text in ("42.1.1", "101.1.1", "102.1.1"))
 GROUP = "239.255.0.7"
@@ -82,14 +82,14 @@ async def test_hears_the_group_and_not_itself(free_port: int) -> None:
 
 
 async def test_joins_a_network_that_comes_up_later(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(memberships, "WATCH_INTERVAL", 0.01)
+    monkeypatch.setattr(multicast, "WATCH_INTERVAL", 0.01)
     attempts: list[OSError | None] = []
 
-    def join(self: memberships.Memberships, interface: str) -> OSError | None:
+    def join(self: multicast.Memberships, interface: str) -> OSError | None:
         attempts.append(None if len(attempts) > 2 else OSError(errno.ENODEV, "no such device"))
         return attempts[-1]
 
-    monkeypatch.setattr(memberships.Memberships, "_join", join)
+    monkeypatch.setattr(multicast.Memberships, "_join", join)
     transport = UdpTransport(US, group=(GROUP, 0))
     await transport.open()
     assert transport.counters["multicast.not_joined"] == 1

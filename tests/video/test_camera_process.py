@@ -26,8 +26,7 @@ from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY
-from jauspy.platform.stills import StillFormat, StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
 from jauspy.video import camera_process
 from jauspy.video.camera_process import NICENESS, CameraProcess
 from jauspy.video.h264 import H264Decoder
@@ -37,7 +36,7 @@ from jauspy.video.stamp import read
 
 SMALL = VideoSettings(320, 240, 20)
 TINY = StillSettings(128, 96, StillFormat.PNG)
-PATIENCE = 100.0
+TIMEOUT = 100.0
 """Seconds; cameras' processes have what other work leaves of the processors, which may be little."""
 
 
@@ -68,7 +67,7 @@ def at(receiver):
 async def images(receiver, count, decoder=None):
     decoder = decoder or H264Decoder()
     found = []
-    async with asyncio.timeout(PATIENCE):
+    async with asyncio.timeout(TIMEOUT):
         while len(found) < count:
             found += [decoder.decode(picture) for picture in receiver.take()]
             await asyncio.sleep(0.005)
@@ -78,7 +77,7 @@ async def images(receiver, count, decoder=None):
 async def test_it_starts_when_it_is_first_wanted(camera):
     assert camera.pid is None
     camera.watch(("127.0.0.1", 2000), playing=False)
-    await until(lambda: camera.description, PATIENCE)
+    await until(lambda: camera.description, TIMEOUT)
     assert camera.counters["started"] == 1
 
 
@@ -90,11 +89,11 @@ async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
     robot = sim.SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(setup,)), "empty")
     async with CameraProcess(robot.cameras["front"], SMALL) as camera:
         camera.watch(("127.0.0.1", 2000), playing=False)
-        await until(lambda: camera.description, PATIENCE)
+        await until(lambda: camera.description, TIMEOUT)
         os.kill(camera.pid, signal.SIGKILL)
         camera.take(TINY, (again := asyncio.get_running_loop().create_future()).set_result)
-        await asyncio.wait_for(again, PATIENCE)
-        await until(lambda: camera.counters["started"] == 2, PATIENCE)
+        await asyncio.wait_for(again, TIMEOUT)
+        await until(lambda: camera.counters["started"] == 2, TIMEOUT)
     robot.close()
     said = [record for record in caplog.records if "casts rays" in record.message]
     assert [record.levelname for record in said] == ["WARNING"]
@@ -102,7 +101,7 @@ async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
 
 async def test_its_process_leaves_the_processor_to_the_robots(camera):
     camera.watch(("127.0.0.1", 2000), playing=False)
-    await until(lambda: camera.description, PATIENCE)
+    await until(lambda: camera.description, TIMEOUT)
     nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
     assert nice == min(NICENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
     assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
@@ -120,7 +119,7 @@ async def test_two_receivers_see_the_same_pictures(camera, receiver):
     assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
     assert read(second[0])[0] > numbers[2]
     assert camera.counters["started"] == 1
-    await until(lambda: camera.description.startswith("draws sky and floor"), PATIENCE)
+    await until(lambda: camera.description.startswith("draws sky and floor"), TIMEOUT)
 
 
 async def test_the_size_changes_while_it_runs(camera, receiver):
@@ -128,7 +127,7 @@ async def test_the_size_changes_while_it_runs(camera, receiver):
     camera.watch(at(receiver))
     assert (await images(receiver, 2, decoder))[0].shape == (240, 320, 3)
     camera.settings = VideoSettings(640, 480, 20)
-    async with asyncio.timeout(PATIENCE):
+    async with asyncio.timeout(TIMEOUT):
         while (await images(receiver, 1, decoder))[-1].shape != (480, 640, 3):
             pass
     assert not receiver.counters.get("lost")
@@ -157,9 +156,9 @@ async def test_pause_play_and_leave(camera, receiver):
 async def test_still_images_of_any_size(camera, format, size):
     taken = asyncio.get_running_loop().create_future()
     camera.take(StillSettings(*size, format), taken.set_result)
-    still = await asyncio.wait_for(taken, PATIENCE)
+    still = await asyncio.wait_for(taken, TIMEOUT)
     assert still.content.startswith({StillFormat.JPEG: b"\xff\xd8\xff", StillFormat.PNG: b"\x89PNG"}[format])
-    assert 0.0 < still.age < PATIENCE
+    assert 0.0 < still.age < TIMEOUT
     image = cv2.imdecode(np.frombuffer(still.content, np.uint8), cv2.IMREAD_COLOR)
     assert image.shape == (size[1], size[0], 3)
     assert image.std() > 10.0
@@ -169,7 +168,7 @@ async def test_still_images_of_any_size(camera, format, size):
 async def test_the_edges_of_stills_are_smooth_unless_they_are_large(camera, size, smooth):
     taken = asyncio.get_running_loop().create_future()
     camera.take(StillSettings(*size, StillFormat.PNG), taken.set_result)
-    content = (await asyncio.wait_for(taken, PATIENCE)).content
+    content = (await asyncio.wait_for(taken, TIMEOUT)).content
     image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
     colours = {tuple(pixel) for pixel in image.reshape(-1, 3)}
     assert (len(colours) > SKY + 1) is smooth
@@ -196,8 +195,8 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
     os.kill(killed, signal.SIGSTOP)
     camera.take(TINY, lost.set_result)
     os.kill(killed, signal.SIGKILL)
-    assert await asyncio.wait_for(lost, PATIENCE) is None
-    await until(lambda: receiver.take() == [] and camera.pid not in {killed, None}, PATIENCE)
+    assert await asyncio.wait_for(lost, TIMEOUT) is None
+    await until(lambda: receiver.take() == [] and camera.pid not in {killed, None}, TIMEOUT)
     assert (await images(receiver, 2))[0].shape == (120, 160, 3)
     assert camera.counters["started"] == 2
     assert camera.counters["stills_lost"] == 1
@@ -207,40 +206,40 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
 async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
     monkeypatch.setattr(worker_process, "MAX_UNREAD", 1000)
     camera.watch(("127.0.0.1", 2000))
-    await until(lambda: camera.description, PATIENCE)
+    await until(lambda: camera.description, TIMEOUT)
     os.kill(camera.pid, signal.SIGSTOP)
     hanging = camera.pid
     for number in range(20_000):
         camera.settings = dataclasses.replace(SMALL, gop=1 + number % 200)
         if camera.counters["hung"]:
             break
-    await until(lambda: camera.pid not in {hanging, None}, PATIENCE)
+    await until(lambda: camera.pid not in {hanging, None}, TIMEOUT)
 
 
 async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypatch):
     camera.watch(("127.0.0.1", 2000))
-    await until(lambda: camera.description, PATIENCE)
+    await until(lambda: camera.description, TIMEOUT)
     hanging = camera.pid
     os.kill(hanging, signal.SIGSTOP)
     monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.1)
     lost = asyncio.get_running_loop().create_future()
     camera.take(TINY, lost.set_result)
-    assert await asyncio.wait_for(lost, PATIENCE) is None
+    assert await asyncio.wait_for(lost, TIMEOUT) is None
     assert camera.counters["hung"] == 1
-    await until(lambda: camera.pid not in {hanging, None}, PATIENCE)
+    await until(lambda: camera.pid not in {hanging, None}, TIMEOUT)
     monkeypatch.undo()
     taken = asyncio.get_running_loop().create_future()
     camera.take(TINY, taken.set_result)
-    assert (await asyncio.wait_for(taken, PATIENCE)).content
+    assert (await asyncio.wait_for(taken, TIMEOUT)).content
 
 
 async def test_a_process_that_is_still_starting_does_not_hang(camera, monkeypatch):
     monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.01)
     taken = asyncio.get_running_loop().create_future()
     camera.take(TINY, taken.set_result)
-    await until(lambda: camera.description, PATIENCE)
+    await until(lambda: camera.description, TIMEOUT)
     monkeypatch.undo()
-    assert (await asyncio.wait_for(taken, PATIENCE)).content
+    assert (await asyncio.wait_for(taken, TIMEOUT)).content
     assert camera.counters["hung"] == 0
 
 
@@ -274,7 +273,7 @@ asyncio.run(main())
     assert Path(f"/proc/{child}").exists()
     parent.kill()
     await parent.communicate()
-    await until(lambda: is_over(child), PATIENCE)
+    await until(lambda: is_over(child), TIMEOUT)
 
 
 def is_over(pid):

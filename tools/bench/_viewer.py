@@ -12,7 +12,7 @@ import json
 import sys
 from contextlib import AsyncExitStack
 
-from jauspy.cli.video_watch import entered, url_of
+from jauspy.cli.video import registered, url_of
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.video.receiver import RtpReceiver
@@ -37,7 +37,7 @@ async def view(port: int) -> None:
         for camera in CAMERAS:
             receiver = stack.enter_context(RtpReceiver(HOST))
             loop.add_reader(receiver.fileno(), take, receiver, str(camera))
-            await stack.enter_async_context(entered(ocu, camera, 1, url_of((HOST, receiver.port))))
+            await stack.enter_async_context(registered(ocu, camera, 1, url_of((HOST, receiver.port))))
         await asyncio.wait_for(seen.wait(), 60.0)
         before = dict(counts)
         print("ready", flush=True)

@@ -1,51 +1,77 @@
-"""`jauspy conformance`: test whether a robot or component is what the standard says."""
+"""`jauspy conformance`: test a robot or component against a standard."""
 
 from __future__ import annotations
 
+import asyncio
+import os
 import sys
-from collections.abc import Iterator
-from contextlib import contextmanager
+import time
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import closing, contextmanager
+from dataclasses import dataclass, replace
+from json import dumps
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Final
 
 import typer
+from rich.table import Table
+from rich.text import Text
 
+from jauspy.cli import console
 from jauspy.cli.options import Json
-
-if TYPE_CHECKING:
-    from jauspy.conformance.results import Report, Result
+from jauspy.cli.processes import stoppable
+from jauspy.conformance import reports
+from jauspy.conformance.offers import Offers
+from jauspy.conformance.profile import Profile, Step, find, known
+from jauspy.conformance.reports import result_json, summary, summary_json, transcript
+from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
+from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
+from jauspy.conformance.wire import Wire, open_wire
+from jauspy.errors import ConfigError, JausError
+from jauspy.ids import JausID
 
 ProfileName = Annotated[
     str | None,
     typer.Argument(
-        metavar="PROFILE", help="Which test, as in igvc-2015; --list shows them all. MODULE:NAME is one of yours."
+        metavar="PROFILE", help="The profile, as in igvc-2015; --list lists them. MODULE:NAME is one of your own."
     ),
 ]
 Target = Annotated[
     str | None,
-    typer.Option("--target", metavar="ID", help="What to test, as in 101.1.102, or 101.1.255 for its components."),
+    typer.Option(
+        "--target", metavar="ID", help="What to test: 101.1.102 is a component, 101.1.255 all components of a node."
+    ),
 ]
-Listing = Annotated[bool, typer.Option("--list", help="Show the profiles, or the steps of PROFILE, and test nothing.")]
+Listing = Annotated[bool, typer.Option("--list", help="List the profiles, or the steps of PROFILE, without testing.")]
 Where = Annotated[
     str | None,
     typer.Option(
         "--connect",
         metavar="WHERE",
-        help="How to reach the target: udp://HOST:PORT, or by a node manager, tcp://HOST:PORT or local:DIR. "
-        "Default: multicast, also when a node manager runs on this machine.",
+        help="How to reach the target: udp://HOST:PORT, or a node manager at tcp://HOST:PORT or local:DIR. "
+        "Default: multicast, even if a node manager runs on this machine.",
     ),
 ]
 Deadline = Annotated[
     float,
-    typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long an answer may take; scales all waiting."),
+    typer.Option(
+        "--timeout",
+        min=0.01,
+        metavar="SECONDS",
+        help="How long an answer may take; other waiting times are scaled with it.",
+    ),
 ]
 Motion = Annotated[bool, typer.Option("--motion/--no-motion", help="Whether the robot may drive.")]
 Only = Annotated[
-    list[str] | None, typer.Option("--only", metavar="STEP", help="Only steps that begin so; may be repeated.")
+    list[str] | None,
+    typer.Option("--only", metavar="STEP", help="Only steps whose id begins with STEP; may be repeated."),
 ]
 Junit = Annotated[Path | None, typer.Option("--junit", metavar="FILE", help="Write JUnit XML.")]
-Html = Annotated[Path | None, typer.Option("--html", metavar="FILE", help="Write a report to read, in one file.")]
-Pcapng = Annotated[Path | None, typer.Option("--pcapng", metavar="FILE", help="Write what was sent and received.")]
+Html = Annotated[Path | None, typer.Option("--html", metavar="FILE", help="Write a report as one HTML file.")]
+Pcapng = Annotated[
+    Path | None,
+    typer.Option("--pcapng", metavar="FILE", help="Write the messages sent and received as a capture file."),
+]
 
 
 def conformance(
@@ -64,45 +90,36 @@ def conformance(
 ) -> None:
     """Test a robot or component of any vendor, step by step.
 
-    Each step passes, fails, is silent, late, malformed, or skipped with a reason. Status 0: all passed; 1: some did
-    not; 2: the test could not run; 130: Ctrl-C; 143: SIGTERM. Give the robot room: some profiles make it drive, and
-    shut it down at the end. However it ends, the robot is left in Standby and free.
+    The verdict of a step is passed, failed, silent, late, malformed, or skipped with a reason. Exit status: 0 all
+    steps passed; 1 a step did not pass; 2 the test could not run; 130 Ctrl-C; 143 SIGTERM. Some profiles make the robot
+    drive and shut it down at the end. In every other case the robot is left in Standby, without a controller.
 
-    Without --connect the test speaks UDP multicast itself, from port 3794 if it is free.
+    Without --connect the test uses UDP multicast itself, from port 3794 if that is free.
 
     Examples:
       jauspy conformance igvc-2015 --target 101.1.255 --html report.html
       jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
       jauspy conformance --list
     """
-    from jauspy.cli import console
-    from jauspy.cli.conformance_files import Files
-    from jauspy.cli.conformance_run import report_of, steps_of
-    from jauspy.cli.conformance_view import show_list, show_steps, watching
-    from jauspy.cli.run import stoppable
-    from jauspy.conformance.profile import find
-    from jauspy.conformance.runner import Interrupted, Settings
-    from jauspy.errors import ConfigError, JausError
-
-    sys.path.append("")  # profiles of one's own, in the folder where one is; last, so that they hide nothing
+    sys.path.append("")  # finds the user's profiles in the current directory; last, so that they hide no module
     try:
         if list_:
             show_steps(steps_of(find(profile), target, connect, timeout)) if profile else show_list()
             return
         if profile is None or target is None:
-            raise ConfigError("say which test, and of what: `jauspy conformance igvc-2015 --target 101.1.255`")
-        files = Files(junit=junit, html=html, pcapng=pcapng)
+            raise ConfigError("name a profile and a target, as in `jauspy conformance igvc-2015 --target 101.1.255`")
+        files = ReportFiles(junit=junit, html=html, pcapng=pcapng)
         settings = Settings(timeout, motion, tuple(only or ()))
         with stoppable() as stopped:
             try:
-                with watching() as progress:
-                    report = report_of(find(profile), target, connect, settings, _lines if json else progress)
+                with progress_line() as progress:
+                    report = report_of(find(profile), target, connect, settings, _print_json if json else progress)
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
             for each in (unwritten := files.write(report)):
                 console.error(each)
-            with _unread_is_fine():
+            with _ignoring_closed_pipe():
                 _show(report, json=json)
     except JausError as error:
         console.error(str(error))
@@ -110,22 +127,15 @@ def conformance(
     raise typer.Exit(2 if unwritten else status)
 
 
-def _lines(result: Result) -> None:
-    """A step in JSON, as soon as it has ended."""
-    from json import dumps
-
-    from jauspy.conformance.reports import result_json
-
-    with _unread_is_fine():
+def _print_json(result: Result) -> None:
+    """Print the result of a step as soon as it has ended."""
+    with _ignoring_closed_pipe():
         print(dumps(result_json(result), ensure_ascii=False))
 
 
 @contextmanager
-def _unread_is_fine() -> Iterator[None]:
-    """When nobody reads the output any more, the run goes on for its files and its status."""
-    from jauspy.cli import console
-    from jauspy.errors import ConfigError
-
+def _ignoring_closed_pipe() -> Iterator[None]:
+    """If the pipe of the output is closed, the run continues, for its files and its status."""
     try:
         yield
         sys.stdout.flush()
@@ -137,16 +147,188 @@ def _unread_is_fine() -> Iterator[None]:
 
 
 def _show(report: Report, *, json: bool) -> None:
-    """All of it; with `json` the steps are there already, and only the sum is missing."""
-    from jauspy.cli import conformance_view, console
-
+    """Print the report; with `json` the steps have been printed, and the summary follows."""
     if report.problem:
         console.error(report.problem)
     if not json:
-        conformance_view.show(report)
+        show(report)
         return
-    from json import dumps
-
-    from jauspy.conformance.reports import summary_json
 
     print(dumps(summary_json(report), ensure_ascii=False))
+
+
+@dataclass(frozen=True, slots=True)
+class ReportFiles:
+    """Where to write each kind of report. Raises `ConfigError` if a file cannot be written."""
+
+    junit: Path | None = None
+    html: Path | None = None
+    pcapng: Path | None = None
+
+    def __post_init__(self) -> None:
+        if self.html is not None:
+            reports.html_template()
+        kinds: dict[Path, str] = {}
+        for kind, path in (("--junit", self.junit), ("--html", self.html), ("--pcapng", self.pcapng)):
+            if path is None:
+                continue
+            if obstacle := _obstacle(path):
+                raise ConfigError(f"{path}: cannot be written: {obstacle}")
+            if other := kinds.get(path.resolve()):
+                raise ConfigError(f"{path} is given for {other} and for {kind}; choose different files")
+            kinds[path.resolve()] = kind
+
+    def write(self, report: Report) -> list[str]:
+        """Write the files; returns an error message for each that cannot be written."""
+        problems = (
+            _write(self.junit, lambda: reports.junit(report)),
+            _write(self.html, lambda: reports.page(report).encode()),
+            _write(self.pcapng, lambda: reports.capture(report)),
+        )
+        return [each for each in problems if each]
+
+
+def _obstacle(path: Path) -> str:
+    """Why a path cannot be written, as far as can be checked without writing."""
+    if path.is_dir():
+        return "it is a directory"
+    if not path.parent.is_dir():
+        return f"there is no directory {path.parent}"
+    return "" if os.access(path if path.exists() else path.parent, os.W_OK) else "permission denied"
+
+
+def _write(path: Path | None, content: Callable[[], bytes]) -> str:
+    if path is None:
+        return ""
+    try:
+        path.write_bytes(content())
+    except OSError as error:
+        return f"{path}: cannot be written: {error.strerror}"
+    return ""
+
+
+def steps_of(profile: Profile, target: str | None, connect: str | None, timeout: float) -> tuple[Step, ...]:
+    """The steps of a profile; the target is queried only if they depend on its services."""
+    if not profile.asks_for_services:
+        return profile.plan(Offers({}))
+    if target is None:
+        raise ConfigError(
+            f"the steps of {profile.name} depend on the target's services; add --target, as in --target 101.1.102"
+        )
+    with closing(asyncio.run(open_wire(connect))) as wire:
+        return planned_steps(profile, wire, _id(target), timeout=timeout)
+
+
+def report_of(profile: Profile, target: str, connect: str | None, settings: Settings, watch: OnResult) -> Report:
+    """Run a profile; raises `Interrupted`, which has the report so far."""
+    id = _id(target)
+    with closing(asyncio.run(open_wire(connect))) as wire:
+        try:
+            report = run(profile, wire, id, began=time.time(), settings=settings, watch=watch)
+        except Interrupted as stop:
+            stop.report = _with_notes(stop.report, wire)
+            raise
+        return _with_notes(report, wire)
+
+
+def _id(target: str) -> JausID:
+    id = JausID.parse(target)
+    if 0 in (id.subsystem, id.node, id.component):
+        raise ConfigError(
+            f"{id} is not the id of a component: no part may be 0; 255 is the wildcard of node and component"
+        )
+    return id
+
+
+def _with_notes(report: Report, wire: Wire) -> Report:
+    """The report with the notes of the wire."""
+    return replace(report, notes=(*getattr(wire, "notes", ()), *report.notes))
+
+
+_STYLES: Final = {Verdict.PASS: "green", Verdict.SKIPPED: "dim"}
+PIPE_WIDTH: Final = 1000
+"""Columns of the table in a pipe: one line a step, so that it can be searched."""
+
+MAX_TRAFFIC_LINES: Final = 24
+"""Lines of traffic shown for a failed step; the files have all."""
+
+
+def show(report: Report) -> None:
+    """Print the steps as a table, the failures and the summary."""
+    out = console.stdout()
+    if report.results:
+        console.stdout(pipe_width=PIPE_WIDTH).print(_table(report))
+    for result in report.failures:
+        _explain(result)
+    for note in report.notes:
+        console.note(note)
+    if total := transitions_summary(report):
+        rest = "; --json and --html list the others" if any(not each.step for each in report.transitions) else ""
+        out.print(Text(f"{total}{rest}", style="dim"))
+    style = "bold green" if report.status == 0 else "bold red"
+    out.print(Text(f"{report.profile}, {report.target}: {summary(report)}", style=style))
+
+
+def _table(report: Report) -> Table:
+
+    counted = report.points[1] > 0
+    table = Table(box=None, pad_edge=False, header_style="dim")
+    for header in ("step", "verdict", "ms", *(["points"] if counted else []), "what"):
+        table.add_column(header, overflow="fold", justify="right" if header == "ms" else "left")
+    for each in report.results:
+        reason = f"  {each.reason}" if each.verdict is Verdict.SKIPPED else ""
+        table.add_row(
+            each.id,
+            Text(str(each.verdict), style=_STYLES.get(each.verdict, "red")),
+            f"{each.elapsed * 1000:.0f}",
+            *([f"{each.earned:g}/{each.points:g}" if each.points else ""] if counted else []),
+            Text.assemble(each.title, (reason, "dim")),
+        )
+    return table
+
+
+def _explain(result: Result) -> None:
+
+    out = console.stdout()
+    out.print(Text(f"\n{result.id} {result.title}: {result.verdict}", style="bold red"))
+    out.print(Text(f"  {result.reason}"))
+    for expected in result.expected:
+        out.print(Text(f"  expected: {expected}"))
+    if result.why:
+        out.print(Text(f"  from: {result.why}"))
+    lines = transcript(result)
+    for line in lines[-MAX_TRAFFIC_LINES:]:
+        out.print(Text(f"  {line}", style="dim"))
+    if len(lines) > MAX_TRAFFIC_LINES:
+        out.print(Text(f"  ({len(lines) - MAX_TRAFFIC_LINES} earlier lines; --html and --json have them)", style="dim"))
+
+
+def show_list() -> None:
+    """Print every installed profile."""
+    table = Table("profile", "steps", "points", "what", box=None, pad_edge=False, header_style="dim")
+    for name in known():
+        try:
+            profile = find(name)
+        except ConfigError as error:
+            table.add_row(name, "", "", str(error))
+            continue
+        steps = () if callable(profile.steps) else profile.steps
+        points = sum(step.points for step in steps)
+        table.add_row(name, str(len(steps) or "as offered"), f"{points:g}" if points else "", profile.title)
+    console.stdout().print(table)
+
+
+def show_steps(steps: Iterable[Step]) -> None:
+    """Print the steps of a profile."""
+    for step in steps:
+        console.stdout().print(f"{step.id}  {step.title}", markup=False)
+
+
+@contextmanager
+def progress_line() -> Iterator[OnResult]:
+    """Show the last step and its verdict on a terminal."""
+    if not sys.stderr.isatty():
+        yield lambda _: None
+        return
+    with console.stderr().status("waiting for the target ...") as status:
+        yield lambda result: status.update(f"{result.id} {result.title}: {result.verdict}")

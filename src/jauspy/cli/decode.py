@@ -1,17 +1,44 @@
-"""`jauspy decode`: what captured or pasted bytes say."""
+"""`jauspy decode`: print the messages in capture files, hex files, hex text or standard input."""
 
 from __future__ import annotations
 
+import json
+import sys
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from enum import StrEnum
-from typing import Annotated
+from io import BufferedReader
+from pathlib import Path
+from typing import Annotated, Any, Final, Literal, Protocol, cast
 
 import typer
+from rich.text import Text
 
-from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
+from jauspy.capture.dissect import (
+    STANDARD,
+    Content,
+    Dissection,
+    Part,
+    dissect,
+    is_old_header,
+    local_control,
+    read_message,
+)
+from jauspy.capture.reader import CaptureReader, Datagram, from_hex, from_lines, is_capture
+from jauspy.cli import console
+from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, ServiceVersion, definitions
+from jauspy.cli.render import field_lines
+from jauspy.codec import reference
+from jauspy.codec.message import Message
+from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
+from jauspy.errors import ConfigError, DecodeError
+from jauspy.messages import registry
+from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
+from jauspy.schema import model
 
 
-class What(StrEnum):
-    """What pasted bytes are."""
+class HexKind(StrEnum):
+    """What hex text is."""
 
     DATAGRAM = "datagram"
     MESSAGE = "message"
@@ -31,39 +58,36 @@ def decode(
         str, typer.Option("--port", metavar="N|any", help="Only datagrams from or to this UDP port.")
     ] = "3794",
     what: Annotated[
-        What | None,
+        HexKind | None,
         typer.Option("--as", help="What the hex text is. Default: a datagram (01 or 02 first), else a bare message."),
     ] = None,
-    sources: Beside = None,
+    sources: SchemasOption = None,
     service: ServiceName = None,
     version: ServiceVersion = None,
     message: Annotated[
-        str | None, typer.Option("--message", metavar="NAME", help="The message meant where one service has several.")
+        str | None,
+        typer.Option("--message", metavar="NAME", help="Which message, if a service has several with one id."),
     ] = None,
 ) -> None:
     """Print the JAUS messages in a capture file or in hex text.
 
-    Values are in SI units and radians. Yellow lines say how bytes deviate from the definition. The exit status is 1
-    when something could not be read.
+    Values are in SI units and radians. Yellow lines describe deviations from the definition. The exit status is 1 if
+    something could not be decoded.
 
-    A message id is read as in the newest version of its service; where other versions differ, it is said. --service,
-    --version and --message tell what is meant; ids that they do not speak of are read as without them.
+    A message id is decoded by the newest version of its service; a line names the other definitions of the id.
+    --service, --version and --message select one; they do not affect ids that the selected definitions lack.
 
     Examples:
       jauspy decode run.pcap --json
       jauspy decode --explain 02001000010a017e0014017e0002200200
       tcpdump -w - udp | jauspy decode -
-      jauspy decode arm.pcap --from vendor/ --version 1.0
+      jauspy decode arm.pcap --schemas vendor/ --version 1.0
     """
-    from jauspy.cli.definitions import definitions
-    from jauspy.cli.sources import Reading, items
-    from jauspy.cli.traffic import HumanPrinter, JsonPrinter
-
     known = definitions(sources)
     wanted = known.hints(service, version, message)
-    reading = Reading(known.registry, wanted, _port(port), None if what is None else what.value)
+    options = DecodeOptions(known.registry, wanted, _port(port), None if what is None else what.value)
     printer = JsonPrinter() if as_json else HumanPrinter(known if explain else None)
-    for item in items(source, reading):
+    for item in items(source, options):
         printer.show(item)
     if printer.failed:
         raise typer.Exit(1)
@@ -75,3 +99,381 @@ def _port(text: str) -> int | None:
     if text.isdigit() and 0 < int(text) < 65536:
         return int(text)
     raise typer.BadParameter(f"{text!r} is neither a UDP port (1..65535) nor 'any'", param_hint="--port")
+
+
+_BYTES_SHOWN: Final = 8
+
+
+def explanation(content: Content, model_of: Callable[[type[Message]], model.Message]) -> Iterator[Text]:
+    """A table of the fields of a message, a line each; empty if the message is unknown."""
+    if content.message is None:
+        return
+    try:
+        rows = reference.explain(model_of(type(content.message)), content.payload)
+    except DecodeError as error:
+        yield Text(": ".join(filter(None, ("not explained", error.path, error.reason))), style="yellow")
+        return
+    cells = [("offset", "bytes", "field", "raw", "value")]
+    cells += [
+        (
+            f"{row.offset}",
+            _short_hex(content.payload[row.offset :][: row.length]),
+            row.path,
+            _raw_value(row.raw),
+            _explained_value(row.value),
+        )
+        for row in rows
+    ]
+    widths = [max(len(line[column]) for line in cells) for column in range(4)]
+    for number, (offset, data, path, raw, value) in enumerate(cells):
+        yield Text.assemble(
+            (f"{offset:>{widths[0]}}  ", "dim"),
+            f"{data:<{widths[1]}}  ",
+            (f"{path:<{widths[2]}}  ", "cyan"),
+            f"{raw:>{widths[3]}}  ",
+            value,
+            style="" if number else "dim",
+        )
+
+
+def _short_hex(data: bytes) -> str:
+    return data[:_BYTES_SHOWN].hex(" ") + (" ..." if len(data) > _BYTES_SHOWN else "")
+
+
+def _raw_value(raw: float | bytes) -> str:
+    """A number as it is encoded; strings are shown in the column of bytes."""
+    return "" if isinstance(raw, bytes) else str(raw) if isinstance(raw, int) else f"{raw:.9g}"
+
+
+def _explained_value(value: Any) -> str:
+    if isinstance(value, float):
+        return f"{value:.9g}"
+    if isinstance(value, list | tuple):
+        return ", ".join(map(_explained_value, value)) or "none"
+    return "" if value is None else str(value)
+
+
+@dataclass(frozen=True, slots=True)
+class Item:
+    """One thing to show: a datagram (captured or pasted) or a bare message. `number` is 0 when there is only one."""
+
+    number: int
+    captured: Datagram | None = None
+    dissection: Dissection | None = None
+    bare: Content | None = None
+
+    @property
+    def failed(self) -> bool:
+        """True if something could not be decoded; unknown messages in a capture do not count."""
+        if self.dissection is not None:
+            return bool(self.dissection.errors)
+        return self.bare is not None and (bool(self.bare.problem) or not self.bare.reencodes)
+
+
+class Printer(Protocol):
+    """Prints items; `failed` is true once one of them could not be decoded."""
+
+    failed: bool
+
+    def show(self, item: Item) -> None:
+        """Print one item."""
+
+
+# --- JSON lines -----------------------------------------------------------------------------------------------------
+
+
+class JsonPrinter:
+    """One object per line."""
+
+    def __init__(self) -> None:
+        self.failed = False
+
+    def show(self, item: Item) -> None:
+        """Print one item."""
+        self.failed |= item.failed
+        sys.stdout.write(json.dumps(as_json(item), ensure_ascii=False) + "\n")
+
+
+def as_json(item: Item) -> dict[str, Any]:
+    """An item as a JSON object; all objects have the same keys. `time` is in seconds since 1970, UTC."""
+    captured, dissection, bare = item.captured, item.dissection, item.bare
+    data = dissection.data if dissection else bare.payload if bare else b""
+    if dissection is None:
+        messages = [_content_json(bare)] if bare else []
+        errors = [bare.problem] if bare and bare.broken else []
+    else:
+        messages = [_part_json(part) for part in dissection.parts]
+        errors = list(dissection.errors)
+    return {
+        "n": item.number,
+        "time": captured.time if captured else None,
+        "source": _address(captured.source) if captured else None,
+        "destination": _address(captured.destination) if captured else None,
+        "hex": data.hex(),
+        "messages": messages,
+        "errors": errors,
+        "reencodes": dissection.reencodes if dissection else bool(bare and bare.reencodes),
+    } | ({"note": dissection.note} if dissection and dissection.note else {})
+
+
+def _part_json(part: Part) -> dict[str, Any]:
+    packet = part.packet
+    return {
+        "source": str(packet.source),
+        "destination": str(packet.destination),
+        "sequence": packet.sequence,
+        "priority": packet.priority.name,
+        "broadcast": packet.broadcast.name,
+        "ack": packet.ack.name,
+        "data_flag": packet.data_flag.name,
+    } | _content_json(part.content)
+
+
+def _content_json(content: Content) -> dict[str, Any]:
+    message = content.message
+    return {
+        "code": None if content.code is None else f"{content.code:04X}",
+        "message": message.NAME if message else None,
+        "service": message.SERVICE if message else None,
+        "version": message.VERSION if message else None,
+        "also": [{"message": each.name, "service": each.service, "version": each.version} for each in content.others],
+        "fields": message.to_dict() if message else None,
+        "deviations": list(content.deviations),
+        "problem": content.problem or None,
+        "reencodes": content.reencodes,
+    }
+
+
+def _address(address: tuple[str, int]) -> str:
+    return f"{address[0]}:{address[1]}"
+
+
+# --- text -----------------------------------------------------------------------------------------------------
+
+
+class HumanPrinter:
+    """Prints a line for each datagram and message, and its fields below; with `explain`, a line for every byte."""
+
+    def __init__(self, explain: Definitions | None = None) -> None:
+        self.failed = False
+        self._explain = explain
+        self._start: float | None = None
+        self._noted: set[int] = set()
+
+    def show(self, item: Item) -> None:
+        """Print one item."""
+        self.failed |= item.failed
+        if item.dissection is None:
+            if item.bare is not None:
+                self._heading(item, _title(item.bare))
+                self._content(item.bare)
+            return
+        self._datagram(item, item.dissection)
+
+    def _datagram(self, item: Item, dissection: Dissection) -> None:
+        if dissection.note:
+            self._heading(item, Text(f"{dissection.note} ({len(dissection.data)} bytes)", style="yellow"))
+        for index, part in enumerate(dissection.parts):
+            line = _route(part.packet).append("  ").append_text(_title(part.content)).append_text(_flags(part.packet))
+            if index == 0:
+                self._heading(item, line)
+            else:
+                console.stdout().print(Text("   + ").append_text(line))
+            self._content(part.content)
+        if not dissection.parts and not dissection.note:
+            self._heading(item, Text(f"{len(dissection.data)} bytes", style="red"))
+        for error in dissection.errors:
+            console.stdout().print(Text(f"     {error}", style="red"))
+
+    def _heading(self, item: Item, line: Text) -> None:
+        out = console.stdout()
+        head = Text(f"{item.number:>4}" if item.number else "", style="dim")
+        if item.captured is not None:
+            if self._start is None:
+                self._start = item.captured.time
+            head.append(f"  {item.captured.time - self._start:+12.6f} s")
+            head.append(f"  {_short(item.captured.source)} → {_short(item.captured.destination)}")
+        if out.is_terminal and head.cell_len + 2 + line.cell_len > out.width:
+            out.print(head)
+            out.print(Text("     ").append_text(line))
+        else:
+            out.print(Text("  ").join((head, line)) if head else line)
+
+    def _content(self, content: Content) -> None:
+        out = console.stdout()
+        if content.problem and not content.broken:
+            out.print(Text(f"     {content.problem}", style="yellow"))
+        self._note_others(content)
+        if content.message is None and content.payload:
+            out.print(Text(f"     {_hex(content.payload)}", style="dim"))
+        if self._explain:
+            for row in explanation(content, self._explain.model_of):
+                out.print(Text("     ").append_text(row))
+        elif content.message is not None:
+            for line in field_lines(content.message):
+                out.print(Text("     ").append_text(line))
+        for deviation in content.deviations:
+            out.print(Text(f"     {deviation}", style="yellow"))
+        if content.message is not None and not content.reencodes:
+            again = content.reencoded()
+            text = f"encodes to {_hex(again)}" if again is not None else "does not encode again"
+            out.print(Text(f"     {text}", style="yellow"))
+
+    def _note_others(self, content: Content) -> None:
+        """Print the other definitions of a message id, the first time that it occurs."""
+        message = content.message
+        if message is None or message.CODE in self._noted or not content.others:
+            return
+        self._noted.add(message.CODE)
+        others = ", ".join(f"{each.name} in {_place(each)} ({_option(each, message)})" for each in content.others)
+        here = f"{_service(message.SERVICE)} {message.VERSION}"
+        console.stdout().print(Text(f"     decoded as in {here}; also {others}", style="dim"))
+
+
+def _option(entry: MessageEntry, shown: Message) -> str:
+    """The option that selects this definition."""
+    if entry.version != shown.VERSION:
+        return f"--version {entry.version}"
+    return f"--service {_service(entry.service)}"
+
+
+def _place(entry: MessageEntry) -> str:
+    return f"{_service(entry.service)} {entry.version}"
+
+
+def _service(urn: str) -> str:
+    return urn.removeprefix(STANDARD)
+
+
+def _title(content: Content) -> Text:
+    if content.message is not None:
+        return Text.assemble((content.message.NAME, "bold cyan"), f" ({content.code:04X}h)")
+    if not content.payload:
+        return Text("no message")
+    return Text(f"message {content.code:04X}h" if content.code is not None else "message", style="bold")
+
+
+def _route(packet: Packet) -> Text:
+    return Text(f"{packet.source} → {packet.destination}", style="green")
+
+
+def _flags(packet: Packet) -> Text:
+    """Header fields that are not standard priority, unicast, unacknowledged, unfragmented; and the sequence number."""
+    words = []
+    if packet.priority != Priority.STANDARD:
+        words.append(packet.priority.name.lower().replace("_", " ") + " priority")
+    if packet.broadcast != Broadcast.NONE:
+        words.append(f"{packet.broadcast.name.lower()} broadcast")
+    if packet.ack != Ack.NONE:
+        words.append({Ack.REQUIRED: "ack required", Ack.ACK: "ACK", Ack.NAK: "NAK"}[packet.ack])
+    if packet.data_flag != DataFlag.SINGLE:
+        words.append(f"{packet.data_flag.name.lower()} fragment")
+    words.append(f"seq {packet.sequence}")
+    return Text("  " + ", ".join(words), style="dim")
+
+
+def _short(address: tuple[str, int]) -> str:
+    """The address, with the port unless it is 3794."""
+    return address[0] if address[1] == 3794 else _address(address)
+
+
+def _hex(data: bytes, limit: int = 64) -> str:
+    return data[:limit].hex(" ") + (f" ... ({len(data)} bytes)" if len(data) > limit else "")
+
+
+HexKindName = Literal["datagram", "message"] | None
+
+_VERSION: Final = b"\x02"  # first byte of an AS5669A datagram
+_UNCOMPRESSED: Final = b"\x00"  # its second byte
+_MIN_DATAGRAM: Final = 15  # bytes of a datagram without payload
+
+
+@dataclass(frozen=True, slots=True)
+class DecodeOptions:
+    """Which definitions to decode by, which UDP port to select, and what hex text is."""
+
+    registry: Registry = registry
+    wanted: Hints = NO_HINTS
+    port: int | None = None
+    what: HexKindName = None
+
+    def datagram(self, data: bytes) -> Dissection:
+        """Decode a UDP payload."""
+        return dissect(data, self.registry, self.wanted)
+
+    def message(self, data: bytes) -> Content:
+        """Decode a message without header."""
+        return read_message(data, self.registry, self.wanted)
+
+
+def items(source: str, options: DecodeOptions) -> Iterator[Item]:
+    """Everything in a file, in standard input (`-`) or in hex text; raises `ConfigError`."""
+    if source == "-":
+        yield from _from_file(cast("BufferedReader", sys.stdin.buffer), "standard input", options)
+    elif _exists(Path(source)):
+        with _open(Path(source)) as file:
+            yield from _from_file(file, source, options)
+    else:
+        yield _from_hex(0, _from_text(source), options)
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except (OSError, ValueError):  # hex text is easily longer than a file name may be
+        return False
+
+
+def _open(path: Path) -> BufferedReader:
+    try:
+        return path.open("rb")
+    except OSError as error:
+        raise ConfigError(f"{path} cannot be read: {error.strerror}") from None
+
+
+def _from_text(text: str) -> bytes:
+    try:
+        return from_hex(text)
+    except ConfigError as error:
+        raise ConfigError(f"there is no file {text!r}, and as hex text it is wrong: {error}") from None
+
+
+def _from_file(file: BufferedReader, name: str, options: DecodeOptions) -> Iterator[Item]:
+    if is_capture(file.peek(4)):
+        yield from _from_capture(CaptureReader(file, name=name, port=options.port), options)
+        return
+    try:
+        lines = from_lines(file.read().decode("ascii"))
+    except (UnicodeDecodeError, ConfigError) as error:
+        reason = f": {error}" if isinstance(error, ConfigError) else ""
+        raise ConfigError(f"{name} is neither a pcap or pcapng file nor hex text{reason}") from None
+    if not lines:
+        raise ConfigError(f"{name} is empty")
+    for number, data in lines:
+        yield _from_hex(number, data, options)
+
+
+def _from_capture(reader: CaptureReader, options: DecodeOptions) -> Iterator[Item]:
+    count = 0
+    for count, datagram in enumerate(reader, 1):  # noqa: B007 - for the note below
+        yield Item(datagram.number, captured=datagram, dissection=options.datagram(datagram.payload))
+    if not count and not reader.skipped:
+        console.note("the capture has no packets")
+    if reader.skipped:
+        console.note("skipped: " + ", ".join(f"{count} {reason}" for reason, count in reader.skipped.items()))
+
+
+def _from_hex(number: int, data: bytes, options: DecodeOptions) -> Item:
+    """A datagram if the bytes are a whole one, or long enough for one; else a message."""
+    if options.what == "message":
+        return Item(number, bare=options.message(data))
+    control = local_control(data)
+    if control is not None and options.what is None:
+        return Item(number, dissection=control)
+    datagram = Item(number, dissection=options.datagram(data))
+    if options.what == "datagram" or (data[:1] == _VERSION and not datagram.failed):
+        return datagram
+    message = options.message(data)
+    is_version_2 = data[:1] == _VERSION and (len(data) >= _MIN_DATAGRAM or data[1:2] == _UNCOMPRESSED)
+    looks_like_datagram = is_version_2 or is_old_header(data)
+    return datagram if looks_like_datagram and not message.exact else Item(number, bare=message)

@@ -1,34 +1,38 @@
-"""Which definitions a verb reads messages by: what is built in, your own files before that, and what you prefer."""
+"""Which definitions a verb uses: those built in, the user's files, and the preferred service and version."""
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass
 from difflib import get_close_matches
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable
+from jauspy.codec.build import load_schema
+from jauspy.codec.message import Message
+from jauspy.codec.registry import Hints, Registry
+from jauspy.errors import ConfigError
+from jauspy.messages import registry
+from jauspy.schema import Schema, load_builtin, model
+from jauspy.schema.loader import load_own
 
-    from jauspy.codec.message import Message
-    from jauspy.codec.registry import Hints, Registry
-    from jauspy.schema import Schema, model
-
-Beside = Annotated[
+SchemasOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--from",
+        "--schemas",
         metavar="FILE",
-        help="Your own JSIDL files, folders or patterns, beside and before what is built in; may be repeated.",
+        help="Your own JSIDL files, folders or patterns, preferred to the built-in definitions; may be repeated.",
     ),
 ]
 ServiceName = Annotated[
     str | None,
-    typer.Option("--service", metavar="NAME", help="The service meant where several have it: a URN or the end of one."),
+    typer.Option(
+        "--service", metavar="NAME", help="Which service, if several have the message: a URN or the end of one."
+    ),
 ]
 ServiceVersion = Annotated[
-    str | None, typer.Option("--version", metavar="V", help="The service's version; else the newest.")
+    str | None, typer.Option("--version", metavar="V", help="The service's version. Default: the newest.")
 ]
 
 
@@ -41,17 +45,13 @@ class Definitions:
 
     def model_of(self, kind: type[Message]) -> model.Message:
         """The definition of a message class."""
-        from jauspy.schema import load_builtin
-
         key = (kind.SERVICE, kind.VERSION)
         services = self.own.services if self.own else ()
         service = next((each for each in services if each.key == key), None) or load_builtin().service(*key)
         return next(each for each in service.messages if (each.code, each.name) == (kind.CODE, kind.NAME))
 
     def hints(self, service: str | None = None, version: str | None = None, message: str | None = None) -> Hints:
-        """What to prefer; `ConfigError` with close matches for what nothing is called."""
-        from jauspy.codec.registry import Hints
-
+        """The preferred definitions; raises `ConfigError`, with similar names, for an unknown name."""
         entries = self.registry.entries
         services = {entry.service for entry in entries}
         for wanted, what, known in (
@@ -66,20 +66,15 @@ class Definitions:
 
 
 def definitions(sources: list[str] | None) -> Definitions:
-    """What is built in, with the messages of these files in front of it."""
+    """The built-in definitions, with those of the files preferred to them."""
     if not sources:
-        from jauspy.messages import registry
-
         return Definitions(registry)
-    from jauspy.codec.build import load_schema
-    from jauspy.schema.loader import load_own
 
     own = load_own(sources)
     return Definitions(load_schema(own), own)
 
 
 def _unknown(what: str, wanted: str, known: Iterable[str]) -> Exception:
-    from jauspy.errors import ConfigError
 
     by_key = {name.casefold(): name for name in known}
     close = [by_key[key] for key in get_close_matches(wanted.casefold(), by_key, 3, 0.6)]

@@ -24,8 +24,8 @@ _PRESENCE: Final = "presence_vector"
 def message_from(registry: Registry, name: str, assignments: Sequence[str], hints: Hints = NO_HINTS) -> Message:
     """The message with this JAUS name and these fields, of the service and version in `hints`.
 
-    A query's presence vector may be left out: it then asks for all there is. Raises `ConfigError` that lists the
-    fields with types, ranges and units.
+    A query without a presence vector requests every field. Raises `ConfigError`, which lists the fields with types,
+    ranges and units.
     """
     cls = _named(registry, name, hints)
     layout = cls.layout()
@@ -54,12 +54,12 @@ def _named(registry: Registry, name: str, hints: Hints) -> type[Message]:
     try:
         return registry.by_name(name, service=hints.service, version=hints.version)
     except ConfigError as error:
-        more = " (`--from` reads definitions of your own)" if registry is public else ""
+        more = " (`--schemas` reads your own definitions)" if registry is public else ""
         raise ConfigError(f"{error}{more}") from None
 
 
 def everything(registry: Registry, query: type[Message]) -> int:
-    """The presence vector that asks for every field of the report to this query."""
+    """The presence vector that requests every field of the report."""
     layout = query.layout()
     assert isinstance(layout, Composite)
     item = next(slot.item for slot in layout.slots if slot.name == _PRESENCE)
@@ -75,9 +75,9 @@ def everything(registry: Registry, query: type[Message]) -> int:
 def _report_of(registry: Registry, query: type[Message]) -> Item | None:
     """The layout of the report to a query: that of the same service and version, else the newest."""
     name = query.NAME.replace("Query", "Report", 1)
-    for place in ({"service": query.SERVICE, "version": query.VERSION}, {}):
+    for which in ({"service": query.SERVICE, "version": query.VERSION}, {}):
         with suppress(ConfigError):
-            return registry.by_name(name, **place).layout()
+            return registry.by_name(name, **which).layout()
     return None
 
 
@@ -93,7 +93,7 @@ def describe(cls: type[Message]) -> str:
 
 
 def _assign(data: dict[str, Any], path: str, text: str, layout: Item, cls: type[Message]) -> None:
-    """Put a value where the dotted path says, read as its field's type wants it."""
+    """Set the field of a dotted path to a value parsed by the field's type."""
     *parents, last = path.split(".")
     for name in parents:
         layout = _inside(layout, name, cls)
@@ -146,7 +146,7 @@ def _value(item: Item, text: str, path: str) -> Any:
 
 
 def _number(text: str) -> float | None:
-    """`12`, `0x1ff`, `1.5e3`: YAML 1.1 takes some of these for text."""
+    """`12`, `0x1ff`, `1.5e3`; YAML 1.1 parses some of these as text."""
     for read in (lambda: int(text, 0), lambda: float(text)):
         try:
             return read()
@@ -160,7 +160,7 @@ def _slot_kind(slot: Slot) -> str:
 
 
 def _kind(item: Item) -> str:
-    """What a field takes, in a few words."""
+    """The type, range and unit of a field."""
     if isinstance(item, Real):
         return f"{item.scaling.lower:g}..{item.scaling.upper:g} {unit_symbol(item.units)}".strip()
     if isinstance(item, Number):

@@ -1,15 +1,20 @@
-"""`jauspy ls`: who is there."""
+"""`jauspy ls`: list subsystems, nodes, components and services on the network."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+import json
+from typing import Annotated, Any
 
 import typer
+from rich.text import Text
+from rich.tree import Tree
 
+from jauspy.cli import client, console
 from jauspy.cli.options import Connect, Json, OwnId
-
-if TYPE_CHECKING:
-    from jauspy.ocu import SubsystemInfo
+from jauspy.cli.processes import run
+from jauspy.errors import ResponseTimeout
+from jauspy.ocu import OCU
+from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo, kind_of
 
 
 def ls(
@@ -21,34 +26,66 @@ def ls(
     ] = 2.0,
     as_json: Json = False,
 ) -> None:
-    """Find who answers: subsystems, nodes, components and services.
+    """List subsystems, nodes, components and services that answer discovery.
 
     Example:
       jauspy ls --connect udp://192.168.1.20:3794 --timeout 5
     """
-    import json
-
-    from jauspy.cli import addresses, console, tree
-    from jauspy.cli.run import run
-    from jauspy.errors import ResponseTimeout
-
-    found = run(_discover(addresses.own_id(own_id, connect), connect, timeout)) or []
+    found = run(_discover(client.own_id(own_id, connect), connect, timeout)) or []
     for subsystem in found:
         if as_json:
-            print(json.dumps(tree.as_json(subsystem), ensure_ascii=False))
+            print(json.dumps(to_json(subsystem), ensure_ascii=False))
         else:
-            console.stdout().print(tree.tree_of(subsystem))
+            console.stdout().print(tree_of(subsystem))
     if not found:
         raise ResponseTimeout(
-            f"nobody answered within {timeout:g} s; start a robot (`jauspy up inc1`), or say with --connect where the "
-            "node manager is"
+            f"no component answered within {timeout:g} s; start a robot (`jauspy up inc1`), or give the node manager's "
+            "address with --connect"
         )
 
 
-async def _discover(own_id: str, connect: str | None, patience: float) -> list[SubsystemInfo]:
-    """Everybody but ourselves."""
-    from jauspy.ocu import OCU
-
+async def _discover(own_id: str, connect: str | None, max_wait: float) -> list[SubsystemInfo]:
+    """All subsystems but the client's own."""
     async with OCU(own_id, connect) as ocu:
-        found = await ocu.discover_all(timeout=patience)
+        found = await ocu.discover_all(timeout=max_wait)
         return [robot.info for robot in found if robot.id != ocu.id.subsystem]
+
+
+def tree_of(subsystem: SubsystemInfo) -> Tree:
+    """A subsystem as a tree of nodes, components, and services with their versions."""
+    tree = Tree(_label("subsystem", subsystem.id, subsystem.name, subsystem.kind, style="bold cyan"), guide_style="dim")
+    for node in subsystem.nodes:
+        branch = tree.add(_label("node", node.id, node.name, kind_of(node.type) if node.type else ""))
+        for component in node.components:
+            kind = component.kind if component.type else ""
+            leaf = branch.add(_label("component", component.id, component.name, kind, style="bold"))
+            for service in component.services:
+                leaf.add(Text.assemble(service.short, (f"  {service.version}", "dim")))
+    return tree
+
+
+def to_json(subsystem: SubsystemInfo) -> dict[str, Any]:
+    """A subsystem as a JSON object."""
+    return {
+        "subsystem": subsystem.id,
+        "name": subsystem.name,
+        "type": subsystem.kind,
+        "nodes": [_node_json(node) for node in subsystem.nodes],
+    }
+
+
+def _label(what: str, id: object, name: str, kind: str, style: str = "") -> Text:
+    text = Text.assemble((what, "dim"), " ", (f"{id}", style), f"  {name}" if name else "")
+    return text.append(f"  {kind}", "dim") if kind and kind != "unknown" else text
+
+
+def _node_json(node: NodeInfo) -> dict[str, Any]:
+    return {"node": node.id, "name": node.name, "components": [_component_json(each) for each in node.components]}
+
+
+def _component_json(component: ComponentInfo) -> dict[str, Any]:
+    return {
+        "id": str(component.id),
+        "name": component.name,
+        "services": [{"urn": service.urn, "version": service.version} for service in component.services],
+    }

@@ -1,45 +1,104 @@
-"""The `jauspy` command: its verbs, and what becomes of errors, Ctrl-C and closed pipes."""
+"""The `jauspy` command: its verbs, and how errors, Ctrl-C and closed pipes end it."""
 
 from __future__ import annotations
 
 import errno
+import importlib
+import inspect
 import os
+import re
 import sys
-from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated, Any, Final
 
 import typer
 import typer.core
+import typer.main
 
 from jauspy import __version__
-from jauspy.cli import (
-    conformance,
-    console,
-    decode,
-    demo,
-    fuzz,
-    ls,
-    map_robot,
-    new,
-    node_manager,
-    query,
-    schema,
-    send,
-    still,
-    tf,
-    up,
-    video,
-)
-from jauspy.cli.help import help_text
+from jauspy.cli import console
 from jauspy.errors import JausError
 
-FULL: Final = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO})
-"""What writing results can fail with, and nobody but the user can mend."""
+VERBS: Final = {
+    "demo": (
+        "jauspy.cli.demo:demo",
+        "Run the whole system: a simulated robot drives to a table, finds a can, grasps and lifts it.",
+    ),
+    "up": ("jauspy.cli.up:up", "Run a robot, and a node manager if none runs in the local root."),
+    "node-manager": (
+        "jauspy.cli.node_manager:node_manager",
+        "Route JAUS between the components of this machine and the network.",
+    ),
+    "ls": ("jauspy.cli.ls:ls", "List subsystems, nodes, components and services that answer discovery."),
+    "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
+    "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
+    "tf": ("jauspy.cli.tf:tf", "Show the poses of a running robot's frames: each in its parent, or TO in FROM."),
+    "map": (
+        "jauspy.cli.map:map_robot",
+        "Map with a robot's lidar while the robot is driven, and write the map in the format of ROS's map_server.",
+    ),
+    "video": (
+        "jauspy.cli.video:video",
+        "Request the video of a camera, and print commands that show it; or record it.",
+    ),
+    "still": ("jauspy.cli.still:still", "Take a picture with a camera and save it."),
+    "decode": ("jauspy.cli.decode:decode", "Print the JAUS messages in a capture file or in hex text."),
+    "conformance": ("jauspy.cli.conformance:conformance", "Test a robot or component of any vendor, step by step."),
+}
+NEW_VERBS: Final = {
+    "component": (
+        "jauspy.cli.new.component:component",
+        "Write a package with a component that offers a service: methods, a program, tests and a README.",
+    ),
+    "definition": (
+        "jauspy.cli.new.definition:definition",
+        "Write the definition (JSIDL) of a service with a query and a report of numbers.",
+    ),
+}
+SCHEMA_VERBS: Final = {
+    "ls": (
+        "jauspy.cli.schema.ls:ls",
+        "List service definitions: set, name, version, parent service, number of messages.",
+    ),
+    "show": (
+        "jauspy.cli.schema.show:show",
+        "Show a message (fields, bytes, units, ranges) or a service (messages, states, transitions).",
+    ),
+    "lint": (
+        "jauspy.cli.schema.lint:lint",
+        "Check definitions for mistakes that break other tools, as FILE:LINE: severity: code: sentence.",
+    ),
+    "diff": ("jauspy.cli.schema.diff:diff", "Compare definitions: messages, fields, values and behaviour."),
+    "generate": (
+        "jauspy.cli.schema.generate:generate",
+        "Write message classes as a Python package: typed, byte-exact, like `jauspy.messages`.",
+    ),
+}
+FUZZ_VERBS: Final = {
+    "codec": ("jauspy.cli.fuzz:codec", "Decode valid, random and damaged messages and check invariants."),
+    "replay": ("jauspy.cli.fuzz:replay", "Check the bytes of a saved finding again."),
+}
+"""Each verb's function and its line in the help. Its module is imported when it runs, so that `--help` is fast."""
+
+GROUPS: Final = {"jauspy": VERBS, "new": NEW_VERBS, "schema": SCHEMA_VERBS, "fuzz": FUZZ_VERBS}
+
+WRITE_ERRORS: Final = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO})
+"""Errors of writing results that only the user can resolve."""
 
 
-class Verbs(typer.core.TyperGroup):
-    """Turns errors into one sentence and an exit status: 1 failed, 2 wrong use, 130 Ctrl-C."""
+class VerbGroup(typer.core.TyperGroup):
+    """Imports the module of a verb when the verb is called.
+
+    An error becomes one sentence and an exit status: 1 failed, 2 wrong use, 130 Ctrl-C.
+    """
+
+    error_status = 1
+
+    def resolve_command(self, ctx: Any, args: list[str]) -> tuple[str | None, Any, list[str]]:
+        """Replace the placeholder of a verb, which has only its line of help, by the verb itself."""
+        name, command, rest = super().resolve_command(ctx, args)
+        verb = GROUPS[str(self.name)].get(str(name))
+        return name, load_verb(str(name), verb[0]) if verb else command, rest
 
     def invoke(self, ctx: Any) -> Any:
         """Run the verb; with `--debug` errors keep their traceback."""
@@ -49,24 +108,71 @@ class Verbs(typer.core.TyperGroup):
             finally:
                 sys.stdout.flush()
         except BrokenPipeError:
-            # Whoever reads has had enough, as in `jauspy decode ... | head`.
+            # The reader closed the pipe, as in `jauspy decode ... | head`.
             console.discard_stdout()
             raise typer.Exit(0) from None
         except JausError as error:
-            if ctx.params.get("debug"):
+            if ctx.find_root().params.get("debug"):
                 raise
             console.error(str(error))
-            raise typer.Exit(1) from None
+            raise typer.Exit(self.error_status) from None
+
+
+class SchemaGroup(VerbGroup):
+    """Errors have exit status 2, because 1 is a result: lint found something, or definitions differ."""
+
+    error_status = 2
+
+
+def load_verb(name: str, target: str) -> Any:
+    """The command of a verb, from `module:function`."""
+    module, _, function = target.partition(":")
+    verb = getattr(importlib.import_module(module), function)
+    single = typer.Typer(add_completion=False, rich_markup_mode="rich")
+    single.command(name, help=_help_text(verb.__doc__ or ""))(verb)
+    return typer.main.get_command(single)
+
+
+def _help_text(doc: str) -> str:
+    """A docstring with one line a paragraph, for the help to wrap; indented lines (examples) stay lines."""
+    paragraphs = inspect.cleandoc(doc).split("\n\n")
+    return "\n\n".join(re.sub(r"\n(?! )", " ", paragraph) for paragraph in paragraphs)
+
+
+def _add(group: typer.Typer, verbs: dict[str, tuple[str, str]]) -> None:
+    for name, (_, line) in verbs.items():
+        group.command(name, help=line)(_placeholder)
+
+
+def _placeholder() -> None:
+    """Never called: `resolve_command` replaces it."""
 
 
 app = typer.Typer(
-    cls=Verbs,
+    cls=VerbGroup,
     name="jauspy",
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="rich",
     context_settings={"help_option_names": ["-h", "--help"]},
+)
+new_app = typer.Typer(
+    cls=VerbGroup,
+    name="new",
+    no_args_is_help=True,
+    help="Write a service definition (JSIDL), or a component with tests, to start from.",
+)
+schema_app = typer.Typer(
+    cls=SchemaGroup,
+    name="schema",
+    no_args_is_help=True,
+    help="Read, check, compare and use service definitions (JSIDL): those built in, and your own.\n\n"
+    "Exit status of every verb: 0 success; 1 lint found something or diff found a difference; 2 wrong use, or a name "
+    "or file that does not exist or cannot be read.",
+)
+fuzz_app = typer.Typer(
+    cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec with random and damaged messages."
 )
 
 
@@ -85,44 +191,29 @@ def _options(
         bool, typer.Option("--version", callback=_version, is_eager=True, help="Print the version.")
     ] = False,
 ) -> None:
-    """JAUS for Python: talk to unmanned ground vehicles, be one, or read what others say.
+    """JAUS for Python: control unmanned ground vehicles, implement their components, and decode their traffic.
 
     Ids are SUBSYSTEM.NODE.COMPONENT, as in 101.1.102. Values are in SI units and radians.
 
-    Try it: [bold]jauspy demo[/], or [bold]jauspy up inc1[/] in one terminal and [bold]jauspy ls[/] in another.
+    To try it: [bold]jauspy demo[/], or [bold]jauspy up inc1[/] in one terminal and [bold]jauspy ls[/] in another.
     """
 
 
-VERBS: Final[dict[str, Callable[..., None]]] = {
-    "demo": demo.demo,
-    "up": up.up,
-    "node-manager": node_manager.node_manager,
-    "ls": ls.ls,
-    "query": query.query,
-    "send": send.send,
-    "tf": tf.tf,
-    "map": map_robot.map_robot,
-    "video": video.video,
-    "still": still.still,
-    "decode": decode.decode,
-    "conformance": conformance.conformance,
-}
-for name, verb in VERBS.items():
-    app.command(name, help=help_text(verb.__doc__ or ""))(verb)
-app.add_typer(new.app)
-app.add_typer(schema.app)
-app.add_typer(fuzz.app)
+_add(app, VERBS)
+for _group, _verbs in ((new_app, NEW_VERBS), (schema_app, SCHEMA_VERBS), (fuzz_app, FUZZ_VERBS)):
+    _add(_group, _verbs)
+    app.add_typer(_group)
 
 
 def main() -> None:
     """The console script."""
     if not _open_streams():
-        console.error("standard output is closed; write `>/dev/null` to do without it")
+        console.error("standard output is closed; redirect it to /dev/null to discard the results")
         sys.exit(1)
     try:
         app()
     except OSError as error:
-        if error.errno not in FULL or "--debug" in sys.argv:
+        if error.errno not in WRITE_ERRORS or "--debug" in sys.argv:
             raise
         console.discard_stdout()
         console.error(f"the results cannot be written: {error.strerror}")
@@ -130,9 +221,9 @@ def main() -> None:
 
 
 def _open_streams() -> bool:
-    """Give closed standard streams a meaning, so that no socket gets their number; false when results have no place.
+    """Open closed standard streams on /dev/null, so that no socket gets their number; false if stdout was closed.
 
-    A closed standard input is an empty one, and errors go nowhere without standard error.
+    A closed standard input is an empty one; without standard error, errors are not shown.
     """
     has_output = sys.stdout is not None
     for name, mode in (("stdin", "r"), ("stdout", "w"), ("stderr", "w")):

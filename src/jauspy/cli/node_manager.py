@@ -2,28 +2,43 @@
 
 from __future__ import annotations
 
+import asyncio
 import json
-import re
+import logging
+import resource
+import signal
 import sys
+from collections.abc import Callable, Iterable, Mapping
+from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, Final
 
 import typer
 
-from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent
+from jauspy.cli import console
+from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent, file_mode
+from jauspy.cli.processes import end_with_parent, remove_if_empty, run
+from jauspy.errors import ConfigError
+from jauspy.node import NodeConfig, NodeManager, config_file, status
+from jauspy.node.service_manager import ServiceManager
+
+MAX_OPEN_FILES: Final = 4096
+"""Limit of open files: a socket for each of up to 1024 components, TCP connections, logs and captures."""
 
 
 def node_manager(
     *,
     config: Annotated[
         Path | None,
-        typer.Option("--config", metavar="FILE", help="TOML file with all settings; SIGHUP reads its rules again."),
+        typer.Option(
+            "--config", metavar="FILE", help="TOML file with all settings; SIGHUP reloads its rules and limits."
+        ),
     ] = None,
     print_config: Annotated[
-        bool, typer.Option("--print-config", help="Print all settings as a TOML file with comments, and end.")
+        bool, typer.Option("--print-config", help="Print all settings as a TOML file with comments, and exit.")
     ] = False,
-    status: Annotated[
-        bool, typer.Option("--status", help="Print what the running one at --local-root says of itself, and end.")
+    show_status: Annotated[
+        bool, typer.Option("--status", help="Print the status of the node manager that runs in --local-root, and exit.")
     ] = False,
     as_json: Annotated[bool, typer.Option("--json", help="With --status: as JSON.")] = False,
     port: Annotated[
@@ -32,7 +47,7 @@ def node_manager(
     ] = None,
     address: Annotated[
         str | None,
-        typer.Option("--address", metavar="IP", help="Local address to receive on. Default: all of this machine."),
+        typer.Option("--address", metavar="IP", help="Local address to receive on. Default: all addresses."),
     ] = None,
     local_root: Annotated[
         Path | None,
@@ -58,14 +73,14 @@ def node_manager(
         ),
     ] = None,
     metrics: Annotated[
-        str | None, typer.Option("--metrics", metavar="IP:PORT", help="Serve metrics for Prometheus there.")
+        str | None, typer.Option("--metrics", metavar="IP:PORT", help="Serve metrics for Prometheus at this address.")
     ] = None,
     mirror: Annotated[
         str | None,
         typer.Option("--mirror", metavar="WHERE", help="Copy all routed packets to a pcapng FILE or udp:IP:PORT."),
     ] = None,
     log: Annotated[
-        str | None, typer.Option("--log", metavar="text|json", help="Form of the log.", show_default="text")
+        str | None, typer.Option("--log", metavar="text|json", help="Format of the log.", show_default="text")
     ] = None,
     verbose: Annotated[bool, typer.Option("--verbose", "-v", help="Log what is dropped and why.")] = False,
     socket_mode: Annotated[
@@ -73,7 +88,7 @@ def node_manager(
         typer.Option(
             "--socket-mode",
             metavar="OCTAL",
-            help="Permissions of the local socket: who on this machine may attach a component.",
+            help="Permissions of the local socket, which decide who on this machine may attach a component.",
             show_default="660",
         ),
     ] = None,
@@ -82,16 +97,13 @@ def node_manager(
 ) -> None:
     """Route JAUS between the components of this machine and the network.
 
-    It takes the place of the JAUS Toolset's and FKIE's node managers: local components find it at JuniorRTE in the
-    local root, other nodes on UDP 3794 and by multicast. SIGUSR1 prints the counters, Ctrl-C or SIGTERM ends it.
-    With --config, SIGHUP reads rules and limits of the file again. Options go before what the file says.
+    A drop-in replacement for the JAUS Toolset and FKIE node managers. Local components connect to JuniorRTE in the
+    local root, other nodes to UDP port 3794 and by multicast. SIGUSR1 prints the counters; Ctrl-C and SIGTERM end the
+    node manager. With --config, SIGHUP reloads rules and limits from the file. Options override the file.
 
     Example:
       jauspy node-manager --port 3795 --local-root /tmp/second
     """
-    from jauspy.cli.run import end_with_parent, remove_if_empty, run
-    from jauspy.node import config_file
-
     overrides: dict[str, Any] = {
         "port": port,
         "address": address,
@@ -100,13 +112,13 @@ def node_manager(
         "multicast_interfaces": tuple(interface) if interface else None,
         "metrics": metrics,
         "mirror": mirror,
-        "local_mode": None if socket_mode is None else mode_of(socket_mode),
+        "local_mode": None if socket_mode is None else file_mode(socket_mode),
         "log": log,
         "log_level": "debug" if verbose else None,
     }
-    if as_json and not status:
-        raise typer.BadParameter("it goes with --status only", param_hint="--json")
-    if status:
+    if as_json and not show_status:
+        raise typer.BadParameter("it requires --status", param_hint="--json")
+    if show_status:
         return _status(local_root, config, as_json=as_json)
     settings = config_file.load(config, overrides)
     if print_config:
@@ -114,7 +126,6 @@ def node_manager(
         return None
     if with_parent:
         end_with_parent()
-    from jauspy.cli.node_serve import serve
 
     run(serve(settings, None if config is None else lambda: config_file.load(config, overrides), quiet=with_parent))
     if own_root:
@@ -122,33 +133,124 @@ def node_manager(
     return None
 
 
-def mode_of(text: str) -> int:
-    """`0o660` of `660`."""
-    if re.fullmatch("0?[0-7]{3}", text):
-        return int(text, 8)
-    raise typer.BadParameter(
-        f"{text!r} is no file mode; write three octal digits, as in 660", param_hint="--socket-mode"
-    )
-
-
 def _status(root: Path | None, config: Path | None, *, as_json: bool) -> None:
-    """Two looks, because rates need them."""
-    import asyncio
-
-    from jauspy.cli.node_status import show
-    from jauspy.node import config_file, status
-
+    """Read the status twice, to compute rates, and print it."""
     if root is None:
         root = DEFAULT_ROOT if config is None else config_file.load(config).local_root
 
-    async def look() -> tuple[dict[str, Any], dict[str, Any]]:
+    async def read_twice() -> tuple[dict[str, Any], dict[str, Any]]:
         before = await status.read(root)
         await asyncio.sleep(status.RATE_INTERVAL)
         return before, await status.read(root)
 
-    now = status.with_rates(*asyncio.run(look()))
+    now = status.with_rates(*asyncio.run(read_twice()))
     if as_json:
         json.dump(now, sys.stdout)
         print()
     else:
-        show(now)
+        _show(now)
+
+
+async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, quiet: bool) -> None:
+    """Run a node manager until cancelled; print a line when it is ready, and the counters at the end unless `quiet`.
+
+    On SIGHUP the configuration that `read` returns replaces `config`.
+    """
+    console.log_to_stderr(config.log_level.upper(), JsonLines() if config.log == "json" else None)
+    raise_file_limit()
+    async with NodeManager(config) as manager, ServiceManager() as services:
+        loop = asyncio.get_running_loop()
+        loop.add_signal_handler(signal.SIGUSR1, console.print_counters, manager.counters)
+        if read is not None:
+            loop.add_signal_handler(signal.SIGHUP, reload, manager, read, services)
+        where = ", ".join(f"{each.address}:{manager.port_of(each.name)}" for each in config.all_networks)
+        print(f"node manager ready: UDP {where}, local sockets in {config.local_root}", flush=True)
+        try:
+            await manager.run()
+        finally:
+            if not quiet:
+                console.print_counters(manager.counters)
+
+
+def raise_file_limit() -> None:
+    """Raise the soft limit of open files, which is 1024 on many systems."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    enough = MAX_OPEN_FILES if hard == resource.RLIM_INFINITY else min(MAX_OPEN_FILES, hard)
+    if soft != resource.RLIM_INFINITY and soft < enough:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (enough, hard))
+
+
+def reload(manager: NodeManager, read: Callable[[], NodeConfig], services: ServiceManager) -> None:
+    """Apply the file's present configuration; an invalid one changes nothing."""
+    services.reloading()
+    try:
+        restart = manager.reload(read())
+    except ConfigError as error:
+        console.error(f"the configuration was not changed: {error}")
+        services.ready("the configuration file is invalid; the previous configuration is in use")
+        return
+    pending = f"; after a restart: {', '.join(restart)}" if restart else ""
+    console.note(f"the configuration was reloaded{pending}")
+    services.ready("running")
+
+
+class JsonLines(logging.Formatter):
+    """One JSON object per line: time, level, logger, message, and the traceback if there is one."""
+
+    def format(self, record: logging.LogRecord) -> str:
+        """As `logging.Formatter`."""
+        entry = {
+            "time": datetime.fromtimestamp(record.created, UTC).isoformat(timespec="milliseconds"),
+            "level": record.levelname.lower(),
+            "logger": record.name,
+            "message": record.getMessage(),
+        }
+        if record.exc_info:
+            entry["traceback"] = self.formatException(record.exc_info)
+        return json.dumps(entry)
+
+
+def _show(status: Mapping[str, Any]) -> None:
+    """Print a status as tables."""
+    out = console.stdout().print
+    out(f"node manager, process {status['pid']}, up {_duration(status['uptime'])}, sockets in {status['local_root']}")
+    _table("networks", map(_network, status["networks"]))
+    _table("components", ((each["id"], each["path"], f"{each['waiting']} waiting") for each in status["components"]))
+    _table("peers", map(_peer, status["peers"]))
+    _table("queues", ((name, str(count)) for name, count in status["queues"].items()))
+    counters = status["counters"]
+    dropped = {name: count for name, count in counters.items() if name.startswith("dropped.")}
+    _table("counted", _counts({name: n for name, n in counters.items() if name not in dropped}, status["rates"]))
+    _table("dropped", _counts(dropped, status["rates"]))
+
+
+def _network(network: Mapping[str, Any]) -> tuple[str, ...]:
+    buffer = network["receive_buffer"]
+    notes = [word for word in ("inside", "authenticated") if network[word]]
+    kernel = f"{buffer['bytes']} of {buffer['limit']} bytes buffered, {buffer['dropped']} dropped by the kernel"
+    return network["name"], network["address"], f"group {network['multicast_group']}", ", ".join([*notes, kernel])
+
+
+def _peer(peer: Mapping[str, Any]) -> tuple[str, ...]:
+    heard = "from the address book" if peer["heard"] is None else f"heard {_duration(peer['heard'])} ago"
+    return peer["id"], peer["address"], peer["network"], heard
+
+
+def _counts(counters: Mapping[str, int], rates: Mapping[str, float]) -> Iterable[tuple[str, ...]]:
+    for name, count in counters.items():
+        yield name.removeprefix("dropped."), str(count), f"{rates.get(name, 0.0):.0f}/s"
+
+
+def _table(title: str, rows: Iterable[tuple[str, ...]]) -> None:
+    cells = list(rows)
+    widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
+    console.stdout().print(f"{title}:" if cells else f"{title}: none", markup=False)
+    for row in cells:
+        line = "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
+        console.stdout().print(f"  {line.rstrip()}", markup=False)
+
+
+def _duration(seconds: float) -> str:
+    minutes, rest = divmod(int(seconds), 60)
+    hours, minutes = divmod(minutes, 60)
+    return f"{hours} h {minutes} min" if hours else f"{minutes} min {rest} s" if minutes else f"{seconds:.1f} s"

@@ -1,14 +1,15 @@
-"""Options that several verbs share, so that they read and behave the same everywhere."""
+"""Options that several verbs share."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 from typing import Annotated
 
 import typer
 
 DEFAULT_PORT = 3794
-DEFAULT_ROOT = Path("/tmp")  # noqa: S108  # where the Junior protocol of the JAUS Toolset has its sockets
+DEFAULT_ROOT = Path("/tmp")  # noqa: S108  # where JuniorRTE of the JAUS Toolset has its sockets
 
 Port = Annotated[int, typer.Option("--port", min=1, max=65535, help="UDP port; 3794 is registered for JAUS.")]
 LocalRoot = Annotated[
@@ -17,7 +18,7 @@ LocalRoot = Annotated[
 Address = Annotated[
     str, typer.Option("--address", metavar="IP", help="Local address to receive UDP on; 0.0.0.0 is all.")
 ]
-DEFAULT_ADDRESS = "0.0.0.0"  # noqa: S104  # a node manager is there to be reached; --address narrows it
+DEFAULT_ADDRESS = "0.0.0.0"  # noqa: S104  # a node manager receives from other machines; --address restricts it
 MulticastGroup = Annotated[
     str, typer.Option("--multicast-group", metavar="IP", help="Group that broadcasts are sent to.")
 ]
@@ -31,13 +32,13 @@ SocketMode = Annotated[
     typer.Option(
         "--socket-mode",
         metavar="OCTAL",
-        help="Permissions of the local socket: who on this machine may attach a component. 660: user and group.",
+        help="Permissions of the local socket, which decide who may attach a component. 660: user and group.",
     ),
 ]
 DEFAULT_MODE = "660"
 Verbose = Annotated[bool, typer.Option("--verbose", "-v", help="Log what is dropped and why.")]
 OwnRoot = Annotated[
-    bool, typer.Option("--own-root", hidden=True, help="Remove the local root at the end, when it is empty.")
+    bool, typer.Option("--own-root", hidden=True, help="Remove the local root at the end if it is empty.")
 ]
 Connect = Annotated[
     str | None,
@@ -45,15 +46,27 @@ Connect = Annotated[
         "--connect",
         metavar="WHERE",
         help="How to reach the node manager: udp://HOST:PORT, tcp://HOST:PORT or local:DIR. "
-        "Default: the one in /tmp, else multicast.",
+        "Default: the one in /tmp if it runs, else multicast.",
     ),
 ]
 OwnId = Annotated[
     str | None,
-    typer.Option("--id", metavar="ID", help="The JAUS id to speak as. Default: 42.1.2, or the next that is free."),
+    typer.Option(
+        "--id", metavar="ID", help="This client's JAUS id. Default: 42.1.2, or the next one that is not in use."
+    ),
 ]
 Timeout = Annotated[float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for answers.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON object per line.")]
 WithParent = Annotated[
-    bool, typer.Option("--with-parent", hidden=True, help="End when standard input closes, as it does with the parent.")
+    bool,
+    typer.Option("--with-parent", hidden=True, help="End when standard input closes, as it does when the parent dies."),
 ]
+
+
+def file_mode(text: str) -> int:
+    """`0o660` for `660`; raises `typer.BadParameter`."""
+    if re.fullmatch("0?[0-7]{3}", text):
+        return int(text, 8)
+    raise typer.BadParameter(
+        f"{text!r} is not a file mode; write three octal digits, as in 660", param_hint="--socket-mode"
+    )

@@ -1,29 +1,34 @@
-"""`jauspy query`: ask a component, print its answer."""
+"""`jauspy query`: query a component and print its answer."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated
+import json
+from typing import Annotated
 
 import typer
+from rich.text import Text
 
-from jauspy.cli.definitions import Beside, ServiceName, ServiceVersion
+from jauspy.cli import client, console
+from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
+from jauspy.cli.fields import message_from
 from jauspy.cli.options import Connect, OwnId, Timeout
-
-if TYPE_CHECKING:
-    from jauspy.codec.message import Message
-    from jauspy.ids import JausID
-    from jauspy.ocu import OCU
+from jauspy.cli.processes import run
+from jauspy.cli.render import field_lines
+from jauspy.codec.message import Message
+from jauspy.errors import ConfigError, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.ocu import OCU
 
 Destination = Annotated[
-    str, typer.Argument(metavar="ID", help="The component, as in 101.1.102; 65535, 255 and 255 stand for all.")
+    str, typer.Argument(metavar="ID", help="The component, as in 101.1.102; 65535, 255 and 255 are wildcards.")
 ]
-MessageName = Annotated[str, typer.Argument(metavar="MESSAGE", help="The message's JAUS name; case does not matter.")]
+MessageName = Annotated[str, typer.Argument(metavar="MESSAGE", help="The message's JAUS name, in any case.")]
 Fields = Annotated[
     list[str] | None,
     typer.Argument(
         metavar="[FIELD=VALUE]...",
         help="Numbers (12, 0x1ff, 1.5e3) in the field's units, names of enumerations, text, JSON or YAML for lists and "
-        "mappings; a dot reaches into mappings. A wrong field name lists the right ones with units.",
+        "mappings; a dot separates nested names. An unknown field name is answered with a list of the fields.",
     ),
 ]
 
@@ -33,66 +38,52 @@ def query(
     destination: Destination,
     message: MessageName,
     fields: Fields = None,
-    sources: Beside = None,
+    sources: SchemasOption = None,
     service: ServiceName = None,
     version: ServiceVersion = None,
     connect: Connect = None,
     own_id: OwnId = None,
     timeout: Timeout = 2.0,
 ) -> None:
-    """Ask a component and print its answer.
+    """Query a component and print its answer.
 
-    The answer is YAML on a terminal, one JSON object per line in a pipe. Of an id with wildcards, as in 101.1.255, all
-    who answer within the timeout are shown. A presence vector that is not given asks
-    for every field. Lengths are in metres, angles in radians, times in seconds.
+    The answer is YAML on a terminal and one JSON object per line in a pipe. For an id with wildcards, as in 101.1.255,
+    all answers within the timeout are printed. Without a presence vector, every field is requested. Lengths are in
+    metres, angles in radians, times in seconds.
 
     Examples:
       jauspy query 101.1.102 QueryStatus
       jauspy query 101.1.102 QueryLocalPose presence_vector=0x43
       jauspy query 65535.255.255 QueryIdentification query_type=2
     """
-    from jauspy.cli import addresses
-    from jauspy.cli.definitions import definitions
-    from jauspy.cli.fields import message_from
-    from jauspy.cli.run import run
-    from jauspy.errors import ConfigError
-
-    to = addresses.destination(destination)
+    to = client.destination(destination)
     known = definitions(sources)
-    question = message_from(known.registry, message, fields or [], known.hints(service, version))
-    if not question.IS_QUERY:
-        raise ConfigError(f"{question.NAME} is no query, nothing would answer it; use `jauspy send`")
-    ocu = addresses.client(own_id, connect, timeout, known.registry)
-    run(_ask_all(ocu, to, question, timeout) if to.is_wildcard else _ask(ocu, to, question))
+    query_message = message_from(known.registry, message, fields or [], known.hints(service, version))
+    if not query_message.IS_QUERY:
+        raise ConfigError(f"{query_message.NAME} is not a query and has no answer; use `jauspy send`")
+    ocu = client.make_ocu(own_id, connect, timeout, known.registry)
+    run(_ask_all(ocu, to, query_message, timeout) if to.is_wildcard else _ask(ocu, to, query_message))
 
 
-async def _ask(ocu: OCU, to: JausID, question: Message) -> None:
-    """One answer."""
+async def _ask(ocu: OCU, to: JausID, query_message: Message) -> None:
+    """Print the answer of one component."""
     async with ocu:
-        answer = await ocu.query(to, question)
+        answer = await ocu.query(to, query_message)
     _show(answer, to)
 
 
-async def _ask_all(ocu: OCU, to: JausID, question: Message, patience: float) -> None:
-    """All answers, as they come."""
-    from jauspy.errors import ResponseTimeout
-
+async def _ask_all(ocu: OCU, to: JausID, query_message: Message, max_wait: float) -> None:
+    """Print all answers as they arrive."""
     count = 0
     async with ocu:
-        async for source, answer in ocu.query_each(to, question, within=patience):
+        async for source, answer in ocu.query_each(to, query_message, within=max_wait):
             _show(answer, source, first=not count)
             count += 1
     if not count:
-        raise ResponseTimeout(f"nobody that {to} stands for answered {question.NAME} within {patience:g} s")
+        raise ResponseTimeout(f"no component of {to} answered {query_message.NAME} within {max_wait:g} s")
 
 
 def _show(answer: Message, source: JausID, *, first: bool = True) -> None:
-    import json
-
-    from rich.text import Text
-
-    from jauspy.cli import console
-    from jauspy.cli.render import field_lines
 
     if not console.is_terminal():
         shown = {

@@ -1,4 +1,4 @@
-"""Messages as indented lines: `name: value unit` for reading along, or valid YAML with the units in comments."""
+"""Messages as indented lines: `name: value unit`, or valid YAML with the units in comments."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ _SYMBOLS: Final = {
     "pascal": "Pa",
     "kilogram": "kg",
 }
-_PLAIN: Final = re.compile(r"[A-Za-z/][\w./-]*(?::[\w./-]+)*(?: [\w./-]+)*")  # text that YAML reads as itself
+_PLAIN: Final = re.compile(r"[A-Za-z/][\w./-]*(?::[\w./-]+)*(?: [\w./-]+)*")  # text that needs no quotes in YAML
 _YAML_WORDS: Final = frozenset({"y", "n", "yes", "no", "on", "off", "true", "false", "null"})
 _INDENT: Final = "  "
 
@@ -76,7 +76,7 @@ def field_lines(message: Message, *, yaml: bool = False) -> Iterator[Text]:
 
 
 def unit_symbol(units: str) -> str:
-    """`m/s` of `meter per second`; units without a usual symbol stay as they are."""
+    """`m/s` for `meter per second`; units without a symbol are returned unchanged."""
     return _SYMBOLS.get(units, units)
 
 
@@ -84,12 +84,12 @@ def unit_symbol(units: str) -> str:
 
 
 def tree_of(item: Item, value: Any) -> Tree:
-    """Names, texts and units of a value that lies on the wire as `item` says."""
+    """Names, texts and units of a value with the layout `item`."""
     if isinstance(item, Composite):
         parts = ((slot, getattr(value, slot.name)) for slot in item.slots)
-        return {slot.name: tree_of(slot.item, part) for slot, part in parts if part is not None} | _spare(value)
+        return {slot.name: tree_of(slot.item, part) for slot, part in parts if part is not None} | _reserved_bits(value)
     if isinstance(item, Bits):
-        return {bit.name: _integer(getattr(value, bit.name)) for bit in item.bits} | _spare(value)
+        return {bit.name: _integer(getattr(value, bit.name)) for bit in item.bits} | _reserved_bits(value)
     if isinstance(item, Union):
         return {name: tree_of(arm, value) for name, arm in item.arms.items() if arm.cls is type(value)}
     if isinstance(item, Repeat):
@@ -107,8 +107,8 @@ def tree_of(item: Item, value: Any) -> Tree:
     return Leaf(_quoted(value)) if isinstance(value, str) else _number(item, value)
 
 
-def _spare(value: Any) -> dict[str, Tree]:
-    """Bits that nothing names, when a peer has set them."""
+def _reserved_bits(value: Any) -> dict[str, Tree]:
+    """Reserved bits, if they are set."""
     names = ("reserved_bits", "reserved_presence")
     return {name: Leaf(f"0x{getattr(value, name):X}") for name in names if getattr(value, name, 0)}
 
@@ -125,7 +125,7 @@ def _number(item: Item | None, value: float) -> Leaf:
 
 
 def _real(value: float, steps_per_unit: float) -> str:
-    """As many decimals as the wire surely resolves, zeros at the end left out."""
+    """As many decimals as the encoding resolves, without trailing zeros."""
     decimals = min(12, max(0, math.floor(math.log10(steps_per_unit))))
     text = f"{value:.{decimals}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text

@@ -1,47 +1,93 @@
-"""`jauspy still`: a picture by a camera of a robot."""
+"""`jauspy still`: take a picture with a camera and save it."""
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
+from jauspy.cli import client
 from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.processes import run
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.ocu import OCU
+from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
 
 
 def still(
     *,
-    camera: Annotated[str, typer.Argument(metavar="ID", help="The vision module, as in 101.1.106.")],
-    save: Annotated[Path, typer.Option("--save", metavar="FILE", help="Where to save it: .jpg, .jpeg or .png.")],
+    camera: Annotated[str, typer.Argument(metavar="ID", help="The component of the camera, as in 101.1.106.")],
+    save: Annotated[Path, typer.Option("--save", metavar="FILE", help="The file: .jpg, .jpeg or .png.")],
     size: Annotated[
         str | None,
-        typer.Option("--size", metavar="WxH", help="Size of this picture, as in 1280x720.  [default: as it is set]"),
+        typer.Option(
+            "--size", metavar="WxH", help="Size of the picture, as in 1280x720.  [default: the camera's setting]"
+        ),
     ] = None,
-    sensor: Annotated[int, typer.Option("--sensor", min=1, max=65535, help="Which of its cameras.")] = 1,
+    sensor: Annotated[int, typer.Option("--sensor", min=1, max=65535, help="The sensor id of the camera.")] = 1,
     connect: Connect = None,
     own_id: OwnId = None,
     timeout: Timeout = 20.0,
 ) -> None:
-    """Have a camera take a picture, and save it.
+    """Take a picture with a camera and save it.
 
-    The ending of the file's name says whether it is JPEG or PNG. For a picture that is unlike what the camera is set
-    to, control is taken for a moment, and then the camera is set back.
+    The suffix of the file selects JPEG or PNG. If the size or format differs from the camera's settings, control is
+    taken, the settings are changed for this picture, and restored.
 
     Examples:
       jauspy still 101.1.106 --save arm.jpg
       jauspy still 101.1.107 --save front.png --size 1280x720
     """
-    from jauspy.cli import addresses
-    from jauspy.cli.run import run
-    from jauspy.cli.still_shot import format_of, shoot, size_of
-    from jauspy.errors import ConfigError
-    from jauspy.ocu import OCU
-    from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
-
-    component = addresses.destination(camera)
+    component = client.destination(camera)
     if component.is_wildcard:
-        raise ConfigError(f"{component} may be several; name one")
+        raise ConfigError(f"{component} has wildcards; name one component")
     wanted = size_of(size), format_of(save)
-    ocu = OCU(addresses.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY)
-    run(shoot(ocu, component, sensor, *wanted, file=save, patience=timeout))
+    ocu = OCU(client.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY)
+    run(take_picture(ocu, component, sensor, *wanted, file=save, max_wait=timeout))
+
+
+FORMATS: Final = {".jpg": "jpeg", ".jpeg": "jpeg", ".png": "png"}
+
+
+def format_of(file: Path) -> str:
+    """The format of a file, from its suffix."""
+    format = FORMATS.get(file.suffix.lower())
+    if format is None:
+        raise ConfigError(f"the format of {file} is unknown; use a suffix of {', '.join(FORMATS)}")
+    if not file.absolute().parent.is_dir():
+        raise ConfigError(f"the directory {file.parent} does not exist")
+    return format
+
+
+def size_of(text: str | None) -> tuple[int, int] | None:
+    """Width and height from text such as 640x480."""
+    if text is None:
+        return None
+    found = re.fullmatch(r"(\d{1,5})[xX](\d{1,5})", text)
+    if found is None:
+        raise ConfigError(f"{text!r} is not a size, as in --size 640x480")
+    return int(found[1]), int(found[2])
+
+
+async def take_picture(
+    ocu: OCU, camera: JausID, sensor: int, size: tuple[int, int] | None, format: str, *, file: Path, max_wait: float
+) -> None:
+    """Take a picture and save it."""
+    async with ocu:
+        robot = await ocu.discover(camera.subsystem)
+        service = robot.component(str(camera)).service("StillImage")
+        photo = await service.still(size=size, format=format, sensor=sensor, timeout=max_wait)
+    _write(file, photo.content)
+    at = photo.taken
+    when = f", taken at {at.hour:02}:{at.minutes:02}:{at.seconds:02}.{at.milliseconds:03} UTC" if at else ""
+    print(f"{file}: {photo.format} by sensor {photo.sensor} of {camera}, {len(photo.content):,} bytes{when}")
+
+
+def _write(file: Path, content: bytes) -> None:
+    try:
+        file.write_bytes(content)
+    except OSError as error:
+        raise ConfigError(f"cannot write {file}: {error}") from error

@@ -1,25 +1,30 @@
-"""`jauspy tf`: where the frames of a running robot are."""
+"""`jauspy tf`: the poses of a running robot's frames."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Annotated, Any
+import json
+from collections.abc import Callable
+from typing import Annotated, Any
 
 import typer
 
+from jauspy.cli import client
 from jauspy.cli.options import Connect, Json, OwnId, Timeout
-
-if TYPE_CHECKING:
-    from collections.abc import Callable
-
-    from jauspy.geometry.frames import Frames
-    from jauspy.geometry.poses import Transform
-    from jauspy.modules.config import RobotConfig
+from jauspy.cli.processes import run
+from jauspy.errors import ConfigError
+from jauspy.geometry.frames import Frames
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion
+from jauspy.modules import robots
+from jauspy.modules.config import RobotConfig
+from jauspy.modules.robots import robot_model
+from jauspy.ocu.frames import RobotFrames
 
 
 def tf(
     *,
-    source: Annotated[str | None, typer.Argument(metavar="[FROM]", help="The frame to give poses in.")] = None,
-    target: Annotated[str | None, typer.Argument(metavar="[TO]", help="The frame whose pose is wanted.")] = None,
+    source: Annotated[str | None, typer.Argument(metavar="[FROM]", help="The reference frame.")] = None,
+    target: Annotated[str | None, typer.Argument(metavar="[TO]", help="The frame whose pose is printed.")] = None,
     robot: Annotated[
         str,
         typer.Option("--robot", metavar="ROBOT", help="The robot's name, as in inc1, or the path of its .toml file."),
@@ -29,28 +34,22 @@ def tf(
     timeout: Timeout = 5.0,
     as_json: Json = False,
 ) -> None:
-    """Show where the frames of a running robot are: all in their parents, or TO as FROM has it.
+    """Show the poses of a running robot's frames: each in its parent, or TO in FROM.
 
-    Frames are the links of the robot's description, and `local`, in which its pose sensor reports. What moves is asked
-    for over JAUS, so it works with any robot that has the services: LocalPoseSensor, and the sensors of joint
-    positions of arms, grippers and pan-tilt units. Joints that no service reports are taken to be where they start;
-    each line says which of them it depends on. Metres and radians, x forward, y left, z up; quaternions are w, x, y, z.
+    Frames are the links of the robot's description, and `local`, the frame of LocalPoseSensor. Joint positions are
+    queried over JAUS, so any robot works that has LocalPoseSensor and the position sensors of its arms, grippers and
+    pan-tilt units. Joints that no service reports are assumed to be at their initial position; each line names those
+    that it depends on. Metres and radians, x forward, y left, z up; quaternions are w, x, y, z.
 
     Examples:
       jauspy tf
       jauspy tf base_link tool_link
       jauspy tf --robot my_robot.toml local lidar_link --json
     """
-    import json
-
-    from jauspy.cli.run import run
-    from jauspy.errors import ConfigError
-    from jauspy.modules import robots
-
     if (source is None) != (target is None):
-        raise ConfigError(f"{source} alone is not enough: give the frame to start from and the one that is wanted")
+        raise ConfigError(f"give two frames, FROM and TO; only {source} is given")
     config = robots.load(robot)
-    found = run(_look(own_id, connect, config, timeout))
+    found = run(_query_frames(own_id, connect, config, timeout))
     if found is None:
         return
     frames, assumed = found
@@ -60,22 +59,17 @@ def tf(
         print(json.dumps(row) if as_json else _line(row))
 
 
-async def _look(
-    own_id: str | None, connect: str | None, config: RobotConfig, patience: float
+async def _query_frames(
+    own_id: str | None, connect: str | None, config: RobotConfig, max_wait: float
 ) -> tuple[Frames, Callable[[str, str], list[str]]]:
-    """All frames, and what tells on which joints that nobody reports the pose of one in another one depends."""
-    from jauspy.cli import addresses
-    from jauspy.modules.robots import robot_model
-    from jauspy.ocu.frames import RobotFrames
-
+    """All frames, and a function that returns the assumed joints on which the pose of a frame in another depends."""
     model = robot_model(config)
-    async with addresses.client(own_id, connect, patience) as ocu:
-        reader = RobotFrames(await ocu.discover(config.subsystem, timeout=patience), model, config.movers)
+    async with client.make_ocu(own_id, connect, max_wait) as ocu:
+        reader = RobotFrames(await ocu.discover(config.subsystem, timeout=max_wait), model, config.movers)
         return await reader.read(), reader.assumed_between
 
 
 def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
-    from jauspy.geometry.vectors import quaternion
 
     angles = pose.to_pose()
     return {

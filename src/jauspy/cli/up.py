@@ -1,12 +1,18 @@
-"""`jauspy up`: a robot, with a node manager when none runs."""
+"""`jauspy up`: run a robot, and a node manager if none runs."""
 
 from __future__ import annotations
 
+import asyncio
+import signal
+import sys
+from collections.abc import AsyncIterator, Sequence
+from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
+from jauspy.cli import console
 from jauspy.cli.options import (
     DEFAULT_ADDRESS,
     DEFAULT_GROUP,
@@ -22,15 +28,26 @@ from jauspy.cli.options import (
     SocketMode,
     Verbose,
     WithParent,
+    file_mode,
 )
+from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, remove_if_empty, run
+from jauspy.errors import ConfigError
+from jauspy.modules import robots
+from jauspy.modules.cloud import Clouds
+from jauspy.modules.config import MOTIONLESS, RobotConfig
+from jauspy.modules.robot import RobotRunner
+from jauspy.node import config_file
+from jauspy.platform import backends
+from jauspy.protocol import junior
+from jauspy.transport import LocalTransport, local as local_socket
 
 Backend = Annotated[
     str | None,
     typer.Option(
         "--backend",
         metavar="NAME",
-        help="sim: MuJoCo physics (extra 'sim'); kinematic: pure Python, without obstacles; or that of an installed "
-        "package. Default: the robot's own.",
+        help=f"What moves the robot; installed: {', '.join(backends.names())}. sim is MuJoCo physics (extra 'sim'), "
+        "kinematic is pure Python without obstacles. Default: the robot's own.",
     ),
 ]
 
@@ -48,15 +65,18 @@ def up(
     multicast_group: MulticastGroup = DEFAULT_GROUP,
     interface: Interface = None,
     world: Annotated[
-        str | None, typer.Option("--world", metavar="NAME", help="The world it stands in. Default: the robot's own.")
+        str | None,
+        typer.Option("--world", metavar="NAME", help="The world of the simulation. Default: the robot's own."),
     ] = None,
     no_node_manager: Annotated[
-        bool, typer.Option("--no-node-manager", help="Start no node manager; wait for one in the local root.")
+        bool, typer.Option("--no-node-manager", help="Do not start a node manager; wait for one in the local root.")
     ] = False,
     gateway: Annotated[
         Path | None,
         typer.Option(
-            "--gateway", metavar="FILE", help="Put a gateway before it: a node manager with this configuration file."
+            "--gateway",
+            metavar="FILE",
+            help="Run a gateway in front of the robot: a node manager with this configuration file.",
         ),
     ] = None,
     cloud: Annotated[
@@ -64,43 +84,31 @@ def up(
         typer.Option(
             "--cloud",
             metavar="[CAMERA=]ADDRESS",
-            help="Publish the lidars' point clouds there, as in tcp://127.0.0.1:5565, or those of a depth camera; "
+            help="Publish the point clouds of the lidars, or of a depth camera, at an address such as "
+            "tcp://127.0.0.1:5565; "
             "may be repeated.",
         ),
     ] = None,
     plain: Annotated[
-        bool, typer.Option("--plain", help="Only lines of text, no live table, as in a pipe and with --verbose.")
+        bool, typer.Option("--plain", help="Print lines of text and no live table, as in a pipe and with --verbose.")
     ] = False,
     verbose: Verbose = False,
     with_parent: WithParent = False,
     own_root: OwnRoot = False,
 ) -> None:
-    """Run a robot, and a node manager when none runs in the local root.
+    """Run a robot, and a node manager if none runs in the local root.
 
-    The robot stands in Standby until a client takes control and resumes it. The options on addresses and sockets are
-    those of the node manager that is started; with --gateway its configuration file has them, no other node manager
-    may run, and it connects and filters its networks (see `jauspy node-manager --print-config`). On a terminal a live
-    table shows modules, cameras and node manager. SIGUSR1 prints all counters, Ctrl-C ends everything in order.
+    The robot is in Standby until a client takes control and resumes it. The options for addresses and sockets are those
+    of the node manager that is started. With --gateway they are in its configuration file, no other node manager may
+    run, and it routes and filters between its networks (see `jauspy node-manager --print-config`). On a terminal a live
+    table shows modules, cameras and the node manager. SIGUSR1 prints all counters; Ctrl-C stops all processes in order.
 
     Example:
       jauspy up inc1 --backend kinematic
     """
-    from jauspy.cli import console
-    from jauspy.cli.local_node import gateway_port, node_manager
-    from jauspy.cli.node_manager import mode_of
-    from jauspy.cli.node_serve import log_everything
-    from jauspy.cli.run import end_with_parent, remove_if_empty, run
-    from jauspy.cli.up_run import run_robot
-    from jauspy.cli.up_tell import KINEMATIC
-    from jauspy.errors import ConfigError
-    from jauspy.modules import robots
-    from jauspy.modules.cloud import Clouds
-    from jauspy.modules.robot import RobotRunner
-    from jauspy.transport import LocalTransport
-
-    mode_of(socket_mode)
+    file_mode(socket_mode)
     if verbose:
-        log_everything()
+        console.log_to_stderr("DEBUG")
     if with_parent:
         end_with_parent()
     config = robots.load(robot)
@@ -112,10 +120,10 @@ def up(
         world=world,
     )
     if world is not None and runner.config.backend == KINEMATIC:
-        raise ConfigError("the backend kinematic is an empty plane and has no worlds; leave out --world, or use sim")
+        raise ConfigError("the backend kinematic has no worlds; leave out --world, or use another backend")
     if gateway is not None:
-        in_file = gateway_port(gateway, config.subsystem, local_root, starts=not no_node_manager)
-        port = in_file if port == DEFAULT_PORT else port
+        configured = gateway_port(gateway, config.subsystem, local_root, starts=not no_node_manager)
+        port = configured if port == DEFAULT_PORT else port
         options = ["--config", str(gateway)]
     else:
         options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
@@ -127,3 +135,187 @@ def up(
     run(run_robot(runner, node, local_root, clouds, live=live))
     if own_root:
         remove_if_empty(local_root)
+
+
+KINEMATIC: Final = "kinematic"
+_DRIVE: Final = "jauspy send {} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2"
+
+LONG_CONTROL_TIMEOUT: Final = 30
+"""Seconds; a longer time in which a module keeps obeying a dead client causes a warning."""
+
+
+def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
+    """Print what runs, and commands to try."""
+    config = runner.config
+    first = runner.components[0].id
+    pairs = list(zip(runner.components, config.modules, strict=True))
+    discoverable = any(module.offers("Discovery") for module in config.modules)
+    driven = [each.id for each, module in pairs if module.offers("Discovery") and module.offers("PrimitiveDriver")]
+    connect = "" if root == DEFAULT_ROOT else f" --connect local:{root}"
+    world = "" if config.backend == KINEMATIC else f", world {config.world}"
+    lines = [
+        f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}{world}",
+        *(f"  {each.id}  {module.type}" for each, module in pairs),
+        f"  node manager: {where}",
+        *[f"see it:    jauspy ls{connect}"] * discoverable,
+        f"ask it:    jauspy query {first} QueryStatus{connect}",
+        *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
+        *_warnings(config),
+        "stop it:   Ctrl-C",
+    ]
+    print(*lines, sep="\n", flush=True)
+
+
+def _warnings(config: RobotConfig) -> list[str]:
+    """Warnings of modules whose access control timeout is long or off."""
+    found = []
+    for module in config.modules:
+        timeout = module.access_control.timeout
+        if module.type not in MOTIONLESS and not 0 < timeout <= LONG_CONTROL_TIMEOUT:
+            how_long = f"for {timeout} s" if timeout else "without limit"
+            found.append(
+                f"warning:   {config.id_of(module)} keeps moving {how_long} after its client died: "
+                f"access_control.timeout = {timeout}"
+            )
+    return found
+
+
+RESTART_DELAY: Final = 1.0
+"""Seconds from the end of a node manager to its restart, and between two checks whether one runs."""
+
+
+@asynccontextmanager
+async def node_manager(root: Path, port: int, options: Sequence[str] = ()) -> AsyncIterator[NodeSupervisor]:
+    """Start a node manager if none runs in this local root, and restart it when it ends, whoever started it.
+
+    `options` are further options of `jauspy node-manager`.
+    """
+    supervisor = NodeSupervisor(root, port, options)
+    if not supervisor.is_running():
+        await supervisor.start()
+    watching = asyncio.create_task(supervisor.run())
+    try:
+        yield supervisor
+    finally:
+        watching.cancel()
+        await asyncio.gather(watching, return_exceptions=True)
+        await supervisor.stop()
+
+
+class NodeSupervisor:
+    """Starts a node manager whenever none runs in a local root."""
+
+    def __init__(self, root: Path, port: int, options: Sequence[str] = ()) -> None:
+        self.where = f"was running, local sockets in {root}"
+        """Addresses, to be printed."""
+        self._root = root
+        self._port = port
+        self._options = tuple(options)
+        self._socket = root / junior.SOCKET_NAME
+        self._child: ChildProcess | None = None
+
+    @property
+    def is_own(self) -> bool:
+        """True if the node manager that runs was started here."""
+        return self._child is not None
+
+    def print_counters(self) -> None:
+        """Let the node manager print its counters, if it was started here."""
+        if self._child is not None:
+            self._child.signal(signal.SIGUSR1)
+
+    def is_running(self) -> bool:
+        """True if a node manager runs, whoever started it."""
+        return local_socket.is_alive(self._socket)
+
+    async def start(self) -> None:
+        """Start a node manager; raises `ChildFailed`."""
+        arguments = ["node-manager", "--port", str(self._port), "--local-root", str(self._root), *self._options]
+        child = ChildProcess("node manager", arguments, on_error_line=_forward)
+        await child.__aenter__()
+        self._child = child
+        self.where = f"UDP port {self._port}, local sockets in {self._root}"
+
+    async def stop(self) -> None:
+        """End the node manager if it was started here."""
+        if self._child is not None:
+            await self._child.stop()
+
+    async def run(self) -> None:
+        """Restart the node manager whenever it ends, until cancelled."""
+        if self._child is None:
+            await self._wait_until_none_runs()
+            console.note("the node manager that was running has ended; starting one")
+        last_error = ""
+        while True:
+            if self._child is not None:
+                console.note(f"{await self._child.ended()}; starting it again")
+                self._child = None
+                await asyncio.sleep(RESTART_DELAY)
+            await self._wait_until_none_runs()
+            try:
+                await self.start()
+            except ChildFailed as error:
+                if str(error) != last_error and not self.is_running():  # else another process started one first
+                    console.error(last_error := str(error))
+                await asyncio.sleep(RESTART_DELAY)
+
+    async def _wait_until_none_runs(self) -> None:
+        """Wait for the end of a node manager that another process started; no event reports it."""
+        while self.is_running():  # noqa: ASYNC110
+            await asyncio.sleep(RESTART_DELAY)
+
+
+def gateway_port(path: Path, subsystem: int, root: Path, *, starts: bool) -> int:
+    """The port in a gateway's configuration file; raises `ConfigError` unless it fits this robot."""
+    config = config_file.load(path)
+    if config.gateway is None:
+        raise ConfigError(f"{path}: has no [gateway]; `jauspy node-manager --print-config` prints an example")
+    if config.gateway.subsystem != subsystem:
+        raise ConfigError(f"{path}: gateway.subsystem = {config.gateway.subsystem}: the robot is subsystem {subsystem}")
+    if not starts:
+        raise ConfigError("--gateway starts a node manager; leave out --no-node-manager")
+    if local_socket.is_alive(root / junior.SOCKET_NAME):
+        raise ConfigError(f"--gateway: a node manager runs in {root} already; stop it, or choose another --local-root")
+    return config.port
+
+
+def _forward(line: str) -> None:
+    print(f"node manager: {line}", file=sys.stderr, flush=True)
+
+
+async def run_robot(
+    runner: RobotRunner,
+    node: AbstractAsyncContextManager[NodeSupervisor] | None,
+    root: Path,
+    clouds: Clouds,
+    *,
+    live: bool,
+) -> None:
+    """Run the robot until cancelled. `node` starts and stops the node manager; `live` shows a table on the terminal."""
+    async with AsyncExitStack() as stack:
+
+        def note_at_end(text: str) -> None:
+            if live:
+                stack.callback(console.note, text)
+
+        note_at_end("everything has stopped")
+        supervisor = await stack.enter_async_context(node) if node else None
+        if supervisor is not None and supervisor.is_own:
+            note_at_end("stopping the node manager")
+
+        def print_all_counters() -> None:
+            console.print_counters({**runner.counters, **clouds.counters}, f"counters of {runner.config.name}:")
+            if supervisor is not None:
+                supervisor.print_counters()
+
+        await stack.enter_async_context(runner)
+        note_at_end("stopping the modules, the cameras and the robot")
+        asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, print_all_counters)
+        print_summary(runner, supervisor.where if supervisor else f"none started, local sockets in {root}", root)
+        await stack.enter_async_context(clouds.published(runner))
+        if live:
+            from jauspy.cli.up_table import live_table
+
+            await stack.enter_async_context(live_table(runner, root))
+        await runner.wait()

@@ -1,20 +1,172 @@
-"""How a running robot looks on a terminal."""
+"""The live table of `jauspy up`: status of modules, cameras and the node manager."""
 
 from __future__ import annotations
 
+import asyncio
 import math
-from collections.abc import Iterable, Mapping
-from typing import Final
+from collections import deque
+from collections.abc import AsyncIterator, Iterable, Mapping
+from contextlib import asynccontextmanager, suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
 
 from rich.console import Group, RenderableType
+from rich.live import Live
 from rich.padding import Padding
 from rich.rule import Rule
 from rich.table import Table
 from rich.text import Text
 
-from jauspy.cli.up_look import CameraLook, Look, ModuleLook, NodeLook
-from jauspy.modules.config import RobotConfig
+from jauspy.cli import console
+from jauspy.component.component import Component
+from jauspy.errors import TransportError
+from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.robot import RobotRunner
+from jauspy.node import status
 from jauspy.platform.contract import Snapshot
+from jauspy.services.core import AccessControl, Events
+from jauspy.services.core.subscriptions import Subscription
+from jauspy.video.camera_process import CameraProcess
+
+RATE_SAMPLES: Final = 9
+"""Samples over which rates are computed."""
+
+
+@dataclass(frozen=True, slots=True)
+class ModuleStatus:
+    """A component. `hertz` is the sum of its periodic events' rates; `received` and `sent` are messages per second."""
+
+    id: str
+    type: str
+    status: str
+    controller: str
+    events: int
+    hertz: float
+    received: float
+    sent: float
+    dropped: Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class CameraStatus:
+    """A camera. `playing` of the `receivers` are not paused; `pictures` and `packets` are per second."""
+
+    name: str
+    module: str
+    size: tuple[int, int]
+    rate: int
+    bit_rate: int
+    receivers: int
+    playing: int
+    pictures: float
+    packets: float
+    dropped: int
+
+
+@dataclass(frozen=True, slots=True)
+class NodeStatus:
+    """A node manager; `packets` are those routed per second."""
+
+    networks: tuple[str, ...]
+    components: int
+    peers: int
+    packets: float
+    dropped: Mapping[str, int]
+
+
+@dataclass(frozen=True, slots=True)
+class RobotStatus:
+    """Everything the table shows; `factor` is simulated time over real time, `node` is None without an answer."""
+
+    snapshot: Snapshot
+    factor: float
+    timing: Mapping[str, int]
+    modules: tuple[ModuleStatus, ...]
+    cameras: tuple[CameraStatus, ...]
+    node: NodeStatus | None
+
+
+@dataclass(slots=True)
+class StatusSampler:
+    """Samples the status of a robot; rates are those over the last `RATE_SAMPLES`."""
+
+    runner: RobotRunner
+    _before: deque[tuple[float, Mapping[str, float]]] = field(default_factory=lambda: deque(maxlen=RATE_SAMPLES))
+
+    def sample(self, now: float, status: Mapping[str, Any] | None) -> RobotStatus:
+        """The status at `now`, in seconds; `status` is the node manager's."""
+        snapshot = self.runner.snapshot
+        assert snapshot is not None, "the robot is open"
+        counters = self.runner.counters
+        routed = 0 if status is None else sum(n for name, n in status["counters"].items() if name.startswith("routed."))
+        counted = {**counters, "time": snapshot.time, "routed": routed}
+        self._before.append((now, counted))
+        pairs = list(zip(self.runner.components, self.runner.config.modules, strict=True))
+        shown = {module.camera: str(each.id) for each, module in pairs}
+        return RobotStatus(
+            snapshot,
+            self._rate("time"),
+            {name: counters.get(f"realtime.{name}", 0) for name in ("steps", "late", "skipped")},
+            tuple(self._module(each, module) for each, module in pairs),
+            tuple(self._camera(name, shown[name], camera) for name, camera in self.runner.videos.items()),
+            None if status is None else _node_status(status, self._rate("routed")),
+        )
+
+    def _rate(self, name: str) -> float:
+        """The increase of a counter per second."""
+        (began, before), (ends, after) = self._before[0], self._before[-1]
+        return (after.get(name, 0.0) - before.get(name, 0.0)) / (ends - began) if ends > began else 0.0
+
+    def _module(self, component: Component, module: ModuleConfig) -> ModuleStatus:
+        host, access, events = component.host, component.host.service(AccessControl), component.host.service(Events)
+        subscriptions = events.subscriptions.all() if events else []
+        return ModuleStatus(
+            str(component.id),
+            module.type,
+            host.status.name.lower() if host.status is not None else "",
+            f"{access.controller} ({access.authority})" if access and access.controller else "",
+            len(subscriptions),
+            sum(each.confirmed for each in subscriptions if isinstance(each, Subscription)),
+            self._rate(f"{component.id}.endpoint.received"),
+            self._rate(f"{component.id}.endpoint.sent"),
+            {name: count for name, count in component.counters.items() if count and _is_loss(name)},
+        )
+
+    def _camera(self, name: str, module: str, camera: CameraProcess) -> CameraStatus:
+        settings = camera.settings
+        return CameraStatus(
+            name,
+            module,
+            (settings.width, settings.height),
+            settings.rate,
+            settings.bit_rate,
+            len(camera.receivers),
+            sum(camera.receivers.values()),
+            self._rate(f"camera.{name}.pictures"),
+            self._rate(f"camera.{name}.packets"),
+            camera.counters.get("dropped", 0),
+        )
+
+
+def _is_loss(name: str) -> bool:
+    """True for counters of losses, not for those of received messages and truncated reports."""
+    floor, _, what = name.partition(".")
+    is_normal = what in ("received", "report_cut")
+    return what.startswith(("dropped.", "undelivered")) or (floor in ("host", "component") and not is_normal)
+
+
+def _node_status(status: Mapping[str, Any], packets: float) -> NodeStatus:
+    kernel = sum(each["receive_buffer"]["dropped"] for each in status["networks"])
+    dropped = {name: n for name, n in status["counters"].items() if name.startswith("dropped.") and n}
+    return NodeStatus(
+        tuple(each["address"] for each in status["networks"]),
+        len(status["components"]),
+        len(status["peers"]),
+        packets,
+        dropped | ({"by the kernel": kernel} if kernel else {}),
+    )
+
 
 COLOURS: Final[Mapping[str, str]] = {
     "ready": "green",
@@ -24,53 +176,53 @@ COLOURS: Final[Mapping[str, str]] = {
     "failure": "bold red",
     "shutdown": "dim",
 }
-REASONS: Final = 6
-"""Reasons for a loss that are listed."""
+MAX_REASONS: Final = 6
+"""Lines of reasons for losses."""
 
 
-def table(config: RobotConfig, look: Look, seconds: float) -> RenderableType:
-    """Everything; `seconds` since it is up."""
+def table(config: RobotConfig, look: RobotStatus, seconds: float) -> RenderableType:
+    """The whole table; `seconds` since the start."""
     title = f"{config.name}, subsystem {config.subsystem}, up {_duration(seconds)}"
     parts: list[RenderableType] = [Rule(title, style="cyan", align="left"), _head(look), Text(), _modules(look.modules)]
     if look.cameras:
         parts += [Text(), _cameras(look.cameras)]
     if losses := _losses(look):
         parts += [Text(), *losses]
-    return Padding(Group(*parts, Text("Ctrl-C stops all of it", style="dim")), (1, 0, 0, 0))
+    return Padding(Group(*parts, Text("Ctrl-C stops the robot", style="dim")), (1, 0, 0, 0))
 
 
-def _head(look: Look) -> Table:
+def _head(look: RobotStatus) -> Table:
     grid = Table.grid(padding=(0, 2))
     grid.add_column(style="dim")
     grid.add_column()
     grid.add_row("robot", _motion(look.snapshot))
     late, skipped, steps = (look.timing[name] for name in ("late", "skipped", "steps"))
-    grid.add_row("time", f"{look.factor:.2f} of real time, of {steps} steps {late} were late, {skipped} left out")
+    grid.add_row("time", f"{look.factor:.2f} of real time, of {steps} steps {late} were late, {skipped} skipped")
     grid.add_row("node manager", _node(look.node))
     return grid
 
 
 def _motion(snapshot: Snapshot) -> str:
-    """In JAUS axes, as a LocalPoseSensor tells it: y and yaw grow to the right."""
+    """In JAUS axes, as LocalPoseSensor reports them: y and yaw grow to the right."""
     pose, twist = snapshot.pose, snapshot.twist
     where = f"x {_signed(pose.x, 2)} m  y {_signed(-pose.y, 2)} m  yaw {_signed(-math.degrees(pose.yaw), 1)}°"
     return f"{where},  {_signed(twist.vx, 2)} m/s  {_signed(-math.degrees(twist.wz), 1)}°/s"
 
 
 def _signed(value: float, digits: int) -> str:
-    """With its sign, and zero without a minus."""
+    """A number with its sign; zero has no minus."""
     return f"{round(value, digits) + 0.0:+.{digits}f}"
 
 
-def _node(node: NodeLook | None) -> Text:
+def _node(node: NodeStatus | None) -> Text:
     if node is None:
-        return Text("does not tell its status", style="yellow")
+        return Text("does not report its status", style="yellow")
     peers = f"{node.peers} peer{'s' * (node.peers != 1)}"
     where = ", ".join(node.networks)
     return Text(f"UDP {where}, {node.components} components, {peers}, {node.packets:.0f} packets/s")
 
 
-def _modules(modules: Iterable[ModuleLook]) -> Table:
+def _modules(modules: Iterable[ModuleStatus]) -> Table:
     made = _columns(("module", "type", "state", "controller"), ("events", "in/s", "out/s", "lost"))
     for each in modules:
         events = f"{each.events} ({each.hertz:.3g} Hz)" if each.hertz else _count(each.events)
@@ -80,7 +232,7 @@ def _modules(modules: Iterable[ModuleLook]) -> Table:
     return made
 
 
-def _cameras(cameras: Iterable[CameraLook]) -> Table:
+def _cameras(cameras: Iterable[CameraStatus]) -> Table:
     made = _columns(("camera", "module", "size", "set to", "sent to"), ("pictures/s", "packets/s", "lost"))
     for each in cameras:
         size, rate = f"{each.size[0]}x{each.size[1]}", f"{each.rate} Hz, {each.bit_rate / 1e6:.3g} Mbit/s"
@@ -90,15 +242,15 @@ def _cameras(cameras: Iterable[CameraLook]) -> Table:
     return made
 
 
-def _losses(look: Look) -> list[Text]:
-    """Why something was lost, most often first."""
+def _losses(look: RobotStatus) -> list[Text]:
+    """The reasons for losses, most frequent first."""
     found = [(count, each.id, name) for each in look.modules for name, count in each.dropped.items()]
     if look.node is not None:
         found += [(count, "node manager", name) for name, count in look.node.dropped.items()]
     found.sort(reverse=True)
-    lines = [Text(f"{count} {where}: {name}", style="yellow") for count, where, name in found[:REASONS]]
+    lines = [Text(f"{count} {where}: {name}", style="yellow") for count, where, name in found[:MAX_REASONS]]
     more = len(found) - len(lines)
-    return [*lines, Text(f"and {more} reasons more; SIGUSR1 prints all", style="yellow")] if more else lines
+    return [*lines, Text(f"and {more} more reasons; SIGUSR1 prints all", style="yellow")] if more else lines
 
 
 def _columns(left: Iterable[str], right: Iterable[str]) -> Table:
@@ -117,3 +269,40 @@ def _count(number: int) -> str:
 def _duration(seconds: float) -> str:
     minutes, rest = divmod(int(seconds), 60)
     return f"{minutes // 60}:{minutes % 60:02}:{rest:02}"
+
+
+REFRESH_INTERVAL: Final = 0.4
+"""Seconds between two samples."""
+
+
+@asynccontextmanager
+async def live_table(runner: RobotRunner, root: Path) -> AsyncIterator[None]:
+    """Show the table in the block; lines that are printed meanwhile, on either stream, are shown above it."""
+    with Live(console=console.stderr(), auto_refresh=False, transient=True, vertical_overflow="crop") as live:
+        drawing = asyncio.create_task(_draw(live, runner, root))
+        try:
+            yield
+        finally:
+            drawing.cancel()
+            with suppress(asyncio.CancelledError):
+                await drawing
+
+
+async def _draw(live: Live, runner: RobotRunner, root: Path) -> None:
+    """Sample and draw until cancelled. A thread draws, because drawing takes milliseconds that delay the robot."""
+    sampler, clock = StatusSampler(runner), asyncio.get_running_loop().time
+    began = clock()
+    while True:
+        node_status = await _node_manager_status(root)
+        now = clock()
+        drawn = table(runner.config, sampler.sample(now, node_status), now - began)
+        await asyncio.to_thread(live.update, drawn, refresh=True)
+        await asyncio.sleep(REFRESH_INTERVAL)
+
+
+async def _node_manager_status(root: Path) -> dict[str, Any] | None:
+    """The node manager's status; None if it does not answer, as while it restarts."""
+    try:
+        return await status.read(root)
+    except TransportError:
+        return None

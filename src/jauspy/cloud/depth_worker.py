@@ -12,7 +12,7 @@ import numpy as np
 from jauspy.cloud.depth import DepthSettings, DepthStream
 from jauspy.cloud.message import XYZ_RGB
 from jauspy.cloud.socket import CloudPublisher
-from jauspy.platform.camera import DepthFrame, Eye
+from jauspy.platform.camera import CameraSession, DepthFrame
 from jauspy.worker_process import CountersReport, Parent, WorkerReady
 
 COUNTER_INTERVAL: Final = 1.0
@@ -30,7 +30,7 @@ def run(stream: DepthStream, parent: Parent) -> None:
             camera.close()
 
 
-def _publish(stream: DepthStream, camera: Eye, publisher: CloudPublisher, parent: Parent) -> None:
+def _publish(stream: DepthStream, camera: CameraSession, publisher: CloudPublisher, parent: Parent) -> None:
     counters: Counter[str] = Counter()
     period = 1.0 / stream.settings.rate
     due = reported_at = time.monotonic()
@@ -49,7 +49,7 @@ def _publish(stream: DepthStream, camera: Eye, publisher: CloudPublisher, parent
             parent.send(CountersReport(dict(counters)))
 
 
-def _publish_cloud(stream: DepthStream, camera: Eye, publisher: CloudPublisher) -> int:
+def _publish_cloud(stream: DepthStream, camera: CameraSession, publisher: CloudPublisher) -> int:
     """Publish one cloud; returns its number of points."""
     setup, settings = stream.camera.setup, stream.settings
     frame = camera.measure(settings.width, settings.height)

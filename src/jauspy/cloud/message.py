@@ -24,7 +24,7 @@ from jauspy.errors import ConfigError, DecodeError
 
 MAGIC: Final = b"JPC1"
 MAX_POINTS: Final = 1_000_000
-"""Of one message."""
+"""Points of one message."""
 XYZ: Final = 3
 XYZ_RGB: Final = 6
 _HEADER: Final = struct.Struct("<4sHHIIQd")
@@ -33,10 +33,10 @@ _FLOAT: Final = 4
 
 @dataclass(frozen=True, slots=True)
 class Cloud:
-    """Points that were measured together."""
+    """A point cloud, measured at one time."""
 
     points: bytes
-    """float32, little-endian, `values` for each point."""
+    """float32, little-endian, `values` per point: shape (points, values)."""
     frame: str
     time: float
     """Seconds since 1970 (UTC)."""
@@ -48,11 +48,11 @@ class Cloud:
         return len(self.points) // (_FLOAT * self.values)
 
     def rows(self) -> list[tuple[float, ...]]:
-        """The points as numbers."""
+        """The points as tuples of `values` numbers."""
         return list(struct.iter_unpack(f"<{self.values}f", self.points))
 
     def encode(self) -> bytes:
-        """As bytes; `ValueError` for points that are not whole, or too many."""
+        """Encode the message; raises `ValueError` for incomplete or too many points."""
         if self.values not in (XYZ, XYZ_RGB) or len(self.points) != len(self) * _FLOAT * self.values:
             raise ValueError(f"{len(self.points)} bytes are no points of {self.values} float32 values (3 or 6)")
         if len(self) > MAX_POINTS:
@@ -63,7 +63,7 @@ class Cloud:
 
 
 def decode(data: bytes) -> Cloud:
-    """The cloud of a message; `DecodeError` says what is wrong with it."""
+    """Decode a message; raises `DecodeError` with what is wrong with it."""
     if len(data) < _HEADER.size or data[:4] != MAGIC:
         raise DecodeError("not a point cloud: it does not begin with JPC1 and a header of 32 bytes")
     _, values, length, points, stream, number, time = _HEADER.unpack_from(data)
@@ -79,11 +79,11 @@ def decode(data: bytes) -> Cloud:
     return Cloud(data[start:], frame, time, values, stream, number)
 
 
-_SHADES: Final = 255.0
+_MAX_COLOUR: Final = 255.0
 
 
 def save(cloud: Cloud, path: Path) -> None:
-    """Write a cloud as the path's ending says, `.pcd` or `.ply`; `ConfigError` for another, or a wrong place."""
+    """Write a cloud as `.pcd` or `.ply`, by the suffix of the path; raises `ConfigError` when that is not possible."""
     formats = {".pcd": pcd, ".ply": ply}
     if path.suffix not in formats:
         raise ConfigError(f"{path}: clouds are written as .pcd or .ply")
@@ -129,5 +129,5 @@ def ply(cloud: Cloud) -> bytes:
 
 
 def _coloured(row: tuple[float, ...]) -> bytes:
-    shades = (round(_SHADES * min(1.0, max(0.0, value))) for value in row[3:])
+    shades = (round(_MAX_COLOUR * min(1.0, max(0.0, value))) for value in row[3:])
     return struct.pack("<3f3B", *row[:3], *shades)

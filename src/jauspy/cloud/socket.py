@@ -1,4 +1,4 @@
-"""Publishes clouds, and receives them: nanomsg's PUB and SUB by `pynng`."""
+"""Publishing and subscribing to clouds: PUB and SUB sockets of nanomsg, by `pynng`."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from jauspy.cloud.message import Cloud, decode
 from jauspy.errors import ConfigError, DecodeError, TransportError
 
 SEND_QUEUE_SIZE: Final = 8
-"""Messages that wait for a subscriber that does not read; more are lost, and show as gaps in the numbers."""
+"""Messages that wait for a slow subscriber; further ones are lost, which shows as gaps in the numbers."""
 MAX_MESSAGE_SIZE: Final = 32_000_000
-"""Of a message that a subscriber takes; a million coloured points are 24 MB."""
+"""Bytes of a message that a subscriber accepts; a million coloured points are 24 MB."""
 
 
 def _pynng() -> ModuleType:
@@ -29,7 +29,7 @@ class _Socket:
     _socket: Any
 
     def close(self) -> None:
-        """Twice is fine."""
+        """Close the socket; without effect when closed."""
         self._socket.close()
 
     def __enter__(self) -> Self:
@@ -42,7 +42,7 @@ class _Socket:
 
 
 class CloudPublisher(_Socket):
-    """Listens at an address as `tcp://127.0.0.1:5565` or `ipc:///tmp/cloud`; any number may subscribe.
+    """Listens at an address such as `tcp://127.0.0.1:5565` or `ipc:///tmp/cloud` for any number of subscribers.
 
     Raises `ConfigError` without pynng, `TransportError` when it cannot listen there.
     """
@@ -59,13 +59,13 @@ class CloudPublisher(_Socket):
         self._number = 0
 
     def publish(self, points: bytes, frame: str, at: float, values: int = 3) -> None:
-        """To all who subscribe now; never waits. `points` and `values` as in `Cloud`; `at` is its time."""
+        """Send to all subscribers without waiting; `points` and `values` as in `Cloud`, `at` is its time."""
         self._socket.send(Cloud(points, frame, at, values, self._stream, self._number).encode())
         self._number += 1
 
 
 class CloudSubscriber(_Socket):
-    """Receives what is published at an address; connects again by itself when the publisher is gone for a while."""
+    """Receives the clouds published at an address; reconnects when the publisher was away."""
 
     def __init__(self, address: str) -> None:
         nng = _pynng()
@@ -81,7 +81,7 @@ class CloudSubscriber(_Socket):
         """Clouds `received`; those `lost` by their numbers; `malformed` messages; `restarts` of the publisher."""
 
     def receive(self, timeout: float) -> Cloud | None:
-        """The next cloud; None when none comes within so many seconds. What is no cloud is counted and left out."""
+        """The next cloud; None after `timeout` seconds. Malformed messages are counted and skipped."""
         until = time.monotonic() + timeout
         while True:
             self._socket.recv_timeout = max(1, round((until - time.monotonic()) * 1000.0))

@@ -43,7 +43,7 @@ class DepthFrame:
     """When the robot was as it shows: seconds of the machine's monotonic clock."""
 
 
-class Eye(Protocol):
+class CameraSession(Protocol):
     """An open camera. It belongs to one thread."""
 
     @property
@@ -82,6 +82,6 @@ class Camera(Protocol):
         """Open files that the other process must inherit under the same numbers."""
         ...
 
-    def open(self) -> Eye:
+    def open(self) -> CameraSession:
         """In the other process; `ConfigError` when a package is missing there."""
         ...

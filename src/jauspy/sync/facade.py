@@ -3,27 +3,30 @@
 from __future__ import annotations
 
 from collections.abc import Generator, Iterable, Iterator, Mapping, MutableSequence
-from types import TracebackType
-from typing import Any, Generic, Self, overload
-
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
-from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.connection import Stats
-from jauspy.ocu.control import DEFAULT_AUTHORITY, Control as _Control
+from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
-from jauspy.ocu.lists import Element, Elements as _Elements
-from jauspy.ocu.robot import ComponentClient as _ComponentClient, Robot as _Robot
-from jauspy.ocu.service import ServiceClient as _ServiceClient
+from jauspy.ocu.lists import Element
 from jauspy.ocu.stills import Photo
-from jauspy.ocu.subscription import EventRequest, R, Subscription as _Subscription
+from jauspy.ocu.subscription import EventRequest, R
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
+from types import TracebackType
+from typing import Any, Generic, Self, overload
+from jauspy.ocu.client import OCU as _OCU
+from jauspy.ocu.control import Control as _Control
+from jauspy.ocu.lists import Elements as _Elements
+from jauspy.ocu.robot import ComponentClient as _ComponentClient
+from jauspy.ocu.robot import Robot as _Robot
+from jauspy.ocu.service import ServiceClient as _ServiceClient
+from jauspy.ocu.subscription import Subscription as _Subscription
 
 
 class Subscription(Facade[_Subscription[R]], Generic[R]):
@@ -251,9 +254,7 @@ class ServiceClient(Facade[_ServiceClient]):
         return self._async.message(name)
 
     @overload
-    def query(
-        self, message: Message, *, expects: type[R], timeout: float | None = ..., retries: int | None = ...
-    ) -> R: ...
+    def query(self, message: Message, *, expects: type[R], timeout: float | None = ..., retries: int | None = ...) -> R: ...
 
     @overload
     def query(
@@ -363,9 +364,7 @@ class ServiceClient(Facade[_ServiceClient]):
         `silence` (seconds) is how long reports may be missing before reading raises `ResponseTimeout`: by default ten
         periods, at least 2 s; without limit on change. At most `buffer` reports wait to be read.
         """
-        return Subscription(
-            self._portal, self._async.subscribe(query, rate=rate, expects=expects, buffer=buffer, silence=silence)
-        )
+        return Subscription(self._portal, self._async.subscribe(query, rate=rate, expects=expects, buffer=buffer, silence=silence))
 
     def still(
         self,
@@ -464,29 +463,17 @@ class OCU(OpensPortal):
 
     def __init__(
         self,
-        id: str | JausID = "42.1.1",
+        id: str | JausID = '42.1.1',
         connect: str | None = None,
         *,
-        name: str = "jauspy OCU",
+        name: str = 'jauspy OCU',
         timeout: float = 0.5,
         retries: int = 5,
         registry: Registry | None = None,
         transport: Transport | None = None,
         delivery: Delivery | None = None,
     ) -> None:
-        super().__init__(
-            Portal(),
-            _OCU(
-                id,
-                connect,
-                name=name,
-                timeout=timeout,
-                retries=retries,
-                registry=registry,
-                transport=transport,
-                delivery=delivery,
-            ),
-        )
+        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport, delivery=delivery))
 
     @property
     def id(self) -> JausID:
@@ -572,9 +559,7 @@ class OCU(OpensPortal):
         retries: int | None = None,
     ) -> Any:
         """Query any component; of several that a wildcard id reaches, the first answer is returned."""
-        return self._portal.run(
-            self._async.query(destination, message, expects=expects, timeout=timeout, retries=retries)
-        )
+        return self._portal.run(self._async.query(destination, message, expects=expects, timeout=timeout, retries=retries))
 
     def query_each(
         self,

@@ -16,8 +16,7 @@ from av.video.frame import PictureType
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.platform.h264 import LEVELS, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import LEVELS, Profile, VideoSettings
 from jauspy.video import h264_payload
 from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
 
@@ -25,11 +24,11 @@ if TYPE_CHECKING:
     from jauspy.platform.camera import Image
 
 VBV_BUFFER: Final = 0.25
-"""Seconds of the bit rate that one picture may take at most, so that an IDR is no flood."""
+"""Seconds of the bit rate that one picture may take at most, so that IDR pictures do not flood the network."""
 
 
 class H264Encoder:
-    """One NAL unit per slice, and one slice per RTP packet: what is lost with a packet is only that part of a picture.
+    """Encodes one slice per NAL unit and RTP packet, so that a lost packet damages only a part of a picture.
 
     Every IDR comes with its parameter sets (SPS, PPS). `settings` may be changed at any time: the next picture is an
     IDR of a fresh encoder, which takes 4 ms to open.
@@ -52,7 +51,7 @@ class H264Encoder:
             self._codec = None
 
     def encode(self, image: Image, *, idr: bool = False) -> list[bytes]:
-        """The NAL units of a picture, which must be of the set size; `idr`: one that decoders can begin with."""
+        """The NAL units of an image of the size of `settings`; with `idr`, decoders can start with this picture."""
         size = self._settings.height, self._settings.width
         if image.shape[:2] != size:
             raise ConfigError(f"video: a picture of {image.shape[1]}x{image.shape[0]} for {size[1]}x{size[0]}")
@@ -88,7 +87,7 @@ def _open(settings: VideoSettings) -> VideoCodecContext:
 
 
 def _parameters(settings: VideoSettings) -> dict[str, object]:
-    """What x264 is told by its own names. Presets leave out tools that make a profile what it is."""
+    """Parameters of x264 by its own names; the presets leave out coding tools that a profile is meant to have."""
     rate, profile = settings.bit_rate // 1000, settings.coding.profile
     level = {} if settings.level is None else {"level": LEVELS[settings.level].name}
     return level | {
@@ -103,7 +102,7 @@ def _parameters(settings: VideoSettings) -> dict[str, object]:
 
 
 class H264Decoder:
-    """Counters: `decoded`, `undecodable` (pictures from which the decoder made none, or an error)."""
+    """Decodes pictures at once. Counters: `decoded`, `undecodable` (pictures without an image, or with an error)."""
 
     def __init__(self) -> None:
         self.counters: Counter[str] = Counter()
@@ -114,7 +113,7 @@ class H264Decoder:
         self._codec = codec
 
     def decode(self, picture: Picture) -> Image | None:
-        """The image, red, green and blue; None when the decoder cannot make one of it."""
+        """The image, of shape (height, width, 3) in red, green and blue; None when it cannot be decoded."""
         try:
             frames = self._codec.decode(av.Packet(h264_payload.join_nals(picture.nals)))
         except FFmpegError:

@@ -14,7 +14,7 @@ from jauspy.video.rtp import RtpPacket
 IDR: Final = 5
 SPS: Final = 7
 PPS: Final = 8
-"""Types of NAL units: a slice of a picture that needs no other, and the parameter sets that decoders need first."""
+"""Types of NAL units: a slice of an IDR picture, and the parameter sets that decoders need first."""
 
 START_CODE: Final = b"\x00\x00\x00\x01"
 
@@ -40,13 +40,13 @@ def join_nals(nals: Iterable[bytes]) -> bytes:
 
 
 MAX_PACKET: Final = 1400
-"""Bytes of an RTP packet with its header: with UDP, IP and a tunnel it still fits into a frame of 1500."""
+"""Bytes of an RTP packet with its header; with UDP, IP and a tunnel it fits into an Ethernet frame of 1500 bytes."""
 
 MAX_PAYLOAD: Final = MAX_PACKET - 12
 
 STAP_A: Final = 24
 FU_A: Final = 28
-"""Types of payloads that are not just a NAL unit: several whole ones, and a part of one."""
+"""Types of payloads that are not a single NAL unit: an aggregation packet and a fragmentation unit."""
 
 FU_START: Final = 0x80
 FU_END: Final = 0x40
@@ -67,7 +67,7 @@ def packetise(nals: Sequence[bytes], limit: int = MAX_PAYLOAD) -> list[bytes]:
 
 
 def _payload_groups(nals: Sequence[bytes], limit: int) -> Iterator[list[bytes]]:
-    """Neighbours that fit into one payload."""
+    """Groups of consecutive NAL units that fit into one payload."""
     group: list[bytes] = []
     size = 1
     for nal in nals:
@@ -94,15 +94,15 @@ def _fragments(nal: bytes, limit: int) -> Iterator[bytes]:
 
 
 MAX_PICTURE_SIZE: Final = 8 << 20
-"""Bytes of one picture; longer ones are given up."""
+"""Bytes of one picture; larger ones are dropped."""
 
 MAX_MISORDER: Final = 100
-"""Packets by which one may come late; one that is farther behind is the first after a long gap (RFC 3550, A.1)."""
+"""Packets by which one may be late; one that is further behind is the first after a long gap (RFC 3550, A.1)."""
 
 
 @dataclass(frozen=True, slots=True)
 class Picture:
-    """The NAL units of one picture. `whole`: none of its packets was lost. `source`: the SSRC of its clock."""
+    """The NAL units of one picture; `whole` when none of its packets was lost; `source` is the SSRC of its clock."""
 
     timestamp: int
     nals: tuple[bytes, ...]
@@ -111,20 +111,20 @@ class Picture:
 
     @property
     def is_idr(self) -> bool:
-        """A decoder can begin with it."""
+        """True when a decoder can start with it."""
         return any(nal_type(unit) == IDR for unit in self.nals)
 
 
 class Depacketiser:
-    """Puts the packets of one source together. Packets that come late count as lost: nothing waits for them.
+    """Reassembles pictures from the packets of one source. Late packets count as lost: nothing waits for them.
 
     Counters: `packets`, `lost` (numbers left out), `late` (numbers passed already), `malformed`, `pictures`, `damaged`
-    (pictures of which something is missing), `oversize`, `sources` (begins of another source).
+    (incomplete pictures), `oversize`, `sources` (changes of the source).
     """
 
     def __init__(self) -> None:
         self.counters: Counter[str] = Counter()
-        self._ssrc = -1  # nobody's
+        self._ssrc = -1  # no source
         self._expected = 0
         self._timestamp = 0
         self._nals: list[bytes] = []
@@ -134,9 +134,9 @@ class Depacketiser:
         self._started = False
 
     def feed(self, packet: RtpPacket) -> list[Picture]:
-        """Takes a packet; returns the pictures that it completes: none, one, or two when an end was lost."""
+        """Take a packet; returns the pictures that it completes: none, one, or two when the end of one was lost."""
         if packet.ssrc != self._ssrc:
-            self._begin(packet)
+            self._start_source(packet)
         ahead = (packet.sequence - self._expected) & 0xFFFF
         if 0x10000 - ahead <= MAX_MISORDER:
             self.counters["late"] += 1
@@ -151,7 +151,7 @@ class Depacketiser:
         self._take(packet.payload)
         return done + self._finish() if packet.marker else done
 
-    def _begin(self, packet: RtpPacket) -> None:
+    def _start_source(self, packet: RtpPacket) -> None:
         self.counters["sources"] += 1
         self._ssrc, self._expected = packet.ssrc, packet.sequence
         self._clear(packet.timestamp)
@@ -183,11 +183,11 @@ class Depacketiser:
             case kind if kind == STAP_A:
                 self._nals.extend(_disaggregate(payload))
             case kind if kind == FU_A:
-                self._part(payload)
+                self._add_fragment(payload)
             case kind:
                 raise ProtocolError("payload", f"type {kind}")
 
-    def _part(self, payload: bytes) -> None:
+    def _add_fragment(self, payload: bytes) -> None:
         if len(payload) < 3:
             raise ProtocolError("payload", "a fragment without content")
         if payload[1] & FU_START:
@@ -205,7 +205,7 @@ class Depacketiser:
         return self._finish()
 
     def _finish(self) -> list[Picture]:
-        """Ends the picture; what an end without packets of its own leaves, is none."""
+        """The picture that ends here, as a list; empty without a NAL unit."""
         whole = self._whole and self._fragment is None
         picture = Picture(self._timestamp, tuple(self._nals), whole, self._ssrc)
         self._clear(self._timestamp)

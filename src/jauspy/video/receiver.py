@@ -14,16 +14,16 @@ from jauspy.video.h264_payload import Depacketiser, Picture
 from jauspy.video.rtp import CLOCK_RATE, RtpPacket, picture_loss_indication, sender_clock
 
 MAX_DATAGRAMS: Final = 256
-"""Datagrams taken in one go."""
+"""Datagrams that are read at once."""
 
 RECEIVE_BUFFER: Final = 1 << 20
-"""Bytes that the socket is asked to hold, so that a large picture finds room."""
+"""Bytes of the socket's receive buffer, enough for a large picture."""
 
 
 class RtpReceiver:
-    """Listens at an address, port 0 being any free one, from when it is made until `close`.
+    """Receives at an address from its creation until `close`; port 0 stands for any free one.
 
-    Whole pictures are asked for after a loss, where the sender told an address for that (by a report from it).
+    After a loss, a whole picture is requested at the address from which the sender's reports arrive.
     """
 
     def __init__(self, host: str = "127.0.0.1", port: int = 0) -> None:

@@ -20,13 +20,13 @@ from jauspy.video.rtp import CLOCK_RATE
 
 _TICK: Final = Fraction(1, CLOCK_RATE)
 _AFTER_RESTART: Final = CLOCK_RATE // 10
-"""Ticks from the last picture of one source to the first of the next: no clock tells how long it really was."""
+"""Ticks from the last picture of one source to the first of the next, since the real time is not known."""
 
 
 class Recorder:
-    """Begins with the first whole IDR; the name's ending says the format, `.mp4` or `.mkv`.
+    """Records from the first whole IDR picture on, as `.mp4` or `.mkv`, by the suffix of the path.
 
-    A film has one size: after a change of the parameter sets a recorder takes no more, and `ended` is true.
+    A file has one image size: after a change of the parameter sets, `ended` is true and pictures are ignored.
     """
 
     def __init__(self, path: Path) -> None:
@@ -41,7 +41,7 @@ class Recorder:
         self.ended = False
 
     def add(self, picture: Picture) -> None:
-        """Write a picture, at the time that its stamp says."""
+        """Write a picture at the time of its time stamp."""
         parameters = h264_payload.join_nals(
             unit for unit in picture.nals if h264_payload.nal_type(unit) in {h264_payload.SPS, h264_payload.PPS}
         )
@@ -54,7 +54,7 @@ class Recorder:
             self._write(self._stream, picture)
 
     def close(self) -> None:
-        """End the film; twice is fine."""
+        """Close the file; without effect when closed."""
         self._container.close()
         self.ended = True
 
@@ -67,11 +67,11 @@ class Recorder:
         self.close()
 
     def _begin(self, picture: Picture, parameters: bytes) -> None:
-        """Size and parameter sets, as the container wants them, are read from the picture."""
+        """Create the container's stream, with size and parameter sets of this picture."""
         try:
             with av.open(BytesIO(h264_payload.join_nals(picture.nals)), format="h264") as sample:
                 stream = self._container.add_stream_from_template(sample.streams.video[0])
-        except (FFmpegError, IndexError):  # no picture that a decoder knows
+        except (FFmpegError, IndexError):  # not decodable
             return
         stream.time_base = _TICK
         self._stream, self._parameters = stream, parameters
@@ -80,7 +80,7 @@ class Recorder:
     def _write(self, stream: VideoStream, picture: Picture) -> None:
         packet = av.Packet(h264_payload.join_nals(picture.nals))
         packet.stream, packet.time_base, packet.is_keyframe = stream, _TICK, picture.is_idr
-        if picture.source != self._source:  # its camera began anew, with another clock
+        if picture.source != self._source:  # its camera was restarted, with another clock
             self._first, self._source = picture.timestamp - self._last - _AFTER_RESTART, picture.source
         elapsed = (picture.timestamp - self._first) & 0xFFFFFFFF
         self._last = max(elapsed, self._last + 1)

@@ -1,4 +1,4 @@
-"""RTP packets (RFC 3550, 5.1)."""
+"""RTP packets, RTCP reports (RFC 3550, RFC 4585), session descriptions, and how players receive them."""
 
 from __future__ import annotations
 
@@ -10,10 +10,10 @@ from typing import Final
 from jauspy.errors import ProtocolError
 
 CLOCK_RATE: Final = 90_000
-"""Ticks of a video time stamp in a second (RFC 6184, 8.1)."""
+"""Ticks per second of video time stamps (RFC 6184, 8.1)."""
 
 PAYLOAD_TYPE: Final = 96
-"""The first of the dynamic numbers; the SDP says what it stands for."""
+"""The first dynamic payload type; the session description says what it stands for."""
 
 HEADER: Final = struct.Struct("!BBHII")
 
@@ -23,7 +23,7 @@ _MARKER: Final = 0x80
 
 @dataclass(frozen=True, slots=True)
 class RtpPacket:
-    """One packet. `marker`: the last of its picture. `timestamp`: in ticks of `CLOCK_RATE`, modulo 2**32."""
+    """One packet; `marker` on the last one of a picture, `timestamp` in ticks of `CLOCK_RATE`, modulo 2**32."""
 
     sequence: int
     timestamp: int
@@ -33,13 +33,13 @@ class RtpPacket:
     payload_type: int = PAYLOAD_TYPE
 
     def encode(self) -> bytes:
-        """Its bytes."""
+        """The packet as bytes."""
         second = self.payload_type | (_MARKER if self.marker else 0)
         return HEADER.pack(_VERSION, second, self.sequence, self.timestamp, self.ssrc) + self.payload
 
     @classmethod
     def decode(cls, data: bytes) -> RtpPacket:
-        """The packet that those bytes are, without extension and padding; `ProtocolError` if they are none."""
+        """Decode a packet, without extension and padding; raises `ProtocolError` for other data."""
         if len(data) < HEADER.size or data[0] & 0xC0 != _VERSION:
             raise ProtocolError("not_rtp")
         first, second, sequence, timestamp, ssrc = HEADER.unpack_from(data)
@@ -60,7 +60,7 @@ def _payload(data: bytes, first: int) -> tuple[int, int]:
 
 
 REPORT_INTERVAL: Final = 5.0
-"""Seconds between two reports to a receiver."""
+"""Seconds between two sender reports to a receiver."""
 
 _SENDER: Final = struct.Struct("!BBHIIIIII")
 _NTP_EPOCH: Final = 2_208_988_800
@@ -74,7 +74,7 @@ _CNAME: Final = 1
 
 
 def sender_report(ssrc: int, name: str, *, utc: float, timestamp: int, packets: int, octets: int) -> bytes:
-    """Report and name of a source: at `utc` (seconds since 1970) the stream's clock showed `timestamp`."""
+    """Sender report and name of a source; `timestamp` is the stream's clock at `utc` (seconds since 1970)."""
     seconds, fraction = divmod(utc + _NTP_EPOCH, 1.0)
     counts = (packets & 0xFFFFFFFF, octets & 0xFFFFFFFF)
     ntp = (int(seconds) & 0xFFFFFFFF, int(fraction * 2**32))
@@ -91,7 +91,7 @@ def _source_description(ssrc: int, name: str) -> bytes:
 
 
 def sender_clock(data: bytes) -> tuple[float, int] | None:
-    """Seconds since 1970, and what the stream's clock showed then, of a sender report; None of anything else."""
+    """Seconds since 1970 and the stream's clock at that time, of a sender report; None for other data."""
     if len(data) < _SENDER.size or data[0] & 0xC0 != 0x80 or data[1] != _SENDER_REPORT:
         return None
     _, _, _, _, seconds, fraction, timestamp, _, _ = _SENDER.unpack_from(data)
@@ -99,12 +99,12 @@ def sender_clock(data: bytes) -> tuple[float, int] | None:
 
 
 def picture_loss_indication(receiver: int, source: int) -> bytes:
-    """A receiver asks a source for a whole picture (PLI)."""
+    """The request of a receiver for a whole picture (Picture Loss Indication, PLI)."""
     return struct.pack("!BBHII", 0x80 | _PICTURE_LOSS, _FEEDBACK, 2, receiver, source)
 
 
 def requests_picture(data: bytes) -> bool:
-    """Whether a receiver's packets ask for a whole picture (PLI or FIR); anything else does not."""
+    """True when RTCP packets of a receiver request a whole picture (PLI or FIR); false for other data."""
     while len(data) >= 4 and data[0] & 0xC0 == 0x80:
         length = 4 * (1 + int.from_bytes(data[2:4], "big"))
         if data[1] == _FEEDBACK and data[0] & 0x1F in {_PICTURE_LOSS, _FULL_INTRA} and length <= len(data):
@@ -114,7 +114,7 @@ def requests_picture(data: bytes) -> bool:
 
 
 def session_description(name: str, address: str, port: int) -> str:
-    """The SDP with which a player receives the stream at that address and port."""
+    """The session description (SDP, RFC 8866, RFC 6184 8.2.1) with which a player receives the stream."""
     family = "IP6" if ":" in address else "IP4"
     title = " ".join(name.split()) or "-"
     lines = [
@@ -132,13 +132,13 @@ def session_description(name: str, address: str, port: int) -> str:
 
 
 def ffmpeg_source(sdp: Path) -> list[str]:
-    """Options of ffmpeg, ffplay and ffprobe. They decode a picture when the next one begins, later than GStreamer."""
+    """Options of ffmpeg, ffplay and ffprobe, which decode a picture only when the next one begins."""
     quick = ["-fflags", "nobuffer", "-flags", "low_delay"]
     return ["-protocol_whitelist", "file,udp,rtp", *quick, "-i", str(sdp)]
 
 
 def gstreamer_source(port: int) -> list[str]:
-    """The beginning of a pipeline of gst-launch-1.0, up to decoded pictures. It waits for late packets for 20 ms."""
+    """The start of a gst-launch-1.0 pipeline, up to decoded pictures; it waits 20 ms for late packets."""
     caps = f"application/x-rtp,media=video,clock-rate={CLOCK_RATE},encoding-name=H264,payload={PAYLOAD_TYPE}"
     stages = [["rtpjitterbuffer", "latency=20"], ["rtph264depay"], ["avdec_h264", "max-threads=1"]]
     return ["udpsrc", f"port={port}", f"caps={caps}", *(word for stage in stages for word in ("!", *stage))]

@@ -1,4 +1,4 @@
-"""Sends the pictures of one encoder to all who watch, over UDP."""
+"""Sends the pictures of one encoder to all receivers over UDP."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ _NEVER: Final = float("-inf")
 
 
 class RtpStream:
-    """Begins with an IDR, so what comes before one is not sent; numbers have no gaps where the sender made a pause."""
+    """The RTP stream of one receiver; starts with an IDR picture. Sequence numbers have no gap after a pause."""
 
     def __init__(self, name: str) -> None:
         self._name = name
@@ -33,11 +33,11 @@ class RtpStream:
 
     @property
     def waiting(self) -> bool:
-        """It needs an IDR to begin, or to go on after a pause."""
+        """True when it needs an IDR picture to start, or to resume after a pause."""
         return self._waiting
 
     def pause(self) -> None:
-        """What comes until the next IDR is of no use to the receiver."""
+        """Send nothing until the next IDR picture."""
         self._waiting = True
 
     def packets(self, payloads: Sequence[bytes], *, idr: bool, now: float) -> Iterator[bytes]:
@@ -54,7 +54,7 @@ class RtpStream:
             yield packet.encode()
 
     def report(self, now: float, utc: float) -> bytes | None:
-        """The sender report that is due, if one is; `utc`: seconds since 1970 at `now`."""
+        """The sender report, if one is due; `utc` is `now` in seconds since 1970."""
         if now - self._reported < REPORT_INTERVAL or not self._packets:
             return None
         self._reported = now
@@ -74,13 +74,13 @@ class RtpStream:
 MAX_RECEIVERS: Final = 8
 
 MIN_IDR_INTERVAL: Final = 0.5
-"""Seconds that receivers' wishes for an IDR wait for one another."""
+"""Seconds between two IDR pictures that receivers request."""
 
 SEND_BUFFER: Final = 1 << 20
-"""Bytes that the socket is asked to hold: a picture is sent in one go."""
+"""Bytes of the socket's send buffer: a picture is sent at once."""
 
 MAX_FEEDBACK_PACKETS: Final = 64
-"""Packets of receivers that are looked at after one picture."""
+"""RTCP packets of receivers that are read after each picture."""
 
 
 @dataclass(slots=True)
@@ -93,9 +93,9 @@ class _Receiver:
 
 @dataclass(slots=True)
 class RtpSender:
-    """Receivers come and go, pause and go on, each by its address.
+    """Sends to receivers, which are added, paused, resumed and removed by address.
 
-    Counters: `pictures` and `packets` sent, `dropped` (packets that the system did not take: no buffer, no route),
+    Counters: `pictures` and `packets` sent, `dropped` (packets that the system refused: no buffer, no route),
     `idr_asked`.
     """
 
@@ -108,18 +108,18 @@ class RtpSender:
 
     @property
     def receivers(self) -> list[Address]:
-        """Who is sent to, or pauses, in the order in which they came."""
+        """The receivers, paused ones too, in the order in which they were added."""
         return list(self._receivers)
 
     @property
     def playing(self) -> bool:
-        """Somebody watches."""
+        """True when a receiver plays."""
         return any(receiver.playing for receiver in self._receivers.values())
 
     def add(self, address: Address) -> None:
-        """Send to that address, too, from the next IDR on; known ones begin anew.
+        """Send to this address from the next IDR picture on; a known receiver starts again.
 
-        Raises `ConfigError` for an address that cannot be, or one too many.
+        Raises `ConfigError` for an invalid address, or for one receiver too many.
         """
         if address not in self._receivers and len(self._receivers) >= MAX_RECEIVERS:
             raise ConfigError(f"video: {MAX_RECEIVERS} receivers watch {self.name} already; one must leave first")
@@ -129,22 +129,22 @@ class RtpSender:
         self._receivers[address] = _Receiver(rtp, rtcp, RtpStream(self.name))
 
     def remove(self, address: Address) -> None:
-        """Send there no longer; unknown ones are no error."""
+        """Stop sending to this address; without effect for an unknown one."""
         self._receivers.pop(address, None)
 
     def play(self, address: Address) -> None:
-        """Go on, or show a whole picture to one that plays already."""
+        """Resume sending, from an IDR picture on."""
         if (receiver := self._receivers.get(address)) is not None:
             receiver.playing = True
             receiver.stream.pause()
 
     def pause(self, address: Address) -> None:
-        """Keep the place, send nothing."""
+        """Pause sending; the receiver stays registered."""
         if (receiver := self._receivers.get(address)) is not None:
             receiver.playing = False
 
     def needs_idr(self, now: float) -> bool:
-        """Whether the next picture should be an IDR: somebody begins, or asked for it."""
+        """True when the next picture should be an IDR: a receiver starts, or has requested it."""
         self._listen()
         begins = any(receiver.playing and receiver.stream.waiting for receiver in self._receivers.values())
         return begins or (self._asked and now - self._last_idr >= MIN_IDR_INTERVAL)
@@ -161,7 +161,7 @@ class RtpSender:
         self.counters["pictures"] += 1
 
     def close(self) -> None:
-        """Send to nobody any more; twice is fine."""
+        """Remove all receivers and close the sockets; without effect when closed."""
         self._receivers.clear()
         for opened in self._sockets.values():
             opened.close()
@@ -202,14 +202,14 @@ class RtpSender:
             self.counters["packets"] += 1
 
     def _listen(self) -> None:
-        """Receivers answer to where the reports came from."""
+        """Read the feedback that receivers send to the port of the reports."""
         for opened in self._sockets.values():
             for _ in range(MAX_FEEDBACK_PACKETS):
                 try:
                     heard = opened.recv(2048)
                 except BlockingIOError:
                     break
-                except OSError:  # word of an earlier packet that nobody took
+                except OSError:  # an ICMP error for an earlier packet
                     continue
                 if requests_picture(heard):
                     self._asked = True

@@ -1,4 +1,4 @@
-"""Numbers drawn into a picture as black and white squares, which survive coding: to count and time what arrives."""
+"""Numbers drawn into images as black and white squares, which survive coding: for counting and timing images."""
 
 from __future__ import annotations
 
@@ -11,13 +11,13 @@ if TYPE_CHECKING:
 
 
 BITS: Final = 32
-"""Squares in a row, the most significant bit on the left. A row takes the whole width of the picture."""
+"""Squares of a row, most significant bit on the left; a row takes the whole width of the image."""
 
 _BLACK, _WHITE = 16, 235
 
 
 def draw(image: Image, *numbers: int) -> None:
-    """Each number modulo 2**32 as a row, from the top edge downwards; they replace what was there."""
+    """Draw each number modulo 2**32 as a row of squares, from the top edge of the image down."""
     side = image.shape[1] // BITS
     for row, number in enumerate(numbers):
         bits = np.array([number >> shift & 1 for shift in reversed(range(BITS))], dtype=np.uint8)
@@ -26,7 +26,7 @@ def draw(image: Image, *numbers: int) -> None:
 
 
 def read(image: Image, rows: int = 1) -> list[int]:
-    """The numbers of the first rows; the picture may be grey, with or without a third axis."""
+    """The numbers of the first rows; `image` has the shape (height, width) or (height, width, channels)."""
     side = image.shape[1] // BITS
     grey = image if image.ndim == 2 else image.mean(axis=2)
     tops = grey[: rows * side, : BITS * side].reshape(rows, side, BITS, side)

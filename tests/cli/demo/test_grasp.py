@@ -52,7 +52,7 @@ class Arm:
 async def test_a_lift_is_height_width_and_weight(
     monkeypatch: pytest.MonkeyPatch, felt: tuple[float, float, float, float], grasped: bool, lifted: bool
 ) -> None:
-    monkeypatch.setattr(plan, "HOLD", 0.0)
+    monkeypatch.setattr(plan, "HOLD_TIME", 0.0)
     camera = SimpleNamespace(service=lambda _: None)
     grasp = Grasp(Arm(*felt), None, robot_model(load("inc1")), camera, (640, 480))
     assert (await grasp.reach()).reached

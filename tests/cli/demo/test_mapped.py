@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("numpy", reason="NumPy is not installed")
 
-from jauspy.cli.demo.mapped import AGREES, ScanKeeper
+from jauspy.cli.demo.full_tour import MIN_AGREEMENT, HoldoutMapper
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid
 
@@ -22,25 +22,25 @@ def room(x: float, y: float) -> list[float]:
 
 
 @pytest.fixture
-def mapper() -> ScanKeeper:
-    mapper = ScanKeeper(OccupancyGrid(10.0))
+def mapper() -> HoldoutMapper:
+    mapper = HoldoutMapper(OccupancyGrid(10.0))
     for step in range(10):
         x = 0.05 * step  # every other one is too near to the one before to be used
         mapper.add(PlanarPose(x, 0.0), PlanarPose(), ANGLES, room(x, 0.0))
     return mapper
 
 
-def test_other_scans_of_the_same_room_agree(mapper: ScanKeeper) -> None:
+def test_other_scans_of_the_same_room_agree(mapper: HoldoutMapper) -> None:
     assert len(mapper.path) + len(mapper.others) == mapper.scans == 10
     assert len(mapper.others) >= 4
-    assert mapper.agreement() > AGREES
+    assert mapper.agreement() > MIN_AGREEMENT
 
 
-def test_scans_of_another_room_do_not(mapper: ScanKeeper) -> None:
+def test_scans_of_another_room_do_not(mapper: HoldoutMapper) -> None:
     mapper.others.clear()
     mapper.add(mapper.path[-1], PlanarPose(), ANGLES, [0.8 * far for far in room(0.45, 0.0)])
     assert mapper.agreement() < 0.5
 
 
 def test_nothing_seen_is_no_agreement() -> None:
-    assert ScanKeeper(OccupancyGrid(10.0)).agreement() == 0.0
+    assert HoldoutMapper(OccupancyGrid(10.0)).agreement() == 0.0

@@ -5,18 +5,18 @@ import math
 import pytest
 
 from jauspy.cli.demo import plan
-from jauspy.cli.demo.reach import Hand
+from jauspy.cli.demo.arm import ArmKinematics
 from jauspy.errors import RequestError
 from jauspy.modules.robots import load, robot_model
 
 
 @pytest.fixture(scope="module")
-def hand() -> Hand:
-    return Hand(robot_model(load("inc1")))
+def hand() -> ArmKinematics:
+    return ArmKinematics(robot_model(load("inc1")))
 
 
 @pytest.mark.parametrize("target", [(0.9, 0.0, 0.41), (0.85, 0.12, 0.53), (0.7, -0.2, 0.7), (0.2, 0.6, 0.5)])
-def test_the_tool_is_where_it_is_wanted_and_level(hand: Hand, target: tuple[float, float, float]) -> None:
+def test_the_tool_is_where_it_is_wanted_and_level(hand: ArmKinematics, target: tuple[float, float, float]) -> None:
     last = hand.geometry.forward(hand.joints(*hand.around(target)))
     assert last.apply(hand.geometry.tool) == pytest.approx(target, abs=1e-6)
     along = last.rotate(hand.geometry.tool)
@@ -24,8 +24,8 @@ def test_the_tool_is_where_it_is_wanted_and_level(hand: Hand, target: tuple[floa
     assert math.atan2(along[1], along[0]) == pytest.approx(math.atan2(target[1], target[0] - hand.axis))
 
 
-def test_the_hand_points_down_when_it_looks(hand: Hand) -> None:
-    distance, height, pitch = plan.LOOKS_FROM
+def test_the_hand_points_down_when_it_looks(hand: ArmKinematics) -> None:
+    distance, height, pitch = plan.VIEW_POSE
     last = hand.geometry.forward(hand.joints(0.3, distance, height, pitch))
     x, y, z = last.apply(hand.geometry.tool)
     assert (math.hypot(x - hand.axis, y), z) == pytest.approx((distance, height))
@@ -33,15 +33,19 @@ def test_the_hand_points_down_when_it_looks(hand: Hand) -> None:
     assert math.atan2(along[2], math.hypot(along[0], along[1])) == pytest.approx(pitch)
 
 
-def test_every_pose_of_the_plan_can_be_had(hand: Hand) -> None:
-    x, y, height = plan.CAN
-    standing = (y - plan.STAND[1] + plan.NEAR[0], x - plan.STAND[0] + plan.NEAR[0], height)
+def test_every_pose_of_the_plan_can_be_had(hand: ArmKinematics) -> None:
+    x, y, height = plan.CAN_POSITION
+    standing = (
+        y - plan.TABLE_POSITION[1] + plan.DRIVE_TOLERANCE[0],
+        x - plan.TABLE_POSITION[0] + plan.DRIVE_TOLERANCE[0],
+        height,
+    )
     turn, distance, _ = hand.around(standing)
-    for farther, higher in (plan.HIGH, plan.OVER, *plan.APPROACH):
+    for farther, higher in (plan.HIGH_OFFSET, plan.OVER_OFFSET, *plan.APPROACH_OFFSETS):
         hand.joints(turn, distance + farther, height + higher)
-    hand.joints(0.0, *plan.LOOKS_FROM)
+    hand.joints(0.0, *plan.VIEW_POSE)
 
 
-def test_what_is_too_far_is_refused(hand: Hand) -> None:
+def test_what_is_too_far_is_refused(hand: ArmKinematics) -> None:
     with pytest.raises(RequestError, match=r"cannot reach 1\.50 m"):
         hand.joints(0.0, 1.5, 0.4)

@@ -6,11 +6,11 @@ from pathlib import Path
 
 from rich.console import Console
 
-from jauspy.cli.demo.report import Finding, Report
+from jauspy.cli.demo.report import Report, StageResult
 
-DRIVE = Finding("drive", "2 m, 3.0 cm off", True, {"distance_error": 0.03})
-TIME = Finding("real time", "99.0 % held", None, {"held": 0.99})
-LIFT = Finding("lift", "0.1 cm", False, {"lifted": 0.001})
+DRIVE = StageResult("drive", "2 m, 3.0 cm off", True, {"distance_error": 0.03})
+TIME = StageResult("real time", "99.0 % held", None, {"held": 0.99})
+LIFT = StageResult("lift", "0.1 cm", False, {"lifted": 0.001})
 
 
 def shown(report: Report) -> str:
@@ -19,21 +19,21 @@ def shown(report: Report) -> str:
     return page.file.getvalue()
 
 
-def test_it_works_when_every_goal_was_reached(tmp_path: Path) -> None:
+def test_all_goals_reached(tmp_path: Path) -> None:
     report = Report([DRIVE, TIME], ["map.pgm"])
     report.save(tmp_path)
     assert report.reached
     text = shown(report)
-    assert "it works" in text
+    assert "all goals were reached" in text
     assert "✓  drive" in text
     assert "demo_out/: map.pgm" in text
     saved = json.loads((tmp_path / "summary.json").read_text())
     assert saved["reached"] is True
-    assert saved["findings"][0]["figures"] == {"distance_error": 0.03}
+    assert saved["results"][0]["figures"] == {"distance_error": 0.03}
 
 
 def test_one_goal_that_was_not_reached_is_enough() -> None:
     report = Report([DRIVE, LIFT, TIME])
     assert not report.reached
-    assert "not everything was reached" in shown(report)
+    assert "not all goals were reached" in shown(report)
     assert "✗  lift" in shown(report)

@@ -9,7 +9,7 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import numpy as np
 
-from jauspy.cli.demo import sight
+from jauspy.cli.demo import grasp
 from jauspy.geometry.poses import Pose, Transform
 
 FOV = math.radians(80.0)
@@ -24,13 +24,13 @@ def scene(*spots):
 
 
 def test_the_largest_spot_counts() -> None:
-    column, row = sight.red_spot(scene((10, 10, 3, 3), (200, 150, 20, 40)))
+    column, row = grasp.red_spot(scene((10, 10, 3, 3), (200, 150, 20, 40)))
     assert (column, row) == (pytest.approx((210 - 160) / 320), pytest.approx((170 - 120) / 320))
 
 
 def test_bricks_and_specks_are_no_can() -> None:
-    assert sight.red_spot(scene()) is None
-    assert sight.red_spot(scene((5, 5, 3, 3))) is None
+    assert grasp.red_spot(scene()) is None
+    assert grasp.red_spot(scene((5, 5, 3, 3))) is None
 
 
 def test_a_ray_meets_the_can_where_it_is() -> None:
@@ -39,9 +39,9 @@ def test_a_ray_meets_the_can_where_it_is() -> None:
     x, y, z = camera.inverse().apply(can)
     spread = 2.0 * math.tan(FOV / 2.0)
     spot = (-y / x / spread, -z / x / spread)
-    assert sight.at_height(camera, sight.ray(spot, FOV), 0.41) == pytest.approx(can)
+    assert grasp.at_height(camera, grasp.ray(spot, FOV), 0.41) == pytest.approx(can)
 
 
 def test_a_ray_to_the_sky_meets_nothing() -> None:
-    assert sight.at_height(Transform.from_pose(Pose(z=0.8)), sight.ray((0.0, -0.1), FOV), 0.41) is None
-    assert sight.at_height(Transform.from_pose(Pose(z=0.3)), sight.ray((0.0, 0.1), FOV), 0.41) is None
+    assert grasp.at_height(Transform.from_pose(Pose(z=0.8)), grasp.ray((0.0, -0.1), FOV), 0.41) is None
+    assert grasp.at_height(Transform.from_pose(Pose(z=0.3)), grasp.ray((0.0, 0.1), FOV), 0.41) is None

@@ -8,9 +8,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.cli.demo import plan
-from jauspy.cli.demo.report import Report
+from jauspy.cli.demo.report import Report, View
 from jauspy.cli.demo.tour import Tour
-from jauspy.cli.demo.view import View
 from jauspy.errors import ControlRejected, RequestError
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
@@ -29,18 +28,18 @@ def holders(robot: RobotRunner) -> set[object]:
 
 async def test_it_drives_moves_the_arm_and_gives_back_control(robot: RobotRunner, tour: Tour) -> None:
     await tour.run()
-    assert [(each.stage, each.reached) for each in tour._report.findings] == [("drive", True), ("arm", True)]
+    assert [(each.stage, each.reached) for each in tour._report.results] == [("drive", True), ("arm", True)]
     assert robot.snapshot is not None
     where = robot.snapshot.pose
-    assert (where.x, where.y, where.yaw) == pytest.approx((*plan.STAND, plan.HEADING), abs=0.15)
+    assert (where.x, where.y, where.yaw) == pytest.approx((*plan.TABLE_POSITION, plan.TABLE_HEADING), abs=0.15)
     assert holders(robot) == {None}
 
 
 async def test_a_robot_that_does_not_get_there_is_given_up(
     robot: RobotRunner, tour: Tour, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(plan, "DRIVE_TIME", 1.0)
-    with pytest.raises(RequestError, match=r"longer than 1 s, with 1\.\d+ m .* see whether something is in its way"):
+    monkeypatch.setattr(plan, "DRIVE_TIMEOUT", 1.0)
+    with pytest.raises(RequestError, match=r"longer than 1 s, with 1\.\d+ m .* the robot may be blocked"):
         await tour.run()
     assert holders(robot) == {None}
 

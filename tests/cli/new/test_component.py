@@ -11,7 +11,7 @@ from typer.testing import CliRunner
 
 import jauspy
 from jauspy.cli.main import app
-from jauspy.cli.new import stubs
+from jauspy.cli.new import component as stubs
 from jauspy.schema import load_builtin
 
 run = CliRunner()
@@ -64,7 +64,7 @@ def test_what_it_writes_is_clean_and_passes_its_tests():
 
 def test_a_service_of_ones_own():
     run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
-    result = new("battery", "--service", "Battery", "--from", "battery.xml")
+    result = new("battery", "--service", "Battery", "--schemas", "battery.xml")
     assert result.exit_code == 0, result.output
     assert Path("battery/battery.xml").read_text() == Path("battery.xml").read_text()
     assert "def report_battery(self, query: Any) -> Any:" in Path("battery/services.py").read_text()
@@ -94,9 +94,9 @@ def test_a_folder_with_something_in_it_stays():
 
 def test_a_file_without_the_service():
     run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
-    result = new("xyzzy", "--service", "Xyzzy", "--from", "battery.xml")
+    result = new("xyzzy", "--service", "Xyzzy", "--schemas", "battery.xml")
     assert result.exit_code == 1
-    assert "no service 'Xyzzy' is known; `jauspy schema ls` lists them; battery.xml has none of this name" in " ".join(
+    assert "no service 'Xyzzy' is known; `jauspy schema ls` lists them; battery.xml does not define it" in " ".join(
         result.output.split()
     )
 
@@ -104,12 +104,12 @@ def test_a_file_without_the_service():
 @pytest.mark.parametrize(
     ("arguments", "problem"),
     [
-        (["Winch", "--service", "ugv:ParkingBrakeDriver"], "no name of a Python package"),
-        (["class", "--service", "ugv:ParkingBrakeDriver"], "'class' is no name of a Python package"),
-        (["signal", "--service", "ugv:ParkingBrakeDriver"], "signal is a module already, which yours would hide"),
+        (["Winch", "--service", "ugv:ParkingBrakeDriver"], "not the name of a Python package"),
+        (["class", "--service", "ugv:ParkingBrakeDriver"], "'class' is not the name of a Python package"),
+        (["signal", "--service", "ugv:ParkingBrakeDriver"], "signal is the name of an installed module"),
         (["jauspy", "--service", "ugv:ParkingBrakeDriver"], "as in my_jauspy"),
         (["pytest", "--service", "ugv:ParkingBrakeDriver"], "as in my_pytest"),
-        (["", "--service", "ugv:ParkingBrakeDriver"], "'' is no name of a Python package"),
+        (["", "--service", "ugv:ParkingBrakeDriver"], "'' is not the name of a Python package"),
         (["winch", "--service", ""], "no service '' is known"),
         (["winch", "--service", "ugv:ParkingBrakeDriver", "--id", "101.1.255"], "cannot be a component's id"),
         (["winch", "--service", "ParkingBrakDriver"], "did you mean ParkingBrakeDriver"),

@@ -1,16 +1,30 @@
-"""`jauspy demo`: everything at once, on this machine."""
+"""`jauspy demo`: the whole system on this machine; the verb, its processes, and the tour against them."""
 
 from __future__ import annotations
 
+import asyncio
+import re
+import signal
+import tempfile
+from collections.abc import Callable, Coroutine
+from contextlib import AsyncExitStack
+from functools import partial
+from importlib.util import find_spec
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Any, Final
 
 import typer
 
+from jauspy.cli import console
+from jauspy.cli.demo import plan
+from jauspy.cli.demo.report import LiveView, Report, StageResult, View, time_limit
+from jauspy.cli.demo.tour import Tour
 from jauspy.cli.options import DEFAULT_PORT, Port
-
-if TYPE_CHECKING:
-    from jauspy.services.environment_sensing.frame_sizes import FrameSize
+from jauspy.cli.processes import ChildFailed, ChildProcess, run
+from jauspy.errors import ConfigError, RequestError
+from jauspy.modules import robots
+from jauspy.ocu import OCU
+from jauspy.services.environment_sensing.video_camera import OFFERED, FrameSize
 
 
 def demo(
@@ -21,42 +35,36 @@ def demo(
         typer.Option(
             "--backend",
             metavar="NAME",
-            help="sim: MuJoCo physics (extra 'all'); kinematic: pure Python, only drives and moves the arm; or that of "
-            "an installed package.",
+            help="sim: MuJoCo physics (extra 'all'). Other backends, such as kinematic, only drive and move the arm.",
         ),
     ] = "sim",
     output: Annotated[
-        Path, typer.Option("--output", metavar="DIR", help="Where videos, still, map, plot and summary go.")
+        Path, typer.Option("--output", metavar="DIR", help="Directory for videos, still, map, plot and summary.")
     ] = Path("demo_out"),
     size: Annotated[str, typer.Option("--size", metavar="WxH", help="Size of the videos.")] = "640x480",
     plain: Annotated[
-        bool, typer.Option("--plain", "--headless", help="Plain lines instead of a live table, as in a pipe.")
+        bool, typer.Option("--plain", "--headless", help="Print lines instead of a live table, as in a pipe.")
     ] = False,
 ) -> None:
-    """See it all work: a simulated robot drives to a table, looks, reaches, grasps a can and lifts it.
+    """Run the whole system: a simulated robot drives to a table, finds a can, grasps and lifts it.
 
-    Starts a node manager and the robot as processes and is the operator's unit itself: discovers them over real UDP
-    sockets, takes control, records both cameras, maps with the lidar, drives by waypoint, finds the can in the picture,
-    moves the arm and the gripper, and gives control back. Writes what it saw and measured, and prints a summary; the
-    exit status is 0 if every goal was reached. Takes less than 90 s and leaves no process behind.
+    The node manager and the robot run as child processes; this process is the operator control unit (OCU). It discovers
+    the robot over UDP, takes control, records both cameras, maps with the lidar, drives by waypoint, finds the can in a
+    still, moves the arm and the gripper, and releases control. Videos, map and measurements are written to DIR, and a
+    summary is printed. The exit status is 0 if every goal was reached. The demo takes less than 90 s.
 
     Example:
       jauspy demo --port 3795 --output /tmp/demo
     """
-    from jauspy.cli import console
-    from jauspy.cli.demo.processes import play
-    from jauspy.cli.demo.view import LiveView, View
-    from jauspy.cli.run import run
-
     pixels = _size(size)
     view = View() if plain or not console.is_terminal() else LiveView()
     try:
         report = run(play(port, backend, view, output, pixels))
     except KeyboardInterrupt:
-        console.note(view.farewell())
+        console.note(view.end_message())
         raise typer.Exit(130) from None
-    if report is None:  # told to stop
-        console.note(view.farewell())
+    if report is None:  # SIGTERM or SIGHUP
+        console.note(view.end_message())
         raise typer.Exit(1)
     console.stdout().print(report.panel(str(output)))
     if not report.reached:
@@ -64,9 +72,140 @@ def demo(
 
 
 def _size(text: str) -> FrameSize:
-    from jauspy.services.environment_sensing.frame_sizes import OFFERED
 
     named = {f"{width}x{height}": size for size, (width, height) in OFFERED.items()}
     if text not in named:
-        raise typer.BadParameter(f"{text!r} is none of {', '.join(named)}", param_hint="--size")
+        raise typer.BadParameter(f"{text!r} is not one of {', '.join(named)}", param_hint="--size")
     return named[text]
+
+
+TOUR_TIMEOUT: Final = 240.0  # seconds; the tour takes about 40 on an idle machine
+REQUIRED_PACKAGES: Final = {
+    "mujoco": "MuJoCo",
+    "av": "PyAV",
+    "cv2": "OpenCV",
+    "numpy": "NumPy",
+    "matplotlib": "matplotlib",
+}
+COUNTERS_TIMEOUT: Final = 5.0  # seconds from SIGUSR1 to the robot's counters
+
+
+async def play(port: int, backend: str, view: View, folder: Path, size: FrameSize) -> Report:
+    """Start node manager and robot, run the tour, stop them.
+
+    Local sockets are in a temporary directory and UDP uses the loopback address, so that other JAUS systems on this
+    machine and network are not affected.
+    """
+    whole = backend == "sim"
+    make: Callable[..., Tour] = _whole_tour(folder, size) if whole else Tour
+    report, output = Report(), RobotOutput()
+    async with AsyncExitStack() as stack:
+        root = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="jauspy-")))
+        stack.enter_context(view)
+        view.step(f"Start a node manager on UDP 127.0.0.1:{port}")
+        manager = await _node_manager(stack, port, root)
+        view.step(f"Start the robot {plan.ROBOT} ({backend})")
+        arguments = ["up", plan.ROBOT, "--no-node-manager", "--local-root", str(root), "--own-root"]
+        robot = await stack.enter_async_context(
+            ChildProcess("robot", [*arguments, "--backend", backend], on_error_line=output.line)
+        )
+        ocu = await stack.enter_async_context(OCU(connect=f"udp://127.0.0.1:{port}"))
+        view.ocu = ocu
+        tour = make(ocu, robots.load(plan.ROBOT), view, report, folder)
+        try:
+            await _unless_ended(tour.run(), manager, robot)
+        except RequestError as error:
+            stage = view.state.phases[-1][1] if view.state.phases else "begin"
+            report.results.append(StageResult(stage, str(error), reached=False))
+        robot.signal(signal.SIGUSR1)
+        report.results += [_time(await output.counters()), _messages(ocu)]
+    if whole:
+        report.files.append("summary.json")
+        report.save(folder)
+    return report
+
+
+class RobotOutput:
+    """Collects the counters that the robot's process prints."""
+
+    def __init__(self) -> None:
+        self._counters: dict[str, int] = {}
+
+    def line(self, text: str) -> None:
+        """Read one line."""
+        if found := re.fullmatch(r"\s+(realtime\.\w+)\s+(\d+)", text):
+            self._counters[found[1]] = int(found[2])
+
+    async def counters(self) -> dict[str, int]:
+        """The real-time counters, once they are printed; counters of zero are missing."""
+        async with time_limit(COUNTERS_TIMEOUT, lambda: "the robot's process does not print its counters"):
+            while "realtime.steps" not in self._counters:  # noqa: ASYNC110 - lines come when they come
+                await asyncio.sleep(0.05)
+        return self._counters
+
+
+def _whole_tour(folder: Path, size: FrameSize) -> Callable[..., Tour]:
+    """Check packages and the output directory, and import what is slow to import, before processes are started."""
+    missing = [title for package, title in REQUIRED_PACKAGES.items() if find_spec(package) is None]
+    if missing:
+        raise ConfigError(
+            f"the demo needs {', '.join(missing)}: pip install 'jauspy[all]'; --backend kinematic needs none of "
+            "them, and only drives and moves the arm"
+        )
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise ConfigError(
+            f"{folder}: cannot be created: {error.strerror}; choose another directory with --output"
+        ) from error
+    from jauspy.cli.demo.full_tour import FullTour
+
+    return partial(FullTour, size=size)
+
+
+async def _node_manager(stack: AsyncExitStack, port: int, root: Path) -> ChildProcess:
+    arguments = ["node-manager", "--address", "127.0.0.1", "--port", str(port), "--local-root", str(root)]
+    arguments.append("--own-root")  # if this process is killed, its last child removes the directory
+    try:
+        return await stack.enter_async_context(ChildProcess("node manager", arguments))
+    except ChildFailed as error:
+        if "--port" in str(error):
+            other = port + 1 if port < 65535 else 3794
+            raise ConfigError(f"{error}, as in `jauspy demo --port {other}` or `make demo PORT={other}`") from None
+        raise
+
+
+async def _unless_ended(tour: Coroutine[Any, Any, None], *children: ChildProcess) -> None:
+    """Run the tour; raises `ChildFailed` if one of the processes ends."""
+    touring = asyncio.create_task(tour)
+    watchers: list[asyncio.Task[ChildFailed]] = [asyncio.create_task(child.ended()) for child in children]
+    try:
+        await asyncio.wait((touring, *watchers), timeout=TOUR_TIMEOUT, return_when=asyncio.FIRST_COMPLETED)
+        for view in watchers:
+            if view.done():
+                raise view.result()
+        if not touring.done():
+            raise RequestError(f"the tour did not end within {TOUR_TIMEOUT:g} s; the machine may be overloaded")
+        touring.result()
+    finally:
+        # The tour first, because it releases control when it is cancelled.
+        for task in (touring, *watchers):
+            task.cancel()
+            await asyncio.wait({task})
+
+
+def _time(counters: dict[str, int]) -> StageResult:
+    steps, skipped = counters["realtime.steps"], counters.get("realtime.skipped", 0)
+    late = counters.get("realtime.late", 0)
+    held = steps / (steps + skipped)
+    text = f"{100 * held:.1f} % held: of {steps + skipped} steps {skipped or 'none'} skipped, {late} late"
+    return StageResult("real time", text, None, {"held": held, "skipped": skipped, "late": late})
+
+
+def _messages(ocu: OCU) -> StageResult:
+    stats = ocu.stats
+    text = (
+        f"{stats.sent} sent, {stats.received} received, {stats.timeouts} timeouts; round trip "
+        f"{1e3 * stats.rtt_median:.1f} ms (median), {1e3 * stats.rtt_max:.0f} ms (maximum)"
+    )
+    return StageResult("messages", text, None, {"round_trip": stats.rtt_median, "timeouts": stats.timeouts})

@@ -4,106 +4,115 @@ from __future__ import annotations
 
 import asyncio
 import math
+from contextlib import AsyncExitStack
 from pathlib import Path
-from typing import Final
+from typing import TYPE_CHECKING, Final
 
-from jauspy.cli.demo import plan, sight
+import cv2
+import numpy as np
+
+from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import Arm
-from jauspy.cli.demo.report import Finding
+from jauspy.cli.demo.report import StageResult, time_limit
 from jauspy.errors import RequestError
-from jauspy.geometry.vectors import Vector
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector, difference
+from jauspy.messages.manipulator import QueryPanTiltJointPositions, SetPanTiltJointPositions
 from jauspy.ocu.frames import LOCAL, RobotFrames
 from jauspy.ocu.robot import ComponentClient
 from jauspy.platform.description import RobotModel
 
-CAMERA: Final = "arm"
-STILL: Final = "still.jpg"
-SLACK: Final = 0.006
-"""Metres by which the distance of the fingers may differ from the can's width."""
-SCALES: Final = 0.2
-"""Kilograms by which the measured weight may be off."""
-SINKS: Final = 0.005
+if TYPE_CHECKING:
+    from jauspy.platform.camera import Image
+
+ARM_CAMERA: Final = "arm"
+STILL_FILE: Final = "still.jpg"
+WIDTH_TOLERANCE: Final = 0.006
+"""Metres; tolerance of the finger distance against the can's width."""
+WEIGHT_TOLERANCE: Final = 0.2
+"""Kilograms; tolerance of the measured weight."""
+MAX_SINK: Final = 0.005
 """Metres that the tool may sink while it holds the can."""
 
 
 class Grasp:
-    """The can on the table, the arm that takes it, and the camera that sees both."""
+    """Finds the can with the arm's camera, grasps it and lifts it."""
 
     def __init__(
         self, arm: Arm, frames: RobotFrames, model: RobotModel, camera: ComponentClient, size: tuple[int, int]
     ) -> None:
-        """`camera` is the module of the arm's, and `size` that of its pictures."""
+        """`camera` is the component of the arm's camera, `size` that of its stills."""
         self._arm, self._frames = arm, frames
         self._camera, self._size = camera.service("StillImage"), size
-        self._setup = next(camera for camera in model.cameras if camera.name == CAMERA)
-        self._can: Vector = plan.CAN
+        self._setup = next(camera for camera in model.cameras if camera.name == ARM_CAMERA)
+        self._can: Vector = plan.CAN_POSITION
         self._around = (0.0, 0.0, 0.0)
         self._empty = 0.0
         self._grasped: Vector = (0.0, 0.0, 0.0)
 
-    async def look(self, folder: Path) -> Finding:
-        """Find the can in the arm camera's picture, and with the arm's pose where it stands."""
-        await self._arm.go(0.0, *plan.LOOKS_FROM)
-        await asyncio.sleep(plan.SETTLING)
-        photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIME)
-        (folder / STILL).write_bytes(photo.content)
+    async def look(self, folder: Path) -> StageResult:
+        """Find the can in a still of the arm's camera, and compute its position from the camera's pose."""
+        await self._arm.go(0.0, *plan.VIEW_POSE)
+        await asyncio.sleep(plan.SETTLING_TIME)
+        photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIMEOUT)
+        (folder / STILL_FILE).write_bytes(photo.content)
         frames = await self._frames.read()
-        spot = sight.red_spot(sight.picture(photo.content))
+        spot = red_spot(decode_image(photo.content))
         camera = frames.pose(self._setup.link, LOCAL)
-        seen = spot and sight.at_height(camera, sight.ray(spot, self._setup.fov), plan.CAN[2])
+        seen = spot and at_height(camera, ray(spot, self._setup.fov), plan.CAN_POSITION[2])
         if seen is None:
-            raise RequestError(f"no red can is in the picture of the camera {CAMERA!r}; see {folder / STILL}")
+            raise RequestError(f"no red can is in the picture of the camera {ARM_CAMERA!r}; see {folder / STILL_FILE}")
         self._can = seen
         x, y, z = frames.pose("base_link", LOCAL).inverse().apply(seen)
-        self._around = self._arm.hand.around((x, y, z - frames.pose("base_link", LOCAL).position[2]))
-        off = math.dist(seen, plan.CAN)
-        return Finding(
+        self._around = self._arm.kinematics.around((x, y, z - frames.pose("base_link", LOCAL).position[2]))
+        off = math.dist(seen, plan.CAN_POSITION)
+        return StageResult(
             "look",
-            f"the can is seen {math.hypot(x, y):.2f} m away, {_side(math.atan2(y, x))}, "
-            f"{100 * off:.1f} cm from where it was said to be",
-            off <= plan.SEARCH,
+            f"the can is seen {math.hypot(x, y):.2f} m away, {_bearing(math.atan2(y, x))}, "
+            f"{100 * off:.1f} cm from its nominal position",
+            off <= plan.MAX_CAN_OFFSET,
             {"x": seen[0], "y": seen[1], "from_plan": off},
         )
 
-    async def reach(self) -> Finding:
-        """Weigh the empty hand over the can, then go around the can."""
+    async def reach(self) -> StageResult:
+        """Weigh the empty gripper above the can, then move the open gripper around the can."""
         opened = await self._arm.open_gripper()
-        errors = [await self._go(*plan.HIGH), await self._go(*plan.OVER)]
+        errors = [await self._go(*plan.HIGH_OFFSET), await self._go(*plan.OVER_OFFSET)]
         self._empty = await self._arm.weight()
-        errors += [await self._go(*step) for step in plan.APPROACH]
-        return Finding(
+        errors += [await self._go(*step) for step in plan.APPROACH_OFFSETS]
+        return StageResult(
             "reach",
             f"{len(errors)} poses of five joints, each at most {math.degrees(max(errors)):.2f}° off; "
             f"the fingers are {100 * opened:.1f} cm apart",
-            opened > plan.WIDTH,
+            opened > plan.CAN_WIDTH,
             {"joint_error": max(errors), "opened": opened},
         )
 
-    async def close(self) -> Finding:
-        """Squeeze."""
+    async def close(self) -> StageResult:
+        """Close the gripper around the can."""
         width = await self._arm.close_gripper()
         self._grasped = await self._arm.tool()
-        return Finding(
+        return StageResult(
             "grasp",
-            f"the fingers stop {100 * width:.2f} cm apart, at a can of {100 * plan.WIDTH:g} cm",
-            abs(width - plan.WIDTH) <= SLACK,
+            f"the fingers stop {100 * width:.2f} cm apart, at a can of {100 * plan.CAN_WIDTH:g} cm",
+            abs(width - plan.CAN_WIDTH) <= WIDTH_TOLERANCE,
             {"width": width},
         )
 
-    async def lift(self) -> Finding:
-        """Up, hold it, and see that it hangs in the hand: by its weight, and by the fingers, which do not meet."""
-        await self._go(*plan.OVER)
+    async def lift(self) -> StageResult:
+        """Lift and hold the can; check its weight at the wrist and the distance of the fingers."""
+        await self._go(*plan.OVER_OFFSET)
         weight = await self._arm.weight() - self._empty
         top = await self._arm.tool()
-        await asyncio.sleep(plan.HOLD)
+        await asyncio.sleep(plan.HOLD_TIME)
         end, width = await self._arm.tool(), await self._arm.width()
         lifted = min(top[2], end[2]) - self._grasped[2]
-        held = abs(width - plan.WIDTH) <= SLACK and abs(weight - plan.WEIGHT) <= SCALES
-        return Finding(
+        held = abs(width - plan.CAN_WIDTH) <= WIDTH_TOLERANCE and abs(weight - plan.CAN_WEIGHT) <= WEIGHT_TOLERANCE
+        return StageResult(
             "lift",
-            f"{100 * lifted:.1f} cm by the arm's pose, held {plan.HOLD:g} s; the wrist feels {weight:.2f} kg, "
+            f"{100 * lifted:.1f} cm by the arm's pose, held {plan.HOLD_TIME:g} s; the wrist measures {weight:.2f} kg, "
             f"the fingers are {100 * width:.2f} cm apart",
-            lifted >= plan.LIFT and held and top[2] - end[2] <= SINKS,
+            lifted >= plan.MIN_LIFT and held and top[2] - end[2] <= MAX_SINK,
             {"lifted": lifted, "weight": weight, "width": width, "sunk": top[2] - end[2]},
         )
 
@@ -112,5 +121,74 @@ class Grasp:
         return await self._arm.go(turn, distance + farther, height + higher)
 
 
-def _side(bearing: float) -> str:
+def _bearing(bearing: float) -> str:
     return f"{math.degrees(abs(bearing)):.1f}° to the {'left' if bearing > 0.0 else 'right'}"
+
+
+REDS: Final = (((0, 140, 40), (8, 255, 255)), ((172, 140, 40), (180, 255, 255)))
+"""Lower and upper hue (0..180), saturation and value of red, at both ends of the hues; bricks are less saturated."""
+MIN_RED_SHARE: Final = 2e-4
+"""Minimal share of the picture."""
+
+
+def decode_image(file: bytes) -> Image:
+    """Decode a JPEG or PNG to RGB, shape (height, width, 3)."""
+    read = cv2.imdecode(np.frombuffer(file, np.uint8), cv2.IMREAD_COLOR)
+    if read is None:
+        raise RequestError(f"the {len(file)} bytes of the still are not an image")
+    return cv2.cvtColor(read, cv2.COLOR_BGR2RGB).astype(np.uint8)
+
+
+def red_spot(image: Image) -> tuple[float, float] | None:
+    """Centre of the largest red region from the image centre, as fractions of the width; None if there is none."""
+    colours = cv2.cvtColor(image, cv2.COLOR_RGB2HSV)
+    red = np.zeros(image.shape[:2], np.uint8)
+    for low, high in REDS:
+        red |= cv2.inRange(colours, np.array(low), np.array(high)).astype(np.uint8)
+    _, spots, sizes, middles = cv2.connectedComponentsWithStats(red)
+    if len(sizes) < 2:
+        return None
+    largest = 1 + int(np.argmax(sizes[1:, cv2.CC_STAT_AREA]))
+    if sizes[largest, cv2.CC_STAT_AREA] < MIN_RED_SHARE * red.size:
+        return None
+    height, width = spots.shape[:2]
+    column, row = (float(value) for value in middles[largest])
+    return (column + 0.5 - width / 2.0) / width, (row + 0.5 - height / 2.0) / width
+
+
+def ray(spot: tuple[float, float], fov: float) -> Vector:
+    """Direction of a point in the camera's frame: x forward, y left, z up. `fov` is horizontal, rad."""
+    spread = 2.0 * math.tan(fov / 2.0)
+    return 1.0, -spread * spot[0], -spread * spot[1]
+
+
+def at_height(camera: Transform, direction: Vector, height: float) -> Vector | None:
+    """Intersection of a ray from the camera with a horizontal plane; None without one."""
+    far = difference(camera.apply(direction), camera.position)
+    if far[2] >= 0.0 or camera.position[2] <= height:
+        return None
+    times = (height - camera.position[2]) / far[2]
+    return camera.position[0] + times * far[0], camera.position[1] + times * far[1], height
+
+
+AIM_TOLERANCE: Final = 0.01
+"""Radians."""
+
+
+async def aim(stack: AsyncExitStack, mount: ComponentClient) -> StageResult:
+    """Move pan and tilt to `plan.CAMERA_AIM`; the mount stays controlled until `stack` closes."""
+    driver, sensor = mount.service("PanTiltJointPositionDriver"), mount.service("PanTiltJointPositionSensor")
+    await stack.enter_async_context(driver.control(plan.AUTHORITY))
+    await driver.resume()
+    await driver.send(SetPanTiltJointPositions(*plan.CAMERA_AIM), ack=True)
+    async with time_limit(plan.MOVE_TIMEOUT, lambda: f"the mount of {mount.id} does not reach {plan.CAMERA_AIM} rad"):
+        while True:
+            report = await sensor.query(QueryPanTiltJointPositions())
+            off = max(
+                abs(report.joint1_position - plan.CAMERA_AIM[0]), abs(report.joint2_position - plan.CAMERA_AIM[1])
+            )
+            if off <= AIM_TOLERANCE:
+                break
+            await asyncio.sleep(0.05)
+    up = math.degrees(report.joint2_position)
+    return StageResult("aim", f"the chassis' camera looks {up:.1f}° up", True, {"off": off})

@@ -1,24 +1,30 @@
-"""`jauspy new`: starts for what a user writes: a service definition, a component."""
+"""Verbs of `jauspy new`, and how they write files: existing files are never overwritten."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from typing import Final
+from collections.abc import Mapping
+from pathlib import Path
 
-import typer
+from jauspy.errors import ConfigError
 
-from jauspy.cli.help import help_text
-from jauspy.cli.new import component, definition
 
-app = typer.Typer(
-    name="new",
-    no_args_is_help=True,
-    help="Write a start: of a service definition (JSIDL), or of a component with tests.",
-)
+def write_new(files: Mapping[Path, str | bytes]) -> None:
+    """Write all files, or none when one is there; raises `ConfigError` that names it."""
+    for path in files:
+        if path.exists() or path.is_symlink():
+            raise ConfigError(f"{path} exists; remove it, or choose another name")
+    try:
+        for path, content in files.items():
+            path.parent.mkdir(parents=True, exist_ok=True)
+            with path.open("xb") as file:
+                file.write(content.encode() if isinstance(content, str) else content)
+            print(path)
+    except OSError as error:
+        raise ConfigError(f"{error.filename} cannot be written: {error.strerror}") from None
 
-VERBS: Final[dict[str, Callable[..., None]]] = {
-    "component": component.component,
-    "definition": definition.definition,
-}
-for name, verb in VERBS.items():
-    app.command(name, help=help_text(verb.__doc__ or ""))(verb)
+
+def write_new_folder(folder: Path, files: Mapping[str, str | bytes]) -> None:
+    """Write a folder of these files; raises `ConfigError` when there is anything in it."""
+    if folder.is_symlink() or (folder.exists() and (not folder.is_dir() or any(folder.iterdir()))):
+        raise ConfigError(f"{folder} exists; remove it, or choose another name")
+    write_new({folder / name: content for name, content in files.items()})

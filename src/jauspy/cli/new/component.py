@@ -2,13 +2,28 @@
 
 from __future__ import annotations
 
+import keyword
+import sys
+from collections.abc import Sequence
+from difflib import get_close_matches
+from importlib.machinery import PathFinder
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated, Final
 
 import typer
 
-if TYPE_CHECKING:
-    from jauspy.schema.model import Schema, Service
+from jauspy.cli.new import write_new_folder
+from jauspy.codec.names import class_name
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID, component_id
+from jauspy.messages import registry
+from jauspy.schema import load_builtin
+from jauspy.schema.inheritance import lineage, parents_among
+from jauspy.schema.loader import load_beside_builtin
+from jauspy.schema.model import Schema, Service as Definition
+from jauspy.services.binding import RequiredMethod, required_methods
+from jauspy.services.core.defaults import INHERITED_DEFAULTS, with_core_services
+from jauspy.services.service import Service
 
 
 def component(
@@ -16,79 +31,65 @@ def component(
     name: Annotated[str, typer.Argument(metavar="NAME", help="The package and its folder, as in winch.")],
     service: Annotated[
         str,
-        typer.Option("--service", metavar="URN", help="The service, or the end of its name: ugv:ParkingBrakeDriver."),
+        typer.Option(
+            "--service", metavar="URN", help="The service: its URN or the end of it, as in ugv:ParkingBrakeDriver."
+        ),
     ],
     version: Annotated[str | None, typer.Option("--version", metavar="X.Y", help="Default: the newest.")] = None,
     source: Annotated[
-        Path | None, typer.Option("--from", metavar="FILE", help="A JSIDL file of your own; it is copied.")
+        Path | None,
+        typer.Option("--schemas", metavar="FILE", help="Your own JSIDL file; it is copied into the package."),
     ] = None,
     id: Annotated[str, typer.Option("--id", metavar="ID", help="The component's id.")] = "101.1.120",
 ) -> None:
-    """Write a start for a component that offers a service: its methods, a program, tests and a README.
+    """Write a package with a component that offers a service: methods, a program, tests and a README.
 
-    It runs, and its tests pass, at once; what it does is for you to fill in.
+    The program runs and the tests pass at once; fill in the methods.
 
     Examples:
       jauspy new component brake --service ugv:ParkingBrakeDriver
-      jauspy new component battery --service urn:example:Battery --from battery.xml
+      jauspy new component battery --service urn:example:Battery --schemas battery.xml
     """
-    from jauspy.cli.new import stubs
-    from jauspy.cli.new.files import write_new_folder
-    from jauspy.ids import component_id
-
     _check(name)
     me = component_id(id)
     schema = _schema(source)
     definition = _find(schema, service, version, source)
-    write_new_folder(Path(name), stubs.package(name, definition, schema, source, me))
+    write_new_folder(Path(name), package(name, definition, schema, source, me))
     print(f"run it with `python -m {name}`, test it with `pytest {name}` (pip install pytest-asyncio)")
 
 
 def _check(name: str) -> None:
-    """Raise `ConfigError` unless a package of this name can be imported, and hides none."""
-    import keyword
-
-    from jauspy.errors import ConfigError
-
+    """Raise `ConfigError` unless the name is that of a package and of no installed module."""
     if not name.isidentifier() or name != name.lower() or keyword.iskeyword(name):
-        raise ConfigError(f"{name!r} is no name of a Python package; use lower-case letters, digits and _")
+        raise ConfigError(f"{name!r} is not the name of a Python package; use lower-case letters, digits and _")
     if _is_installed(name):
-        raise ConfigError(f"{name} is a module already, which yours would hide; choose another name, as in my_{name}")
+        raise ConfigError(f"{name} is the name of an installed module; choose another name, as in my_{name}")
 
 
 def _is_installed(name: str) -> bool:
-    """A module of this name is found, also without looking where the user is."""
-    import sys
-    from importlib.machinery import PathFinder
-
+    """True if a module of this name is found outside of the current directory."""
     elsewhere = [each for each in sys.path if Path(each).resolve() != Path.cwd()]
     known = {*sys.stdlib_module_names, "pytest", "pytest_asyncio", "conftest"}  # the tests need these, installed or not
     return name in known or PathFinder.find_spec(name, elsewhere) is not None
 
 
 def _schema(source: Path | None) -> Schema:
-    from jauspy.schema import load_builtin
-    from jauspy.schema.loader import load_beside_builtin
 
     return load_builtin() if source is None else load_beside_builtin([source])
 
 
-def _find(schema: Schema, name: str, version: str | None, source: Path | None) -> Service:
-    """The definition of this name, or end of it; raises `ConfigError` that says what there is."""
-    from difflib import get_close_matches
-
-    from jauspy.errors import ConfigError
-
+def _find(schema: Schema, name: str, version: str | None, source: Path | None) -> Definition:
+    """The definition with this name or end of a name; raises `ConfigError` with similar names."""
     wanted = name.casefold()
     urns = {
         each.id for each in schema.services if each.id.casefold() == wanted or each.id.casefold().endswith(f":{wanted}")
     }
     if len(urns) > 1:
-        raise ConfigError(f"several services are called {name}: {', '.join(sorted(urns))}; say which")
+        raise ConfigError(f"several services are called {name}: {', '.join(sorted(urns))}; give the whole URN")
     if not urns:
         known = sorted({each.id for each in schema.services})
         close = get_close_matches(name.rpartition(":")[2], [each.rpartition(":")[2] for each in known], 3)
-        more = "--from reads your own" if source is None else f"{source} has none of this name"
+        more = "--schemas reads your own" if source is None else f"{source} does not define it"
         hint = f"did you mean {' or '.join(close)}?" if close else f"`jauspy schema ls` lists them; {more}"
         raise ConfigError(f"no service {name!r} is known; {hint}")
     (urn,) = urns
@@ -96,3 +97,201 @@ def _find(schema: Schema, name: str, version: str | None, source: Path | None) -
     if version is not None and version not in versions:
         raise ConfigError(f"{urn} has no version {version}; it has {', '.join(versions)}")
     return schema.service(urn, version)
+
+
+_ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
+_RESULTS: Final = {"action": "", "predicate": "        return True\n", "report": "        return None\n"}
+
+
+def package(
+    name: str, definition: Definition, schema: Schema, source: Path | None, me: JausID
+) -> dict[str, str | bytes]:
+    """The files of the package, by name."""
+    line = lineage(definition, parents_among(schema.services))
+    core = core_services()
+    if definition.id in core:
+        kind = core[definition.id]
+        theirs = f"{kind.__module__}.{kind.__name__}"
+        raise ConfigError(
+            f"jauspy provides {definition.id} in every component; to change its behaviour, subclass {theirs}"
+        )
+    mine = [each for each in line if each.id not in core]
+    writer = _Writer(mine, line, core, own=source)
+    whole = JausID(me.subsystem or 101, me.node or 1, me.component)  # the tests need an id even if it is assigned later
+    urns = "".join(f'            "{each.id}",\n' for each in mine)
+    files: dict[str, str | bytes] = {
+        "__init__.py": f'"""A JAUS component that offers {definition.id}."""\n',
+        "__main__.py": _MAIN.format(name=name, id=me),
+        "services.py": writer.module(),
+        f"test_{name}.py": _TEST.format(name=name, id=whole, number=whole.subsystem, last=whole.component, urns=urns),
+        "README.md": _README.format(name=name, urn=definition.id, version=definition.version),
+    }
+    if source is not None:
+        files[source.name] = source.read_bytes()
+    return files
+
+
+def core_services() -> dict[str, type[Service]]:
+    """The classes of the core services, which are added to every component, and of base services."""
+    given = {each.urn: type(each) for each in with_core_services([], "")}
+    return given | {urn: type(make()) for urn, make in INHERITED_DEFAULTS.items()}
+
+
+class _Writer:
+    """Writes the module with the classes, and collects the messages to import."""
+
+    def __init__(
+        self, mine: list[Definition], line: Sequence[Definition], core: dict[str, type[Service]], own: Path | None
+    ) -> None:
+        self._mine, self._line, self._core, self._own = mine, line, core, own
+        self._imports: dict[str, set[str]] = {}
+        self._any = False
+
+    def module(self) -> str:
+        """The source of the module."""
+        classes = "\n\n".join(self._class(each) for each in reversed(self._mine))
+        names = ", ".join(f"{class_name(each.name)}()" for each in self._mine)
+        imports = "".join(
+            f"from {module} import (\n{''.join(f'    {each},{chr(10)}' for each in sorted(kinds, key=_order))})\n"
+            for module, kinds in sorted(self._imports.items())
+        )
+        head = '"""Services of the component: fill in the methods."""\n\nfrom __future__ import annotations\n\n'
+        if self._own is not None:
+            head += "from pathlib import Path\n"
+        if self._any:
+            head += "from typing import Any\n"
+        head += "\n" * (self._own is not None or self._any) + "import jauspy\n" + imports
+        if self._own is not None:
+            head += f'\nDEFINITIONS = jauspy.load(Path(__file__).with_name("{self._own.name}"))\n'
+        return f"{head}\n\n{classes}{_SERVICES.format(names=names)}"
+
+    def _class(self, definition: Definition) -> str:
+        own = self._is_own(definition)
+        keywords = ", definitions=DEFINITIONS" if own else f', version="{definition.version}"'
+        head = f'class {class_name(definition.name)}(jauspy.Service, urn="{definition.id}"{keywords}):\n'
+        methods = [
+            self._method(definition, each)
+            for each in required_methods(definition)
+            if not self._inherits(definition, each)
+        ]
+        return head + f'    """{definition.name} {definition.version}."""\n' + "".join(methods)
+
+    def _inherits(self, definition: Definition, need: RequiredMethod) -> bool:
+        """True if a parent class has this method."""
+        for parent in self._line[self._line.index(definition) + 1 :]:
+            kind = self._core.get(parent.id)
+            if kind is None:
+                if any(each.method == need.method for each in required_methods(parent)):
+                    return True
+            elif not kind.private and callable(getattr(kind, need.method, None)):
+                return True
+        return False
+
+    def _method(self, definition: Definition, need: RequiredMethod) -> str:
+        parameters = ["self"]
+        if need.takes_message:
+            word = "query" if all(each.startswith("Query") for each in need.messages) else "msg"
+            parameters.append(
+                f"{word}: {' | '.join(dict.fromkeys(self._type(definition, each) for each in need.messages))}"
+            )
+        if need.literals:
+            parameters.append("code: str")
+        reports = need.kind == "report" or bool(need.reports)
+        kind = "report" if reports else need.kind
+        result = {"action": "None", "predicate": "bool"}.get(kind) or self._optional(definition, need.reports)
+        when = ", ".join([*need.messages, *need.events, *(f"state {each}" for each in need.in_states)])
+        purpose = {"action": "Action on", "predicate": "Guard of", "report": "The answer to"}[kind]
+        return (
+            f"\n{_signature(need.method, ', '.join(parameters), result)}\n"
+            f'        """{purpose} {_short(when)}{_ENDS[kind]}."""\n{_RESULTS[kind]}'
+        )
+
+    def _optional(self, definition: Definition, name: str) -> str:
+        found = self._type(definition, name) if name else "jauspy.Message"
+        return found if found == "Any" else f"{found} | None"
+
+    def _type(self, definition: Definition, name: str) -> str:
+        line = self._line[self._line.index(definition) :]
+        owner = next((each for each in line if any(m.name == name for m in each.messages)), definition)
+        if self._is_own(owner):
+            self._any = True
+            return "Any"
+        code = next(message.code for message in owner.messages if message.name == name)
+        entry = next(
+            each
+            for each in registry.entries_of(code)
+            if (each.service, each.version, each.name) == (owner.id, owner.version, name)
+        )
+        self._imports.setdefault(entry.module, set()).add(entry.cls)
+        return entry.cls
+
+    def _is_own(self, definition: Definition) -> bool:
+        file = definition.where.file if definition.where else ""
+        return self._own is not None and Path(file).resolve() == self._own.resolve()
+
+
+def _order(name: str) -> tuple[bool, str]:
+    """The order of ruff's import sorting: constants first."""
+    return not name.isupper(), name
+
+
+def _signature(name: str, parameters: str, result: str) -> str:
+    line = f"    def {name}({parameters}) -> {result}:"
+    return line if len(line) <= 120 else f"    def {name}(\n        {parameters}\n    ) -> {result}:"
+
+
+def _short(text: str) -> str:
+    return text if len(text) <= 70 else f"{text[:66]} ..."
+
+
+_SERVICES: Final = '''
+
+def services() -> list[jauspy.Service]:
+    """Everything that the component offers."""
+    return [{names}]
+'''
+
+_MAIN: Final = '''"""`python -m {name}`: runs until Ctrl-C, beside a node manager."""
+
+import jauspy
+
+from {name}.services import services
+
+if __name__ == "__main__":
+    jauspy.run(jauspy.Component("{id}", services(), name="{name}"))
+'''
+
+_TEST: Final = '''"""Tests of the component, in memory and on virtual time."""
+
+from __future__ import annotations
+
+import jauspy
+import pytest
+from jauspy.messages.core import QueryStatus
+from jauspy.testing import VirtualNetwork
+
+from {name}.services import services
+
+
+@pytest.mark.asyncio
+async def test_it_is_found_with_its_services(virtual_network: VirtualNetwork, ocu: jauspy.OCU) -> None:
+    """Discovery finds the services, and the component answers."""
+    async with virtual_network.component("{id}", services(), name="{name}") as component:
+        robot = await ocu.discover({number})
+        found = robot.component({last}).info
+        assert found.name == "{name}"
+        assert {{each.urn for each in found.services}} >= {{
+{urns}        }}
+        assert (await ocu.query("{id}", QueryStatus())).status is not None
+        assert "host.action_failed" not in component.counters
+'''
+
+_README: Final = """# {name}
+
+A JAUS component that offers {urn} {version}.
+
+    python -m {name}        # beside a node manager: jauspy node-manager
+    pytest {name}           # with pytest-asyncio: pip install pytest-asyncio
+
+The services are in `services.py`; jauspy's `docs/components.md` describes how to write them.
+"""

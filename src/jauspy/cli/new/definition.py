@@ -3,13 +3,17 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Final
+from typing import Annotated, Final
 
 import typer
 
-if TYPE_CHECKING:
-    from collections.abc import Sequence
+from jauspy.cli.new import write_new
+from jauspy.codec.names import attribute, class_name, snake
+from jauspy.codec.registry import MessageEntry
+from jauspy.messages import registry
+from jauspy.schema.loader import load_own
 
 MAX_FIELDS: Final = 16
 """As many as there are bits in the presence vector."""
@@ -20,7 +24,8 @@ def definition(
     *,
     urn: Annotated[str, typer.Argument(metavar="URN", help="The service's name, as in urn:example:Battery.")],
     fields: Annotated[
-        list[str], typer.Argument(metavar="FIELD:UNITS...", help="What it reports, as in charge:percent cycles:one.")
+        list[str],
+        typer.Argument(metavar="FIELD:UNITS...", help="The reported fields, as in charge:percent cycles:one."),
     ],
     output: Annotated[
         Path | None,
@@ -30,19 +35,15 @@ def definition(
         str, typer.Option("--first-id", metavar="HEX", help="Id of the query; the report has the next one.")
     ] = "D001",
 ) -> None:
-    """Write the definition (JSIDL) of a service that reports numbers: one query, one report, on request or as events.
+    """Write the definition (JSIDL) of a service with a query and a report of numbers.
 
     The numbers are 64-bit floats, each optional, so that a client asks for those it wants. UNITS are JSIDL's, as in
-    percent, volt, ampere, meter, "meter per second", or one for none. D000 to FFFF are for messages of users; what a
-    public definition has taken of them is refused.
+    percent, volt, ampere, meter, "meter per second", or one for none. Message ids D000 to FFFF are for users; ids
+    that a public definition uses are rejected.
 
     Example:
       jauspy new definition urn:example:Battery charge:percent current:ampere
     """
-    from jauspy.cli.new.files import write_new
-    from jauspy.cli.new.free_ids import first_of_two
-    from jauspy.codec.names import snake
-
     name = _name(urn)
     path = output or Path(f"{snake(name)}.xml")
     write_new({path: _jsidl(urn, name, first_of_two(first_id), _fields(fields))})
@@ -51,23 +52,19 @@ def definition(
 
 def _name(urn: str) -> str:
     """The service's name, which is the end of its URN."""
-    from jauspy.codec.names import class_name
-    from jauspy.messages import registry
-
     match = URN.fullmatch(urn)
     if match is None:
         raise typer.BadParameter(
-            f"{urn!r} is no name of a service; use urn:, who defines it, and a name that begins with a letter, "
+            f"{urn!r} is not the URN of a service: urn:, an organisation, and a name that begins with a letter, "
             "as in urn:example:Battery",
             param_hint="URN",
         )
     if any(each.service == urn for each in registry.entries):
-        raise typer.BadParameter(f"{urn} is a public service; yours needs another name", param_hint="URN")
+        raise typer.BadParameter(f"{urn} is a public service; choose another name", param_hint="URN")
     return class_name(match[2])
 
 
 def _fields(texts: Sequence[str]) -> list[tuple[str, str]]:
-    from jauspy.codec.names import attribute
 
     if len(texts) > MAX_FIELDS:
         raise typer.BadParameter(f"{len(texts)} fields; a report has up to {MAX_FIELDS}")
@@ -78,22 +75,18 @@ def _fields(texts: Sequence[str]) -> list[tuple[str, str]]:
             raise typer.BadParameter(f"{text!r} is not NAME:UNITS, as in charge:percent")
         found.append((_jaus_name(name), units))
     if len({attribute(name) for name, _ in found}) != len(found):
-        raise typer.BadParameter("each field needs a name of its own")
+        raise typer.BadParameter("two fields have the same name")
     return found
 
 
 def _jaus_name(name: str) -> str:
     """`FlowRate` for `flow_rate`, and `V_2` for `v_2`, which would come back as `v2`."""
-    from jauspy.codec.names import snake
-
     words = [part[:1].upper() + part[1:] for part in name.split("_")]
     return "".join(words) if snake("".join(words)) == name else "_".join(words)
 
 
 def _check(path: Path) -> None:
-    """What was written is what jauspy reads."""
-    from jauspy.schema.loader import load_own
-
+    """Read the written file, which raises an error if it is invalid."""
     load_own([path])
 
 
@@ -168,3 +161,36 @@ _TEMPLATE: Final = """<?xml version="1.0" encoding="UTF-8"?>
   </protocol_behavior>
 </service_def>
 """
+
+
+USER_IDS: Final = range(0xD000, 0xFFFF)
+"""Message ids for users (AS5684); some public definitions use ids of this range, too."""
+
+
+def first_of_two(text: str) -> int:
+    """The message id `text`, in hexadecimal digits; it and the next one must be free."""
+    try:
+        code = int(text, 16)
+    except ValueError:
+        code = 0
+    if not 0 < code < USER_IDS.stop:
+        raise typer.BadParameter(f"{text!r} is not a message id; use D000 to FFFE", param_hint="--first-id")
+    if (user := _user(code) or _user(code + 1)) is not None:
+        raise typer.BadParameter(
+            f"{user.code:04X} is {user.name} of {user.service}; {_free_from(code)}", param_hint="--first-id"
+        )
+    return code
+
+
+def _user(code: int) -> MessageEntry | None:
+
+    return next(iter(registry.entries_of(code)), None)
+
+
+def _free_from(code: int) -> str:
+    """The next free ids, at least two; those from D000 if there are no higher ones."""
+    free = [each for each in USER_IDS if not _user(each)]
+    pairs = [each for each in free if not _user(each + 1)]
+    first = next((each for each in pairs if each > code), pairs[0])
+    last = next(each for each in free if each >= first and each + 1 not in free)
+    return f"{first:04X} to {last:04X} are free"

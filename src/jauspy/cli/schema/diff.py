@@ -1,21 +1,27 @@
-"""`jauspy schema diff`: what two definitions do differently."""
+"""`jauspy schema diff`: compare definitions."""
 
 from __future__ import annotations
 
+import json
 from collections.abc import Iterator
-from typing import TYPE_CHECKING, Annotated, Any
+from pathlib import Path
+from typing import Annotated, Any
 
 import typer
+from rich.text import Text
 
+from jauspy.cli import console
 from jauspy.cli.options import Json
+from jauspy.cli.schema.ls import is_set, split_version
+from jauspy.errors import ConfigError
+from jauspy.ids import is_called
+from jauspy.schema import load_builtin
+from jauspy.schema.differences import Change, MessageDiff, ServiceDiff, compare
+from jauspy.schema.loader import load_own
+from jauspy.schema.model import Message, Schema, Service
+from jauspy.schema.services import version_key
 
-if TYPE_CHECKING:
-    from rich.text import Text
-
-    from jauspy.schema.differences import Change, MessageDiff, ServiceDiff
-    from jauspy.schema.model import Message, Schema, Service
-
-_WHAT = "A file, folder or pattern, or NAME@VERSION of what is built in: a service or a set."
+_WHAT = "A file, folder or pattern, or NAME@VERSION of a built-in service or set."
 
 
 def diff(
@@ -24,27 +30,24 @@ def diff(
     other: Annotated[str, typer.Argument(metavar="B", help=_WHAT)],
     beside: Annotated[
         list[str] | None,
-        typer.Option("--with", metavar="FILE", help="More files that A and B refer to; not compared themselves."),
+        typer.Option(
+            "--schemas", metavar="FILE", help="Further definitions that A and B refer to; they are not compared."
+        ),
     ] = None,
     as_json: Json = False,
 ) -> None:
     """Compare definitions: messages, fields, values and behaviour.
 
-    Every message is said to be identical on the wire or not: same bytes, same numbers, same limits. Units and names are
-    reported beside that; descriptions do not count.
+    For every message, the output states whether it is identical on the wire: same bytes, numbers and limits.
+    Differences of units and names are listed, too; descriptions are not compared.
 
-    The exit status is 0 when nothing differs, 1 when something does, 2 when A or B cannot be read.
+    The exit status is 0 without differences, 1 with differences, 2 if A or B cannot be read.
 
     Examples:
-      jauspy schema diff old/Lamp.xml new/Lamp.xml --with types/
+      jauspy schema diff old/Lamp.xml new/Lamp.xml --schemas types/
       jauspy schema diff mobility:PrimitiveDriver@1.0 mobility:PrimitiveDriver@1.1
       jauspy schema diff mobility@1.1 vendor/ --json | jq -r '.messages[] | select(.wire == "different") | .name'
     """
-    import json
-
-    from jauspy.cli import console
-    from jauspy.schema.differences import compare
-
     found = compare(_schema(one, beside or []), _schema(other, beside or []))
     for number, service in enumerate(found):
         if as_json:
@@ -57,32 +60,21 @@ def diff(
     if not all(service.same for service in found):
         raise typer.Exit(1)
     if not as_json:
-        console.note("nothing differs")
+        console.note("no differences")
 
 
 def _schema(what: str, beside: list[str]) -> Schema:
     """The services of an argument."""
-    from jauspy.cli.schema.lookup import split_version
-    from jauspy.schema.loader import load_own
-
     return (None if _is_file(what) else _builtin(*split_version(what))) or load_own([what], beside)
 
 
 def _is_file(what: str) -> bool:
-    from pathlib import Path
 
     return Path(what).exists()
 
 
 def _builtin(name: str, version: str | None) -> Schema | None:
-    """The built-in services of this name, URN, end of a URN, or set; None when nothing is called so."""
-    from jauspy.cli.schema.options import is_set
-    from jauspy.errors import ConfigError
-    from jauspy.ids import is_called
-    from jauspy.schema import load_builtin
-    from jauspy.schema.model import Schema
-    from jauspy.schema.services import version_key
-
+    """The built-in services of this name, URN, end of a URN, or set; None if there is none."""
     wanted = name.casefold()
     called = [
         service
@@ -93,15 +85,14 @@ def _builtin(name: str, version: str | None) -> Schema | None:
         return None
     versions = sorted({service.version for service in called}, key=version_key)
     if version and version not in versions:
-        raise ConfigError(f"{name} {version} is not built in; there is {', '.join(versions)}")
+        raise ConfigError(f"{name} {version} is not built in; the versions are {', '.join(versions)}")
     return Schema(services=tuple(service for service in called if service.version == (version or versions[-1])))
 
 
-# --- for people -----------------------------------------------------------------------------------------------------
+# --- text -----------------------------------------------------------------------------------------------------
 
 
 def _lines(service: ServiceDiff) -> Iterator[Text]:
-    from rich.text import Text
 
     if service.one is None or service.other is None:
         there = service.one or service.other
@@ -120,7 +111,6 @@ def _lines(service: ServiceDiff) -> Iterator[Text]:
 
 
 def _message_lines(diff: MessageDiff) -> Iterator[Text]:
-    from rich.text import Text
 
     if diff.same_wire:
         kinds = {"names" if change.kind == "name" else change.kind for change in diff.changes}
@@ -132,7 +122,6 @@ def _message_lines(diff: MessageDiff) -> Iterator[Text]:
 
 
 def _change(change: Change) -> Text:
-    from rich.text import Text
 
     return Text.assemble("    ", (f"{change.path}: " if change.path else "", "cyan"), change.text)
 
@@ -145,7 +134,7 @@ def _title(service: Service) -> str:
     return f"{service.id} {service.version}"
 
 
-# --- for programs ---------------------------------------------------------------------------------------------------
+# --- JSON ---------------------------------------------------------------------------------------------------
 
 
 def _object(service: ServiceDiff) -> dict[str, Any]:

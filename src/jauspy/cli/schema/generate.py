@@ -1,17 +1,21 @@
-"""`jauspy schema generate`: Python modules of your own definitions."""
+"""`jauspy schema generate`: write message classes of your own definitions as a Python package."""
 
 from __future__ import annotations
 
+import keyword
+from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
-if TYPE_CHECKING:
-    from collections.abc import Iterable, Mapping
+from jauspy.cli import console
+from jauspy.codec.source import generate as make
+from jauspy.errors import ConfigError
+from jauspy.schema.loader import load_own
 
 _MARK = "; do not edit."
-"""Stands in the first line of every generated file."""
+"""In the first line of every generated file."""
 
 
 def generate(
@@ -23,7 +27,7 @@ def generate(
         typer.Option(
             "--package",
             metavar="NAME",
-            help="The package's name, as in acme or acme.messages; it is DIR itself when DIR ends so, else in DIR. "
+            help="The package's name, as in acme or acme.messages; created in DIR unless DIR ends in it. "
             "Default: the name of DIR.",
         ),
     ] = None,
@@ -31,16 +35,13 @@ def generate(
 ) -> None:
     """Write message classes as a Python package: typed, byte-exact, like `jauspy.messages`.
 
-    What is built in may be referred to, and is found in the package's registry, too. Generated files are overwritten,
-    other files only with --force. `jauspy.load()` does the same without files.
+    Definitions may refer to built-in ones, which are in the package's registry, too. Generated files are overwritten,
+    other files only with --force. `jauspy.load()` does the same without writing files.
 
     Examples:
       jauspy schema generate vendor/*.xml -o acme_messages
       jauspy schema generate vendor/ -o src --package acme.messages
     """
-    from jauspy.codec.source import generate as make
-    from jauspy.schema.loader import load_own
-
     name, folder = _place(output, package)
     schema = load_own(files)
     sources = make(schema, name, "jauspy.messages")
@@ -51,22 +52,19 @@ def generate(
 
 def _place(output: Path, package: str | None) -> tuple[str, Path]:
     """The package's name and its folder."""
-    import keyword
-
     folder = output.resolve()
     name = folder.name if package is None else package
     parts = name.split(".")
     for part in parts:
         if not part.isidentifier() or keyword.iskeyword(part):
             hint = "give it one with --package" if package is None else "use letters, digits, _ and dots"
-            raise typer.BadParameter(f"{name!r} is no name of a Python package; {hint}", param_hint="--package")
+            raise typer.BadParameter(f"{name!r} is not the name of a Python package; {hint}", param_hint="--package")
     if package is not None and list(folder.parts[-len(parts) :]) != parts:
         folder = folder.joinpath(*parts)
     return name, folder
 
 
 def _refuse_foreign(folder: Path, names: Iterable[str], *, force: bool) -> None:
-    from jauspy.errors import ConfigError
 
     foreign = [folder / name for name in names if not force and _is_foreign(folder / name)]
     if foreign:
@@ -84,7 +82,6 @@ def _is_foreign(path: Path) -> bool:
 
 
 def _write(folder: Path, sources: Mapping[str, str]) -> None:
-    from jauspy.errors import ConfigError
 
     try:
         for name, text in sources.items():
@@ -101,7 +98,6 @@ def _shown(path: Path) -> str:
 
 
 def _report(folder: Path, name: str, number: int, empty: list[str]) -> None:
-    from jauspy.cli import console
 
     above = folder
     for _ in name.split("."):

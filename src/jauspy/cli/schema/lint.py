@@ -1,19 +1,25 @@
-"""`jauspy schema lint`: what in a definition breaks other tools."""
+"""`jauspy schema lint`: check definitions for mistakes that break other tools."""
 
 from __future__ import annotations
 
+import json
 from collections import Counter
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Annotated, Final
+from dataclasses import asdict
+from difflib import get_close_matches
+from pathlib import Path
+from typing import Annotated, Final
 
 import typer
+from rich.text import Text
 
+from jauspy.cli import console
+from jauspy.cli.console import print_table
 from jauspy.cli.options import Json
-
-if TYPE_CHECKING:
-    from pathlib import Path
-
-    from jauspy.schema.lint import LintFinding, LintRule
+from jauspy.codec.lint import RULES as PYTHON_RULES
+from jauspy.schema import builtin_paths
+from jauspy.schema.lint import RULES, UNREADABLE, LintFinding, LintRule, lint as run
+from jauspy.schema.loader import find_files
 
 _STYLES: Final = {"error": "bold red", "warning": "yellow", "hint": "dim"}
 
@@ -22,32 +28,27 @@ def lint(
     *,
     files: Annotated[
         list[str] | None,
-        typer.Argument(metavar="[FILE]...", help="Files, folders or patterns; what is built in when none is given."),
+        typer.Argument(metavar="[FILE]...", help="Files, folders or patterns. Default: the built-in definitions."),
     ] = None,
     ignore: Annotated[
-        list[str] | None, typer.Option("--ignore", metavar="CODE", help="Leave out a rule, such as missing-count.")
+        list[str] | None,
+        typer.Option("--ignore", metavar="CODE", help="Ignore a rule, such as missing-count; may be repeated."),
     ] = None,
-    list_rules: Annotated[bool, typer.Option("--rules", help="List the rules and stop.")] = False,
+    list_rules: Annotated[bool, typer.Option("--rules", help="List the rules and exit.")] = False,
     as_json: Json = False,
 ) -> None:
-    """Find what breaks other tools, as FILE:LINE: severity: code: sentence.
+    """Check definitions for mistakes that break other tools, as FILE:LINE: severity: code: sentence.
 
-    All mistakes of all files are found in one run, also in files that cannot be loaded. Types and services that are
-    built in may be referred to.
+    All mistakes in all files are reported in one run, also in files that cannot be loaded. Files may refer to built-in
+    types and services.
 
-    The exit status is 0 when there are hints at most, 1 with warnings or errors, 2 when a file cannot be
-    read.
+    The exit status is 0 without findings or with hints only, 1 with warnings or errors, 2 if a file cannot be read.
 
     Examples:
       jauspy schema lint vendor/
       jauspy schema lint 'vendor/**/*.xml' --ignore no-description
       jauspy schema lint vendor/ --json | jq -r 'select(.severity == "error") | .message'
     """
-    import json
-    from dataclasses import asdict
-
-    from jauspy.schema.lint import UNREADABLE, lint as run
-
     rules = _rules(ignore or [])
     if list_rules:
         _print_rules(rules)
@@ -68,17 +69,10 @@ def lint(
 
 def _paths(files: list[str]) -> list[Path]:
     """The files to check."""
-    from jauspy.schema import builtin_paths
-    from jauspy.schema.loader import find_files
-
     return find_files(files) if files else builtin_paths()
 
 
 def _rules(ignored: list[str]) -> Sequence[LintRule]:
-    from difflib import get_close_matches
-
-    from jauspy.codec.lint import RULES as PYTHON_RULES
-    from jauspy.schema.lint import RULES
 
     rules = (*RULES, *PYTHON_RULES)
     codes = [rule.code for rule in rules]
@@ -91,15 +85,11 @@ def _rules(ignored: list[str]) -> Sequence[LintRule]:
 
 
 def _print_rules(rules: Sequence[LintRule]) -> None:
-    from jauspy.cli.schema.tables import print_table
 
     print_table(("code", "severity", "what it finds"), [(rule.code, rule.severity, rule.summary) for rule in rules])
 
 
 def _print(finding: LintFinding) -> None:
-    from rich.text import Text
-
-    from jauspy.cli import console
 
     line = Text.assemble(
         f"{finding.file}:{finding.line}: ",
@@ -112,7 +102,6 @@ def _print(finding: LintFinding) -> None:
 
 
 def _print_summary(findings: list[LintFinding]) -> None:
-    from jauspy.cli import console
 
     counts = Counter(finding.severity for finding in findings)
     parts = [f"{number} {severity}{'s' if number > 1 else ''}" for severity, number in sorted(counts.items())]

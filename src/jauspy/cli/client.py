@@ -1,0 +1,72 @@
+"""The client that a verb is: its own JAUS id, and the component it talks to."""
+
+from __future__ import annotations
+
+import errno
+import socket
+import zlib
+from pathlib import Path
+from typing import Final
+
+from jauspy.cli.options import DEFAULT_ROOT
+from jauspy.codec.registry import Registry
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.ocu import OCU
+from jauspy.transport import local as local_socket
+
+SUBSYSTEM: Final = 42
+NODE: Final = 1
+ATTEMPTS: Final = 6
+"""A query is sent this many times within `--timeout`, because packets may be lost."""
+FIRST_COMPONENT, LAST_COMPONENT = 2, 254  # 42.1.1 is left to programs, such as the one in README
+
+
+def destination(text: str) -> JausID:
+    """The id of a component, or of several with wildcards; raises `ConfigError` if a part is 0."""
+    id = JausID.parse(text)
+    if 0 in (id.subsystem, id.node, id.component):
+        raise ConfigError(
+            f"{id} is not the id of a component: no part may be 0; 65535, 255 and 255 are wildcards; `jauspy ls` lists "
+            "the components on the network"
+        )
+    return id
+
+
+def own_id(given: str | None, connect: str | None) -> str:
+    """The client's id: the given one, else the first from 42.1.2 that no process on this machine uses.
+
+    Successive verbs get the same id, because an emergency can only be cleared by the id that set it.
+    """
+    if given is not None:
+        return given
+    root = Path(connect.removeprefix("local:")) if connect and connect.startswith("local:") else DEFAULT_ROOT
+    ids = [JausID(SUBSYSTEM, NODE, component) for component in range(FIRST_COMPONENT, LAST_COMPONENT + 1)]
+    return str(
+        next((id for id in ids if not local_socket.is_alive(root / str(int(id))) and _claim(id, connect)), ids[0])
+    )
+
+
+def make_ocu(given: str | None, connect: str | None, timeout: float, registry: Registry | None = None) -> OCU:
+    """An OCU with the id of `own_id` that waits `timeout` seconds for an answer."""
+    id = own_id(given, connect)
+    return OCU(id, connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1, registry=registry)
+
+
+def _claim(id: JausID, connect: str | None) -> bool:
+    """Reserve the id until this process ends; false if another verb has reserved it.
+
+    Two UDP clients with the same id would receive each other's answers.
+    """
+    where = zlib.crc32((connect or "").encode())
+    claim = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+    try:
+        claim.bind(f"\0jauspy.{where:x}.{id}")  # an abstract socket (Linux); elsewhere nothing is reserved
+    except OSError as error:
+        claim.close()
+        return error.errno != errno.EADDRINUSE
+    _claims.append(claim)
+    return True
+
+
+_claims: Final[list[socket.socket]] = []

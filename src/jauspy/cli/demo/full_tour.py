@@ -1,0 +1,308 @@
+"""The whole demo: records videos and a map during the drive, then looks, reaches, grasps, lifts. Needs extra `all`."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import time
+from collections import deque
+from collections.abc import AsyncIterator, Sequence
+from contextlib import AsyncExitStack, asynccontextmanager
+from dataclasses import dataclass, field
+from pathlib import Path
+from statistics import median
+from typing import Final
+
+import numpy as np
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
+
+from jauspy.cli.demo import plan
+from jauspy.cli.demo.grasp import ARM_CAMERA, STILL_FILE, Grasp, aim
+from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
+from jauspy.cli.demo.tour import Tour, to_the_table
+from jauspy.cli.video import registered, url_of
+from jauspy.errors import RequestError
+from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.files import save_map
+from jauspy.mapping.grid import OccupancyGrid, Points, transformed
+from jauspy.mapping.live import LiveMapping
+from jauspy.mapping.mapper import MAX_RANGE, Mapper
+from jauspy.messages.environment_sensing.v2_0.digital_video import SetDigitalVideoSensorConfiguration
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
+from jauspy.modules.config import RobotConfig
+from jauspy.ocu import OCU, Control
+from jauspy.ocu.frames import RobotFrames
+from jauspy.ocu.robot import ComponentClient, Robot
+from jauspy.services.environment_sensing.video_camera import SIZES, FrameSize
+from jauspy.video.receiver import RtpReceiver
+from jauspy.video.recorder import Recorder
+
+LOCALHOST: Final = "127.0.0.1"
+SENSOR: Final = 1
+MAX_LATENCIES: Final = 3000
+
+
+@dataclass(slots=True)
+class VideoRecording:
+    """A camera's video: its receiver, its file and the measured delays."""
+
+    name: str
+    receiver: RtpReceiver
+    recorder: Recorder
+    latencies: deque[float] = field(default_factory=lambda: deque(maxlen=MAX_LATENCIES))
+    began: float = field(default_factory=time.monotonic)
+    ended: float = 0.0
+
+    def take(self) -> None:
+        """Read the received packets."""
+        now = time.time()
+        for picture in self.receiver.take():
+            self.recorder.add(picture)
+            if (taken := self.receiver.taken(picture)) is not None:
+                self.latencies.append(now - taken)
+
+    async def begins(self) -> None:
+        """Wait for the first picture; raises `RequestError` after `plan.CAMERA_TIMEOUT`."""
+        async with time_limit(
+            plan.CAMERA_TIMEOUT, lambda: f"camera {self.name}: no picture in {plan.CAMERA_TIMEOUT:g} s"
+        ):
+            while not self.recorder.pictures:  # noqa: ASYNC110 - the socket's reader adds them
+                await asyncio.sleep(0.05)
+        self.began = time.monotonic()
+
+    def result(self) -> StageResult:
+        """Rate, losses and delay; no packet may be lost."""
+        pictures, counters = self.recorder.pictures, self.receiver.counters
+        lost, damaged = counters.get("lost", 0), counters.get("damaged", 0)
+        rate = pictures / max(self.ended - self.began, 1e-3)
+        late = median(self.latencies) if self.latencies else 0.0
+        return StageResult(
+            f"{self.name} video",
+            f"{pictures} pictures ({rate:.1f} Hz), {lost or 'no'} packets lost, {damaged or 'none'} damaged; "
+            f"{1e3 * late:.0f} ms delay (median)",
+            pictures > 0 and not lost and not damaged,
+            {"pictures": pictures, "rate": rate, "packets_lost": lost, "damaged": damaged, "latency": late},
+        )
+
+
+@asynccontextmanager
+async def recorded(
+    ocu: OCU, camera: ComponentClient, name: str, file: Path, size: FrameSize
+) -> AsyncIterator[VideoRecording]:
+    """Record the camera's video in that size while this context is open."""
+    await _resize(camera, size)
+    loop = asyncio.get_running_loop()
+    with RtpReceiver(LOCALHOST) as receiver, Recorder(file) as recorder:
+        recording = VideoRecording(name, receiver, recorder)
+        loop.add_reader(receiver.fileno(), recording.take)
+        try:
+            async with registered(ocu, camera.id, SENSOR, url_of((LOCALHOST, receiver.port))):
+                yield recording
+                recording.ended = time.monotonic()
+        finally:
+            loop.remove_reader(receiver.fileno())
+
+
+async def _resize(camera: ComponentClient, size: FrameSize) -> None:
+    """Set the size of the video, which needs control; other clients receive the new size, too."""
+    service = camera.service("DigitalVideo")
+    wanted = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec(SENSOR, frame_size=size)
+    request = SetDigitalVideoSensorConfiguration.RequestIdRec(1)
+    order = SetDigitalVideoSensorConfiguration(request, [wanted])
+    async with service.control(plan.AUTHORITY):
+        await service.resume()
+        answer = await service.query(order, expects=ConfirmSensorConfiguration)
+    refused = [each for each in answer.confirm_sensor_list if hasattr(each, "error_message")]
+    if refused:
+        raise RequestError(f"{camera.id} does not recording in that size: {refused[0].error_message}")
+
+
+MAP_SIZE: Final = 20.0
+"""Side of the map, m."""
+MIN_AGREEMENT: Final = 0.9
+"""Minimal share of echoes that must be in occupied cells."""
+MAX_HELDOUT_SCANS: Final = 500
+"""Scans kept to check the map."""
+
+
+class HoldoutMapper(Mapper):
+    """A mapper that keeps the echoes of scans that it does not use, to check the map with them."""
+
+    def __init__(self, grid: OccupancyGrid) -> None:
+        super().__init__(grid)
+        self.scans = 0
+        self.others: deque[Points] = deque(maxlen=MAX_HELDOUT_SCANS)
+
+    def add(
+        self, odometry: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
+    ) -> PlanarPose:
+        """As `Mapper`."""
+        used, pose = len(self.path), super().add(odometry, lidar, angles, ranges)
+        self.scans += 1
+        if len(self.path) == used:
+            at, far = np.asarray(angles), np.asarray(ranges)
+            echoes = (far > 0.0) & (far < MAX_RANGE)
+            at, far = at[echoes], far[echoes]
+            self.others.append(transformed(pose @ lidar, np.column_stack([far * np.cos(at), far * np.sin(at)])))
+        return pose
+
+    def agreement(self) -> float:
+        """Share of the unused scans' echoes that are in or beside an occupied cell."""
+        if not self.others:
+            return 0.0
+        taken = np.pad(self.grid.occupancy() == 100, 1)
+        near = np.logical_or.reduce([np.roll(taken, (dy, dx), (0, 1)) for dy in (-1, 0, 1) for dx in (-1, 0, 1)])
+        columns, rows = np.rint(self.grid.cell_coordinates(np.concatenate(list(self.others)))).astype(int).T + 1
+        inside = (columns > 0) & (rows > 0) & (columns <= self.grid.cells) & (rows <= self.grid.cells)
+        return float(near[rows[inside], columns[inside]].mean()) if inside.any() else 0.0
+
+
+class MapRecording:
+    """Maps during the drive."""
+
+    def __init__(self, robot: Robot, state: DemoState) -> None:
+        self._mapper = HoldoutMapper(OccupancyGrid(MAP_SIZE))
+        self._live = LiveMapping(robot, self._mapper, threaded=True)
+        self._state = state
+        self._task: asyncio.Task[None] | None = None
+
+    @asynccontextmanager
+    async def made(self) -> AsyncIterator[None]:
+        """Add scans to the map in the block."""
+        self._task = asyncio.create_task(self._live.run())
+        counting = asyncio.create_task(self._count())
+        try:
+            yield
+        finally:
+            for task in (self._task, counting):
+                task.cancel()
+            await asyncio.gather(self._task, counting, return_exceptions=True)  # `finish` has raised what went wrong
+
+    async def finish(self, folder: Path) -> tuple[StageResult, list[str]]:
+        """Check the map with the unused scans and save it; returns the result and the names of the files."""
+        if self._task is not None and self._task.done():
+            self._task.result()
+        agreement = self._mapper.agreement()
+        files = save_map(self._mapper.grid, folder / "map")
+        known = int((self._mapper.grid.occupancy() != -1).sum()) * self._mapper.grid.resolution**2
+        used = len(self._mapper.path)
+        result = StageResult(
+            "map",
+            f"{known:.0f} m² from {used} scans; of the echoes of the {len(self._mapper.others)} unused "
+            f"scans, {100 * agreement:.1f} % are in occupied cells",
+            agreement >= MIN_AGREEMENT,
+            {"agreement": agreement, "area": known, "scans": self._mapper.scans},
+        )
+        return result, [file.name for file in files]
+
+    async def _count(self) -> None:
+        while True:
+            self._state.scans = self._mapper.scans
+            await asyncio.sleep(0.2)
+
+
+JOINT_NAMES: Final = ("turn", "shoulder", "elbow", "wrist", "roll")
+MIN_HALF_RANGE: Final = 2.5
+"""Degrees; half of the minimal range of an axis, so that noise is not magnified."""
+
+
+def plot_joints(state: DemoState, file: Path) -> None:
+    """Plot joint positions and commands as PNG, in degrees."""
+    times, positions = zip(*state.positions, strict=True)
+    at, commands = zip(*state.commands, strict=True)
+    began, end = at[0] - 1.0, times[-1]
+    phases = [(moment, text) for moment, text in state.phases if moment >= began]
+    figure = Figure(figsize=(11, 9), layout="constrained")
+    axes = figure.subplots(len(JOINT_NAMES), 1, sharex=True)
+    for joint, (axis, name) in enumerate(zip(axes, JOINT_NAMES, strict=True)):
+        commanded = [math.degrees(each[joint]) for each in commands]
+        axis.step([*at, end], [*commanded, commanded[-1]], where="post", color="0.45", linestyle="--", linewidth=1.2)
+        axis.plot(times, [math.degrees(each[joint]) for each in positions], color="C0", linewidth=1.6)
+        axis.set_ylabel(f"{name}\ndegrees")
+        axis.grid(alpha=0.3)
+        low, high = axis.get_ylim()
+        margin = max(0.1 * (high - low), MIN_HALF_RANGE - (high - low) / 2.0)
+        axis.set_ylim(low - margin, high + margin)
+        for moment, _ in phases:
+            axis.axvline(moment, color="C1", alpha=0.4, linewidth=0.8)
+    axes[0].legend(("command", "position"), loc="upper right", ncols=2)
+    for moment, text in phases:
+        axes[0].annotate(text, (moment, 1.0), (2, 3), xycoords=("data", "axes fraction"), textcoords="offset points",
+                         rotation=45, fontsize=8, color="0.3")  # fmt: skip
+    axes[-1].set_xlabel("seconds since the demo began")
+    axes[-1].set_xlim(began, end)
+    figure.suptitle("inc1's arm: joint positions against commands")
+    FigureCanvasAgg(figure)
+    figure.savefig(file)
+
+
+CHASSIS_CAMERA: Final = "chassis"
+"""The camera on the pan-tilt unit."""
+
+
+class FullTour(Tour):
+    """The tour in the world `demo`, which has a table and a can."""
+
+    def __init__(
+        self, ocu: OCU, config: RobotConfig, view: View, report: Report, folder: Path, *, size: FrameSize
+    ) -> None:
+        """`size` is that of the videos."""
+        super().__init__(ocu, config, view, report, folder)
+        self._size = size
+
+    async def run(self) -> None:
+        """As `Tour.run`."""
+        robot = await self._discover()
+        async with AsyncExitStack() as stack:
+            driving, arm = await self._begin(stack, robot)
+            recordings = await self._record(stack, robot)
+            await self._drive(robot, driving)
+            await self._aim(stack, robot)
+            frames, eye = RobotFrames(robot, self._model, self._config.movers), self._camera(robot, ARM_CAMERA)
+            grasp = Grasp(arm, frames, self._model, eye, SIZES[self._size])
+            self._step("look", "Look for the can with the arm's camera")
+            self._add(await grasp.look(self._folder))
+            self._step("reach", "Reach for the can")
+            self._add(await grasp.reach())
+            self._step("grasp", "Close the gripper")
+            self._add(await grasp.close())
+            self._step("lift", "Lift the can")
+            self._add(await grasp.lift())
+            self._step("", "Standby, release control")
+        for recording in recordings.values():
+            self._add(recording.result())
+        self._draw()
+
+    async def _record(self, stack: AsyncExitStack, robot: Robot) -> dict[str, VideoRecording]:
+        recordings = {}
+        for module in self._config.modules:
+            if module.camera is not None:
+                self._view.step(f"Record camera {module.camera} of {self._config.id_of(module)}")
+                file = self._folder / f"{module.camera}.mp4"
+                recording = recorded(self._ocu, robot.component(module.component), module.camera, file, self._size)
+                recordings[module.camera] = await stack.enter_async_context(recording)
+                self._state.recordings[module.camera] = recordings[module.camera]
+                self._report.files.append(file.name)
+        await asyncio.gather(*(recording.begins() for recording in recordings.values()))
+        return recordings
+
+    async def _drive(self, robot: Robot, driving: Control) -> None:
+        mapping = MapRecording(robot, self._state)
+        async with mapping.made():
+            self._step("drive", f"Drive {plan.TABLE_POSITION[0]:g} m to the table and turn to it, mapping on the way")
+            self._add(await to_the_table(robot, driving, self._state))
+            found, files = await mapping.finish(self._folder)
+        self._add(found)
+        self._report.files += files
+
+    async def _aim(self, stack: AsyncExitStack, robot: Robot) -> None:
+        self._step("aim", "Point the camera on the chassis up")
+        self._add(await aim(stack, self._camera(robot, CHASSIS_CAMERA)))
+
+    def _camera(self, robot: Robot, name: str) -> ComponentClient:
+        return robot.component(next(each.component for each in self._config.modules if each.camera == name))
+
+    def _draw(self) -> None:
+        plot_joints(self._state, self._folder / "joints.png")
+        self._report.files += [STILL_FILE, "joints.png"]

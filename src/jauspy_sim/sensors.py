@@ -1,0 +1,94 @@
+"""Lidars, which cast rays through MuJoCo's world, and its sensors of force and torque at the joint above a link."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from jauspy.geometry.vectors import Vector
+from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
+from jauspy.platform.ranging import LidarSetup, Scanner
+from jauspy_sim.assembly import COLLISION, HEIGHT_FIELDS, VISUAL
+
+_IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
+_GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)
+"""All but robots, since a lidar sits among its robot's own parts, and height fields, which have ray meshes."""
+
+_NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
+"""MuJoCo 4 can give the normals of what the rays hit."""
+
+
+def simulated_lidar(model: mujoco.MjModel, data: mujoco.MjData, prefix: str, setup: LidarSetup) -> Scanner:
+    """A lidar in the world of that robot, with normally distributed errors."""
+    return Scanner(setup, _Rays(model, data, data.body(f"{prefix}{setup.link}"), setup).measure)
+
+
+class _Rays:
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, body: Any, setup: LidarSetup) -> None:
+        self._model, self._data, self._body = model, data, body
+        self._noise = setup.noise
+        self._random = np.random.default_rng(setup.seed)
+        self._angles: Sequence[float] = ()
+        self._turned = np.empty((0, 3))
+
+    def measure(self, angles: Sequence[float]) -> list[float]:
+        """As `Measure`."""
+        if not angles:
+            return []
+        mujoco.mj_kinematics(self._model, self._data)  # after a step, frames are those of its beginning
+        rays = self._in_its_plane(angles) @ self._body.xmat.reshape(3, 3).T
+        distances = cast_rays(self._model, self._data, self._body.xpos, rays)
+        noise: NDArray[np.float64] = self._random.normal(0.0, self._noise, len(angles))
+        return (distances + noise).tolist()  # type: ignore[no-any-return]  # numpy's tolist is untyped
+
+    def _in_its_plane(self, angles: Sequence[float]) -> NDArray[np.float64]:
+        """Rays in the link's frame; the same angles come again and again."""
+        if angles is not self._angles:
+            at = np.asarray(angles)
+            self._angles, self._turned = angles, np.stack([np.cos(at), np.sin(at), np.zeros_like(at)], axis=1)
+        return self._turned
+
+
+def cast_rays(
+    model: mujoco.MjModel, data: mujoco.MjData, start: NDArray[np.float64], rays: NDArray[np.float64]
+) -> NDArray[np.float64]:
+    """How far it is from a point to the world along rays of unit length; inf where nothing is."""
+    count = len(rays)
+    found, distances = np.empty(count, np.int32), np.empty(count)
+    mujoco.mj_multiRay(
+        m=model,
+        d=data,
+        pnt=start,
+        vec=rays.ravel(),
+        geomgroup=_GROUPS,
+        flg_static=True,
+        bodyexclude=-1,
+        geomid=found,
+        dist=distances,
+        nray=count,
+        cutoff=mujoco.mjMAXVAL,
+        **_NO_NORMALS,
+    )
+    return np.where(distances < 0.0, math.inf, distances)
+
+
+def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueSetup) -> SampledForceTorque:
+    """The sensor of that robot, with normally distributed errors."""
+    random = np.random.default_rng(setup.seed)
+    force, torque = (data.sensor(f"{prefix}{setup.name}_{kind}").data for kind in ("force", "torque"))
+
+    def measure() -> tuple[Vector, Vector]:
+        return _noisy(force, setup.force_noise, random), _noisy(torque, setup.torque_noise, random)
+
+    return SampledForceTorque(setup, measure)
+
+
+def _noisy(held: NDArray[np.float64], deviation: float, random: np.random.Generator) -> Vector:
+    """MuJoCo tells what holds the link; what the link does to its carrier is the opposite."""
+    x, y, z = (random.normal(0.0, deviation, 3) - held).tolist()
+    return x, y, z
