@@ -32,7 +32,7 @@ Tick = Callable[[float], None]
 
 
 class Part:
-    """One component: its services and its endpoint. Made to be broken: a subclass may mangle what it hears and says."""
+    """One component: its services and its endpoint. A subclass may change what it receives and sends."""
 
     def __init__(self, host: Host, intercept: Intercept = lambda _: False) -> None:
         self.host = host

@@ -1,4 +1,4 @@
-"""What an answer is looked at for: each check has a name, so that a report can say which one did not hold."""
+"""Checks of an answer. Each has a name, so that a report can say which one does not hold."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Subscribing to events, and looking at the stream that comes."""
+"""Steps with events: create one, and check the rate, sequence numbers and reports of its stream."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ ONE_HERTZ: Final = 60 * RATE_STEP
 HALF_HERTZ: Final = 30 * RATE_STEP
 """As the judge sends them: raw 003C and 001E."""
 TOLERANCE: Final = 0.25
-"""Part of the period that an interval may be off, for networks and schedulers."""
+"""Deviation of an interval that is allowed, relative to the period."""
 PERIODS: Final = 4
-"""Of a stream that are watched."""
+"""Periods of a stream that are watched."""
 MAX_COUNTED: Final = 12
-"""Events of a fast stream, whose single intervals say less about the robot than about its network."""
+"""Events of a fast stream that are counted; its single intervals depend more on the network than on the robot."""
 COUNT_TOLERANCE: Final = 0.4
-"""Part of their number that may be missing or too many."""
+"""Deviation of that number that is allowed, relative to it."""
 MAX_WATCH_TIME: Final = 20.0
 """s."""
 
@@ -50,7 +50,7 @@ def subscribe(
 
 
 def cancel(client: Client, request: int, event: int, to: JausID | None = None) -> None:
-    """End an event, and hear no more of it."""
+    """Cancel an event; it must be confirmed."""
     client.ask(CancelEvent(request, event), ConfirmEventRequest, has(request_id=request, event_id=event), to=to)
 
 

@@ -34,16 +34,16 @@ class Offers:
     components: Mapping[JausID, frozenset[ServiceKey]]
 
     def with_any(self, wanted: frozenset[ServiceKey]) -> Mapping[JausID, frozenset[ServiceKey]]:
-        """Of each component what is wanted; those that have nothing of it are left out."""
+        """The wanted services by component, without components that have none of them."""
         found = {id: services & wanted for id, services in sorted(self.components.items())}
         return {id: services for id, services in found.items() if services}
 
 
 def discover(tester: Tester) -> Offers:
-    """Ask the target for all of its services; raises `RequestError` when nobody says which these are.
+    """Ask the target for all of its services. Raises `RequestError` if no component reports them.
 
-    Some components tell of all on their node, others of themselves alone. So a wildcard is asked until all had time. Of
-    a component that does not tell, others of its node may: many have one Discovery for all.
+    Some components report all services of their node, others only their own. So answers to a wildcard are collected for
+    a whole timeout. If a component does not answer, its node is asked: often one Discovery reports for all of them.
     """
     listed = that("lists a component", lambda report: any(each.component_list for each in report.node_list))
     client = tester.client(DISCOVERY_CLIENT)
@@ -69,7 +69,7 @@ def _reported_by_node(tester: Tester) -> list[tuple[JausID, ReportServices]]:
 
 
 def _probe(tester: Tester) -> None:
-    """Whether the target answers anything at all, which decides about what the report says."""
+    """Find out whether the target answers anything, for the text of the report."""
     for ping in HARMLESS_QUERIES:
         tester.client(DISCOVERY_CLIENT).send(ping)
     tester.pump(tester.now + tester.timeout, lambda: tester.has_received)

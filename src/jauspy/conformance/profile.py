@@ -29,10 +29,10 @@ BUILT_IN: Final = {
     "igvc-2011": "jauspy.conformance.profiles.igvc_2011:PROFILE",
     "igvc-2015": "jauspy.conformance.profiles.igvc_2015:PROFILE",
 }
-"""Where the shipped ones are; loaded when they are run."""
+"""Where the included profiles are; loaded when they are run."""
 
 Action: TypeAlias = Callable[[Tester], object]
-"""What a step does: it raises an `Outcome` unless it passes."""
+"""What a step does: it raises a `StepOutcome` unless it passes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +50,7 @@ class Step:
     wants: frozenset[str] = field(default=frozenset())
     """Features of the wire that it needs."""
     transitions: tuple[str, ...] = ()
-    """Of the target's state machines: those that it is about."""
+    """Transitions of the target's state machines that the step may take."""
 
 
 Plan: TypeAlias = Callable[[Offers], Sequence[Step]]
@@ -69,11 +69,11 @@ class Profile:
     title: str
     steps: tuple[Step, ...] | Plan
     notes: tuple[str, ...] = ()
-    """What a reader of its reports has to know."""
+    """Notes for the readers of its reports."""
 
     @property
     def asks_for_services(self) -> bool:
-        """True when the target must be asked first what it offers."""
+        """True if the steps depend on the services of the target."""
         return callable(self.steps)
 
     def plan(self, offers: Offers) -> tuple[Step, ...]:

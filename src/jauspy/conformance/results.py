@@ -36,7 +36,7 @@ DEPENDS_ON_TARGET: Final = (
 
 @dataclass(frozen=True, slots=True)
 class CheckResult:
-    """One thing that a step looked at: what should hold, and what was wrong with it (empty: nothing)."""
+    """One check of a step. `problem` is empty if it holds."""
 
     name: str
     problem: str = ""
@@ -73,7 +73,7 @@ class Result:
     transitions: tuple[str, ...] = ()
     """Of state machines: those that may be taken in this step."""
     taken: tuple[str, ...] = ()
-    """Those that were, or that should have been, and were looked at."""
+    """Transitions that were taken, or had to be, and were judged."""
 
     @property
     def earned(self) -> float:
@@ -102,7 +102,7 @@ class Report:
     seconds: float = 0.0
     results: tuple[Result, ...] = ()
     entries: tuple[TraceEntry, ...] = ()
-    """Everything that was heard and sent, also between steps."""
+    """All datagrams that are kept, including those between steps."""
     problem: str = ""
     notes: tuple[str, ...] = field(default=())
 
@@ -166,28 +166,28 @@ class StepOutcome(JausError):
 
 
 class Failed(StepOutcome):
-    """What came is wrong."""
+    """A wrong answer, or one where there should be none."""
 
 
 class Silent(StepOutcome):
-    """Nothing came."""
+    """No answer came."""
 
     verdict = Verdict.SILENT
 
 
 class Late(StepOutcome):
-    """It came after the deadline."""
+    """The right answer came after the deadline."""
 
     verdict = Verdict.LATE
 
 
 class Malformed(StepOutcome):
-    """Its bytes are not those of the message."""
+    """The bytes of an answer do not follow its definition."""
 
     verdict = Verdict.MALFORMED
 
 
 class Skipped(StepOutcome):
-    """The step cannot be tried."""
+    """The step cannot be run; the text says why."""
 
     verdict = Verdict.SKIPPED

@@ -1,4 +1,4 @@
-"""Runs a profile against a target, step by step."""
+"""Runs the steps of a profile, watches whether the target is alive, and leaves it in Standby and free."""
 
 from __future__ import annotations
 
@@ -21,13 +21,13 @@ from jauspy.messages import registry as known_messages
 from jauspy.messages.core import ClearEmergency, ReleaseControl, RequestControl, SetEmergency, Standby
 
 MAX_SILENT_STEPS: Final = 3
-"""Steps in a row without a sign of life after which no more are tried."""
+"""Steps in a row without an answer after which the others are skipped."""
 MAX_PROBE_CLIENTS: Final = 64
-"""Who asks, one after the other: what was asked long ago is not answered to the one who asks now."""
+"""Clients that probe in turn, so that a late answer to an earlier probe does not count."""
 
 
 class LivenessMonitor:
-    """Looks at each result of a run."""
+    """Notices during a run that the target does not answer any more."""
 
     def __init__(self, tester: Tester) -> None:
         self._tester = tester
@@ -36,16 +36,16 @@ class LivenessMonitor:
 
     @property
     def stopped(self) -> bool:
-        """True when nothing more needs to be tried."""
+        """True once the remaining steps are to be skipped."""
         return self._silent >= MAX_SILENT_STEPS
 
     @property
     def reason(self) -> str:
-        """Why nobody waits for it."""
+        """Why the remaining steps are skipped."""
         return silent_since(self._tester.silent_since)
 
     def judged(self, result: Result) -> Result:
-        """The result; a step that passed because nothing came is silent when nobody is there to say anything."""
+        """The result. A step that passed because nothing came is silent if the target does not answer at all."""
         if self._lives(result):
             self._silent, self._tester.silent_since = 0, ""
             return result
@@ -78,7 +78,7 @@ class LivenessMonitor:
 
 
 def silent_since(step: str) -> str:
-    """What a report says of a target that died."""
+    """The sentence for a target that stopped answering."""
     return f"the target is silent since step {step}"
 
 
@@ -87,13 +87,13 @@ UNDO: Final[tuple[tuple[type[Message], tuple[Message, ...]], ...]] = (
     (SetEmergency, (ClearEmergency(STOP),)),
     (RequestControl, (Standby(), ReleaseControl())),
 )
-"""What a client has sent, and what takes it back; control cannot be released during an emergency."""
+"""Messages and what undoes them, in order: control cannot be released during an emergency."""
 SETTLE_TIME: Final = 0.1
-"""Timeouts that the target has to hear of it."""
+"""Timeouts to wait after that."""
 
 
 def restore_target(tester: Tester) -> str:
-    """Take back what the clients have asked for; says what prevented it, if anything did."""
+    """Clear emergencies, return to Standby and release control. Returns what prevented it, or an empty string."""
     undone = [
         (client, message)
         for kind, undoing in UNDO
@@ -112,7 +112,7 @@ def restore_target(tester: Tester) -> str:
 
 
 OnResult = Callable[[Result], None]
-"""Hears of each step as it ends."""
+"""Called with the result of each step as it ends."""
 
 NO_ANSWER: Final = (
     "{target} answers nothing; check that it runs, that its id is right, that it takes messages for a wildcard id "
@@ -121,7 +121,7 @@ NO_ANSWER: Final = (
 
 
 class Interrupted(KeyboardInterrupt):
-    """Ctrl-C in the midst of a run, after the target was left in order."""
+    """Ctrl-C during a run; raised after `restore_target`."""
 
     def __init__(self, report: Report) -> None:
         super().__init__(report.problem)
@@ -130,7 +130,7 @@ class Interrupted(KeyboardInterrupt):
 
 @dataclass(frozen=True, slots=True)
 class Settings:
-    """How to run. `timeout` is in seconds; without `motion`, steps that make the robot drive are left out.
+    """Settings of a run. `timeout` is in seconds; without `motion`, steps that make the robot drive are left out.
 
     `only` are beginnings of step ids; all steps when there is none. Later steps may need earlier ones.
     """
@@ -150,7 +150,7 @@ def run(
     registry: Registry = known_messages,
     watch: OnResult = lambda _: None,
 ) -> Report:
-    """The report of a whole run. `began`: the wall clock, seconds since 1970. Never raises for what the target does.
+    """Run a profile and return the report. `began`: wall clock, seconds since 1970. No answer of the target raises.
 
     Ctrl-C raises `Interrupted`, which has the report of what was done so far.
     """
@@ -192,7 +192,7 @@ def run(
 def planned_steps(
     profile: Profile, wire: Wire, target: JausID, *, timeout: float = TIMEOUT, registry: Registry = known_messages
 ) -> tuple[Step, ...]:
-    """The steps that a run would have; raises `ConfigError` when there is nobody to ask, or nothing to test."""
+    """The steps that a run would have. Raises `ConfigError` if the target does not answer or offers nothing to test."""
     tester = Tester(wire, target, registry=registry, timeout=timeout)
     try:
         return profile.plan(_offers(profile, tester))
@@ -205,7 +205,7 @@ def _unanswered(tester: Tester, error: RequestError) -> str:
 
 
 def _notes(tester: Tester) -> tuple[str, ...]:
-    """What became of the target, and what came and cannot be found in the report."""
+    """Whether the target stopped answering, and what the report omits."""
     omitted, dropped = tester.record.omitted, tester.dropped
     notes = (
         silent_since(tester.silent_since) if tester.silent_since else "",
@@ -218,7 +218,7 @@ def _notes(tester: Tester) -> tuple[str, ...]:
 
 
 def _results(profile: Profile, tester: Tester, settings: Settings) -> Iterator[Result]:
-    """Step by step; a target that has never answered is not tried any further."""
+    """Run step by step, and stop if the target has never answered."""
     for result in results(_chosen(profile.plan(_offers(profile, tester)), settings.only), tester, settings):
         yield result
         if result.verdict is Verdict.SILENT and tester.has_sent and not tester.has_received:
@@ -226,7 +226,7 @@ def _results(profile: Profile, tester: Tester, settings: Settings) -> Iterator[R
 
 
 def results(steps: Iterable[Step], tester: Tester, settings: Settings) -> Iterator[Result]:
-    """Each step as it is asked for; a target that has died is not tried any further."""
+    """Run each step when it is requested; skip the others once the target stopped answering."""
     pulse = LivenessMonitor(tester)
     for step in steps:
         if pulse.stopped:
@@ -259,7 +259,7 @@ def _chosen(steps: tuple[Step, ...], only: Iterable[str]) -> tuple[Step, ...]:
 
 
 def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
-    """One step and how it ended."""
+    """Run one step."""
     tester.begin()
     began = tester.now
     verdict, reason = Verdict.PASS, _obstacle(step, tester, settings)
@@ -299,7 +299,7 @@ def _where(error: Exception) -> str:
 
 
 def _obstacle(step: Step, tester: Tester, settings: Settings) -> str:
-    """Why a step is not tried; empty when it is."""
+    """Why a step is skipped; empty if it is run."""
     missing = step.wants.difference(tester.wire.features)
     if missing:
         return f"this way of connecting cannot do it ({', '.join(sorted(missing))}); use udp://HOST, or multicast"

@@ -1,4 +1,4 @@
-"""What a step works with: clients, the wire, the time, and what has been looked at."""
+"""What a step works with: the tester, its clients, and the messages that they expect."""
 
 from __future__ import annotations
 
@@ -82,7 +82,7 @@ class Expectation(Generic[M]):
         self._found: tuple[ReceivedMessage, M] | None = None
 
     def wait(self, seconds: float) -> M:
-        """The message; raises how it ended otherwise. One that comes in twice the time is late."""
+        """Return the message. Raises `StepOutcome` if none fits; one that comes within twice the time is late."""
         self._seconds = seconds
         tester, deadline = self._tester, self._tester.now + seconds
         tester.expected.append(" and ".join((message_name(self._kind), *(each.name for each in self._checks))))
@@ -107,7 +107,7 @@ class Expectation(Generic[M]):
         return message
 
     def readable(self, heard: ReceivedMessage) -> M | None:
-        """The message, when it is one of this kind, from the target, strictly as defined."""
+        """The decoded message if it is of this kind, from the target and valid; else `None`."""
         if heard.code != self._kind.CODE or not self._source.matches(heard.source):
             return None
         try:
@@ -117,7 +117,7 @@ class Expectation(Generic[M]):
         return message if self._where(message) else None
 
     def _look(self) -> bool:
-        """Take the messages of this kind that wait; true when one of them settles it."""
+        """Judge the pending messages of this kind; true once the result is known."""
         for heard in list(self._client.pending):
             if heard.code == self._kind.CODE and self._source.matches(heard.source):
                 self._judge(heard)
@@ -147,7 +147,7 @@ class Expectation(Generic[M]):
             self._found = heard, message
 
     def _settle(self, outcome: StepOutcome | None, looked: list[CheckResult]) -> None:
-        """The first wrong answer is kept, a right one counts more."""
+        """Keep the first wrong answer, until a right one replaces it."""
         if outcome is None or self._outcome is None:
             self._outcome, self._looked = outcome, looked
 
@@ -162,7 +162,7 @@ class Expectation(Generic[M]):
         return Silent(f"no {wanted} came in {2 * self._seconds:g} s")
 
     def _astray(self) -> str:
-        """Where the message came from or went to instead."""
+        """A message of this kind from another source or to another client; empty if there is none."""
         for client in self._tester.clients:
             for heard in client.pending:
                 ours = self._source.matches(heard.source)
@@ -172,9 +172,9 @@ class Expectation(Generic[M]):
 
 
 EVENTS: Final = frozenset({Event.CODE, CommandEvent.CODE})
-"""These come whenever they like."""
+"""Messages that come without being asked for."""
 MAX_PENDING: Final = 1024
-"""Messages of one client that nobody has looked at; the oldest go first."""
+"""Pending messages of one client; the oldest are dropped first."""
 CONFIRMATIONS: Final = frozenset({ConfirmEventRequest.CODE, ConfirmSensorConfiguration.CODE})
 MAX_CONFIRMED: Final = 64
 """Confirmations of one client in one step."""
@@ -188,20 +188,20 @@ class Client:
         self.id = id
         self.pending: deque[ReceivedMessage] = deque(maxlen=MAX_PENDING)
         self.confirmed: deque[ReceivedMessage] = deque(maxlen=MAX_CONFIRMED)
-        """Every confirmation in this step, also those that were looked at."""
+        """Every confirmation in this step, including those that a step has taken."""
         self.other_port = False
-        """Speak from another UDP port from now on."""
+        """Send from the second UDP port while this is true."""
         self.sent: set[int] = set()
         """The ids of all messages that it has sent."""
         self._endpoint = Endpoint(id, first_sequence=int(id) % 251)
 
     def begin(self) -> None:
-        """A new step."""
+        """Start a step: discard pending messages."""
         self.pending.clear()
         self.confirmed.clear()
 
     def send(self, message: Message | bytes, *, to: JausID | None = None, ack: Ack = Ack.NONE) -> None:
-        """Send a message, to the target unless told otherwise."""
+        """Send a message to the target, or to `to`."""
         payload = message if isinstance(message, bytes) else message.encode()
         self.sent.add(int.from_bytes(payload[:2], "little"))
         if isinstance(message, Message):
@@ -249,14 +249,14 @@ class Client:
     def collect(
         self, kind: type[M], seconds: float, where: Callable[[M], bool] = lambda _: True
     ) -> list[tuple[float, M]]:
-        """All messages of this kind within a time, with when they came."""
+        """All messages of this kind within a time in seconds, each with its arrival time."""
         expectation = Expectation(self, kind, [], where)
         return [(heard.at, message) for heard, message in self._collected(expectation, seconds)]
 
     def answers(
         self, message: Message, answer: type[M], seconds: float, *, of: JausID | None = None
     ) -> list[tuple[JausID, M]]:
-        """Send, and take all answers within a time, with who has sent them; `of` others than the target if need be."""
+        """Send, and return all answers within a time in seconds, with sources. `of`: ask others than the target."""
         self.forget(answer)
         self.send(message, to=of)
         expectation = Expectation(self, answer, [], lambda _: True, of)
@@ -271,7 +271,7 @@ class Client:
         return taken
 
     def silence(self, within: float = 0.1, *, besides: tuple[type[Message], ...] = ()) -> None:
-        """Nothing comes to this client from the target for this part of the timeout, besides these and events."""
+        """Check that the target sends nothing but `besides` and events to this client for this part of the timeout."""
         allowed = {kind.CODE for kind in besides}
         end = self.tester.now + within * self.tester.timeout
         self.tester.pump(end, lambda: bool(self.unasked(allowed)))
@@ -280,7 +280,7 @@ class Client:
         self.tester.check("there is no answer", f"{came} came, where nothing should" if came else "")
 
     def unasked(self, besides: Collection[int] = ()) -> list[str]:
-        """The names of what waits to be looked at; events, queries of the target and these ids left aside."""
+        """The names of pending messages, except events, queries of the target and these ids."""
         waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
         return [self.name_of(each) for each in waiting if is_answer(each.code) and each.code not in besides]
 
@@ -290,11 +290,11 @@ class Client:
         return message_name(kinds[0]) if kinds else f"{heard.code:04X}h"
 
     def forget(self, kind: type[Message]) -> None:
-        """Do not look at messages of this kind that have come already."""
+        """Discard pending messages of this kind."""
         self.pending = deque((each for each in self.pending if each.code != kind.CODE), maxlen=MAX_PENDING)
 
     def take(self, datagram: bytes) -> None:
-        """A datagram for this client; acknowledges what wants to be."""
+        """Handle a datagram for this client, and acknowledge packets that require it."""
         self._endpoint.receive(datagram, self.tester.now)
         while (packet := self._endpoint.next_event()) is not None:
             self._keep(ReceivedMessage(self.tester.now, self.id, packet.source, packet.payload))
@@ -327,11 +327,11 @@ TOO_FAST: Final = (
 )
 
 Listener: TypeAlias = Callable[[Packet, bool], None]
-"""Takes a packet, and whether it came to the strange port."""
+"""Takes a packet, and whether it came to the second UDP port."""
 
 
 class Tester:
-    """What a step works with. `target` may be a wildcard; answers of others than it are not looked at.
+    """What a step works with. `target` may be a wildcard; answers of others are ignored.
 
     `timeout`: seconds within which an answer must come; every other waiting is measured in it.
     """
@@ -345,19 +345,19 @@ class Tester:
         """What steps leave for later ones."""
         self.record = Trace()
         self.listeners: list[Listener] = []
-        """Hear every packet that comes in this step."""
+        """Called with every packet that arrives in this step."""
         self.sent_in_step = False
         """True when something was sent in this step."""
         self.received_in_step = False
         """True when something came from the target in this step."""
         self.dropped = 0
-        """Messages that came, and were dropped because no step looked at them."""
+        """Messages that were dropped because a client holds no more than `MAX_PENDING`."""
         self.has_sent = False
         """True once anything was sent."""
         self.has_received = False
         """True once anything came from the target."""
         self.silent_since = ""
-        """The step since which the target is silent; empty while it lives."""
+        """The id of the step since which the target does not answer; empty while it does."""
         self.checks: list[CheckResult] = []
         self.expected: list[str] = []
         self.why: list[str] = []
@@ -373,7 +373,7 @@ class Tester:
 
     @property
     def component(self) -> JausID:
-        """One component of the target, to be spoken to alone: the first that answered when the target is a wildcard."""
+        """One component of the target: the first that answered if the target is a wildcard."""
         if not self.target.is_wildcard:
             return self.target
         found: JausID = self.recall("component", "no component of the target has answered")
@@ -381,7 +381,7 @@ class Tester:
 
     @property
     def clients(self) -> tuple[Client, ...]:
-        """Those that have had something to do."""
+        """The clients that have been used."""
         return tuple(self._clients.values())
 
     def client(self, id: str | JausID) -> Client:
@@ -395,13 +395,13 @@ class Tester:
         return self._clients[wanted]
 
     def recall(self, name: str, missing: str) -> Any:
-        """What an earlier step left; else the step is skipped, with this reason."""
+        """What an earlier step left in `memory`. Raises `Skipped` with the reason `missing` if there is nothing."""
         if name not in self.memory:
             raise Skipped(missing)
         return self.memory[name]
 
     def begin(self) -> None:
-        """A new step: what came before it, and has not been looked at, is not its business."""
+        """Start a step: discard what came before it."""
         self.pump(self.now, lambda: False)
         self.checks, self.expected, self.why, self.taken = [], [], [], []
         self.sent_in_step = self.received_in_step = False
@@ -418,21 +418,21 @@ class Tester:
         self.why, self.expected, self.checks = notes
 
     def record_check(self, name: str, problem: str = "") -> None:
-        """Note that something was looked at."""
+        """Add a check and its problem, if any, to the report."""
         self.checks.append(CheckResult(name, problem))
 
     def check(self, name: str, problem: str) -> None:
-        """Note it, and end the step when there is a problem."""
+        """Add a check to the report. Raises `Failed` if there is a problem."""
         self.record_check(name, problem)
         if problem:
             raise Failed(problem)
 
     def wait(self, seconds: float) -> None:
-        """Let time pass; what comes meanwhile is kept."""
+        """Wait this many seconds; messages that arrive stay pending."""
         self.pump(self.now + seconds, lambda: False)
 
     def pump(self, until: float, done: Callable[[], bool]) -> bool:
-        """Take what comes until `done`, or until the time is over; says whether it was done.
+        """Receive until `done` is true or the time is over; returns whether it was done.
 
         Raises `TransportError` when so much comes that the time is never over.
         """
@@ -448,7 +448,7 @@ class Tester:
         return True
 
     def transmit(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
-        """Send these very bytes."""
+        """Send these bytes as they are."""
         self.has_sent = self.sent_in_step = True
         self._record(Direction.SENT, datagram, other_port=other_port)
         self.wire.send(datagram, source, other_port=other_port)

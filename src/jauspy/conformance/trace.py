@@ -1,4 +1,4 @@
-"""What went over the wire during a run, with the time, and as far as it can be read."""
+"""The datagrams of a run: time, direction and decoded content. Their number is bounded, so no verdict depends on it."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from jauspy.protocol.header import Packet
 
 
 class Direction(StrEnum):
-    """As the tester sees it."""
+    """Seen from the tester."""
 
     SENT = ">"
     RECEIVED = "<"
@@ -31,11 +31,11 @@ class TraceEntry:
     data: bytes
     registry: Registry
     other_port: bool = False
-    """It went through the tester's other UDP port."""
+    """It used the second UDP port of the tester."""
 
     @cached_property
     def packets(self) -> tuple[Packet, ...]:
-        """What can be read of it as AS5669A."""
+        """The AS5669A packets that it contains."""
         return tuple(judp.unpack_all(self.data)[0])
 
     @cached_property
@@ -52,7 +52,7 @@ class TraceEntry:
 
 
 def described(payload: bytes, registry: Registry) -> str:
-    """A message on one line: its name and fields, and what is wrong with it."""
+    """A message on one line: name, fields, and deviations from its definition."""
     if len(payload) < 2:
         return f"{payload.hex()}: too short for a message"
     code = f"{int.from_bytes(payload[:2], 'little'):04X}h"
@@ -71,7 +71,7 @@ def message_name(kind: type[Message]) -> str:
 
 @dataclass(frozen=True, slots=True)
 class ReceivedMessage:
-    """One whole message that a client got."""
+    """One whole message that a client received; `at` is in seconds since the run began."""
 
     at: float
     client: JausID
@@ -85,11 +85,11 @@ class ReceivedMessage:
 
 
 MAX_STEP_ENTRIES: Final = 2000
-"""Datagrams of one step; an honest one has some hundred."""
+"""Datagrams kept of one step; usually there are at most a few hundred."""
 MAX_ENTRIES: Final = 200_000
-"""Of a run, after which a step keeps less."""
+"""Datagrams of a run after which a step keeps fewer."""
 MAX_STEP_ENTRIES_WHEN_FULL: Final = 100
-"""Of a step then."""
+"""Datagrams kept of one step then."""
 
 
 class Trace:
@@ -102,11 +102,11 @@ class Trace:
         self._omitted_before = 0
 
     def begin(self) -> None:
-        """A new step."""
+        """Start a step."""
         self._first, self._omitted_before = len(self.entries), self.omitted
 
     def add(self, entry: TraceEntry) -> None:
-        """Keep it, if there is room."""
+        """Keep a datagram, or count it as omitted."""
         room = MAX_STEP_ENTRIES if len(self.entries) < MAX_ENTRIES else MAX_STEP_ENTRIES_WHEN_FULL
         if len(self.entries) - self._first < room:
             self.entries.append(entry)
@@ -115,10 +115,10 @@ class Trace:
 
     @property
     def of_step(self) -> tuple[TraceEntry, ...]:
-        """What is kept of this step."""
+        """The datagrams that are kept of this step."""
         return tuple(self.entries[self._first :])
 
     @property
     def omitted_in_step(self) -> int:
-        """How many are not."""
+        """How many datagrams of this step are not kept."""
         return self.omitted - self._omitted_before

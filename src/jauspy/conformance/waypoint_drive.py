@@ -1,4 +1,4 @@
-"""Drives: four waypoints in order, each within half a metre."""
+"""Drives four waypoints in order, and checks that the robot comes within half a metre of each."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ from jauspy.messages.mobility import (
 )
 
 ARRIVAL_RADIUS: Final = 0.5
-"""m; how close is there."""
+"""m; distance at which a waypoint counts as reached."""
 SIDE: Final = 2.0
 """m; of the square."""
 SPEED: Final = 1.0
@@ -39,7 +39,7 @@ SPEED: Final = 1.0
 SIDE_TIMEOUT: Final = 60.0
 """Timeouts for each side."""
 POLL_INTERVAL: Final = 0.25
-"""s; between two looks at the pose."""
+"""s; between two queries of the pose."""
 CONTROL_INTERVAL: Final = 1.0
 """s; between two requests for control."""
 AUTHORITY: Final = 0xDC
@@ -78,7 +78,7 @@ def run(client: Client, robot: JausID, points: list[Point]) -> None:
 
 
 def approach(client: Client, robot: JausID, point: Point) -> str:
-    """Wait until the robot is near; else how close it came."""
+    """Wait until the robot is near; returns an empty string, or how close it came."""
     tester = client.tester
     nearest, end, renewed = math.inf, tester.now + SIDE_TIMEOUT * tester.timeout, tester.now
     while tester.now < end:

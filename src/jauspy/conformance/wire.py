@@ -1,4 +1,4 @@
-"""The contract between a run and the network: datagrams out, datagrams in, and the time."""
+"""`Wire`, the contract between a run and the network, and its implementations over UDP and through a node manager."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ PORTS: Final = "ports"
 
 
 class Arrival(NamedTuple):
-    """A datagram, and whether it came to the strange port."""
+    """A datagram, and whether it came to the second UDP port."""
 
     data: bytes
     other_port: bool = False
@@ -34,29 +34,29 @@ class Wire(Protocol):
 
     @property
     def features(self) -> Collection[str]:
-        """What this wire can do beside the usual: `RAW`, `PORTS`."""
+        """Optional features: `RAW`, `PORTS`."""
 
     def now(self) -> float:
         """The time."""
 
     def join(self, id: JausID) -> None:
-        """From now on be reachable as `id`; raises `TransportError` when that is not possible."""
+        """Become reachable as `id`. Raises `TransportError` if that is not possible."""
 
     def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
-        """Send as `source`; with `other_port` from another UDP port than usual, and what comes there is heard."""
+        """Send as `source`; with `other_port` from a second UDP port, which is received on as well."""
 
     def receive(self, until: float) -> Arrival | None:
-        """The next datagram; None when none came before the time was `until`."""
+        """The next datagram; `None` if none arrives before the time is `until`."""
 
     def close(self) -> None:
-        """Give everything back; twice is fine."""
+        """Release all resources; may be called twice."""
 
 
 Address = tuple[str, int]
 
 BUFFER: Final = 65536
 MAX_KNOWN: Final = 1024
-"""Ids whose address is remembered; the one heard least recently goes first."""
+"""Ids whose address is kept; the least recently received one is dropped first."""
 
 
 class UdpWire:
@@ -85,7 +85,7 @@ class UdpWire:
         self._usual_socket = self._heard(_sender(port, interface))
         self._other_port_socket = self._heard(_sender(0, interface))
         self.notes: list[str] = []
-        """What did not work as it should, for the report."""
+        """Notes for the report, such as a port that is in use."""
         if self.port != port:
             self.notes.append(f"UDP port {port} is taken on this machine; port {self.port} was used instead")
         self._listen(interface)
@@ -101,11 +101,11 @@ class UdpWire:
         return time.monotonic()
 
     def join(self, id: JausID) -> None:
-        """Replies go to the address that a message came from, so nothing needs to be told to anybody."""
+        """Replies go to the address that a message came from, so nothing needs to be announced."""
         self._ids.add(int(id))
 
     def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:  # noqa: ARG002 - one address for all
-        """Send to the peer, to where the destination was heard, or to everybody; raises `TransportError`."""
+        """Send to the peer, to the last address of the destination, or to the group. Raises `TransportError`."""
         sock = self._other_port_socket if other_port else self._usual_socket
         address = self._peer or self._known.get(_destination(datagram), self._group)
         try:
@@ -241,7 +241,7 @@ class LinkWire:
         self._transports[source].send(datagram)
 
     def receive(self, until: float) -> Arrival | None:
-        """What comes next to any of the clients."""
+        """The next datagram to any of the clients."""
         waiting = self._loop.create_task(self._next(until - time.monotonic()))
         try:
             return self._loop.run_until_complete(waiting)

@@ -21,7 +21,7 @@ from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Robot, Snapshot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
-from jauspy.platform.stills import MAX_REPORT
+from jauspy.platform.video_settings import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM

@@ -1,4 +1,4 @@
-"""Single packets by hand: for looking at what a node manager and an endpoint do with them."""
+"""Packets that a step makes field by field, to test what a node manager and an endpoint do with them."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
 FIRST_NUMBER: Final = 0x8000
-"""Of packets by hand; far from the numbers of the clients' endpoints."""
+"""First sequence number of such packets; far from those of the clients' endpoints."""
 MAX_ARRIVALS: Final = 1024
 """Packets from the component in one step; far more than any step wants."""
 SETTLE_TIME: Final = 0.1
-"""Timeouts to wait for what should not come."""
+"""Timeouts to wait for packets that must not come."""
 
 
 class RawSender:
@@ -42,7 +42,7 @@ class RawSender:
         return first
 
     def packet(self, payload: bytes | None = None, **fields: Any) -> Packet:
-        """A query to the component, unless told otherwise."""
+        """A packet with a query to the component; `fields` replace parts of it."""
         usual = Packet(self.client.id, self.component, self.ping if payload is None else payload, self.number())
         return replace(usual, **fields)
 
@@ -59,7 +59,7 @@ class RawSender:
         return [packet for packet, _ in self.arrivals() if packet.ack is ack]
 
     def arrivals(self) -> list[tuple[Packet, bool]]:
-        """Everything that came from the component to this client, and whether to the strange port."""
+        """All packets from the component to this client, and whether they came to the second UDP port."""
         return self._arrivals
 
     def _hear(self, packet: Packet, other_port: bool) -> None:

@@ -1,4 +1,4 @@
-"""What the JSIDL says that a component does: a merged state machine, and predictions from it.
+"""Predictions from the merged state machine of a component: the outputs of an input, and the next state.
 
 The semantics are those of ADR 3. Predicates that only the component can know are undecided, and then several outcomes
 are right.

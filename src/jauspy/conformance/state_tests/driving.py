@@ -1,4 +1,4 @@
-"""The inputs of the drivers of mobility whose guards ask for a waypoint, for an element, or for a kind of velocity."""
+"""Drivers of mobility: waypoints, lists, loiters and velocities, whose guards ask for what was set before."""
 
 from __future__ import annotations
 

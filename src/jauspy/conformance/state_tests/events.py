@@ -1,4 +1,4 @@
-"""The inputs of Events, and what its events must do afterwards."""
+"""Events and command events: their requests, and what the component must send afterwards."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Leads a component from state to state, and looks at where it is."""
+"""Brings a component from state to state, and observes where it is; the stimuli that are sent there."""
 
 from __future__ import annotations
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 import struct
-from collections.abc import Iterable, Iterator
-from typing import Final
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from typing import Any, Final
 
 from jauspy.codec.items import Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
@@ -39,45 +39,82 @@ def presence_fields(kind: type[Message]) -> dict[str, str]:
 
 
 def _write(item: Item, out: bytearray) -> None:
-    match item:
-        case Composite():
-            out += _packed(item.presence, 0) if item.presence else b""
-            for slot in item.slots:
-                if not slot.optional:
-                    _write(slot.item, out)
-        case Real():
-            zero = round(-item.scaling.lower * item.scaling.factor)
-            out += _packed(item.code, min(max(zero, 0), item.scaling.top))
-        case Number():
-            value = _nearest_zero(item.values, *limits(item.code)) if item.code not in FLOATS else _float(item.values)
-            out += _packed(item.code, value)
-        case Bits():
-            raw = sum(_nearest_zero(bit.values, 0, bit.mask) << bit.shift for bit in item.bits)
-            out += _packed(item.code, raw)
-        case Choice():
-            chosen = min(item.items)
-            out.append(chosen)
-            _write(item.items[chosen], out)
-        case Union():
-            out += _packed(item.code, 0)
-            _write(next(iter(item.arms.values())), out)
-        case Grid():
-            for _ in range(math.prod(item.sizes)):
-                _write(item.item, out)
-        case Repeat():
-            out += _packed(item.count.code, item.count.minimum)
-            for _ in range(item.count.minimum):
-                _write(item.item, out)
-        case Formatted():
-            out.append(_nearest_zero(item.formats, 0, 255))
-            _bytes(item.count, out)
-        case Text() if item.count is None:
-            out += bytes(item.length)
-        case Text() | Blob():
-            assert item.count is not None
-            _bytes(item.count, out)
-        case _:
-            raise TypeError(item)
+    """Append the harmless value of an item."""
+    _WRITERS[type(item)](item, out)
+
+
+def _write_composite(item: Composite, out: bytearray) -> None:
+    out += _packed(item.presence, 0) if item.presence else b""
+    for slot in item.slots:
+        if not slot.optional:
+            _write(slot.item, out)
+
+
+def _write_real(item: Real, out: bytearray) -> None:
+    zero = round(-item.scaling.lower * item.scaling.factor)
+    out += _packed(item.code, min(max(zero, 0), item.scaling.top))
+
+
+def _write_number(item: Number, out: bytearray) -> None:
+    value = _float(item.values) if item.code in FLOATS else _nearest_zero(item.values, *limits(item.code))
+    out += _packed(item.code, value)
+
+
+def _write_bits(item: Bits, out: bytearray) -> None:
+    out += _packed(item.code, sum(_nearest_zero(bit.values, 0, bit.mask) << bit.shift for bit in item.bits))
+
+
+def _write_choice(item: Choice, out: bytearray) -> None:
+    chosen = min(item.items)
+    out.append(chosen)
+    _write(item.items[chosen], out)
+
+
+def _write_union(item: Union, out: bytearray) -> None:
+    out += _packed(item.code, 0)
+    _write(next(iter(item.arms.values())), out)
+
+
+def _write_grid(item: Grid, out: bytearray) -> None:
+    for _ in range(math.prod(item.sizes)):
+        _write(item.item, out)
+
+
+def _write_repeat(item: Repeat, out: bytearray) -> None:
+    out += _packed(item.count.code, item.count.minimum)
+    for _ in range(item.count.minimum):
+        _write(item.item, out)
+
+
+def _write_formatted(item: Formatted, out: bytearray) -> None:
+    out.append(_nearest_zero(item.formats, 0, 255))
+    _bytes(item.count, out)
+
+
+def _write_text(item: Text, out: bytearray) -> None:
+    if item.count is None:
+        out += bytes(item.length)
+    else:
+        _bytes(item.count, out)
+
+
+def _write_blob(item: Blob, out: bytearray) -> None:
+    _bytes(item.count, out)
+
+
+_WRITERS: Final[Mapping[type[Item], Callable[[Any, bytearray], None]]] = {
+    Composite: _write_composite,
+    Real: _write_real,
+    Number: _write_number,
+    Bits: _write_bits,
+    Choice: _write_choice,
+    Union: _write_union,
+    Grid: _write_grid,
+    Repeat: _write_repeat,
+    Formatted: _write_formatted,
+    Text: _write_text,
+    Blob: _write_blob,
+}
 
 
 def _bytes(count: Count, out: bytearray) -> None:

@@ -1,4 +1,4 @@
-"""A setting of each kind of sensor that can be looked at: one that disturbs nobody much for a moment."""
+"""Settings of sensors and still images: what is confirmed must be in use, what is refused or ignored must not."""
 
 from __future__ import annotations
 

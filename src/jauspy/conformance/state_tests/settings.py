@@ -1,4 +1,4 @@
-"""Limits that are set and told in the same words: one is halved for the moment of a step, and all of it set back."""
+"""Settings that a report shows: limits are halved and the clock is put forward for a step, and both are put back."""
 
 from __future__ import annotations
 

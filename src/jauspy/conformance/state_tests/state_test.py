@@ -61,7 +61,7 @@ class StateTest:
         return self.subject.transition(rule) if rule else ""
 
     def __call__(self, tester: Tester) -> None:
-        """Bring the component there, send, and look."""
+        """Bring the component to the situation, send the input, and check the outcome."""
         explorer = explorer_of(self.subject, tester)
         explorer.reach(self.situation, self.path)
         try:
@@ -93,7 +93,7 @@ class StateTest:
         return fitting[0].after if len(fitting) == 1 else None
 
     def _taken(self, explorer: Explorer, fitting: list[Prediction]) -> None:
-        """Note which transition this was, when that is clear."""
+        """Record which transition was taken, if only one fits."""
         names = {self._transition(each) for each in fitting} - {""}
         explorer.tester.taken += names if len(names) == 1 else ()
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable
 from typing import Final, TypeAlias
 
 from jauspy.messages.environment_sensing.v2_0.still_image import ReportStillImageDataExt
-from jauspy.platform.stills import Still
+from jauspy.platform.video_settings import Still
 from jauspy.services.deferred import Deferred
 
 Record: TypeAlias = ReportStillImageDataExt.StillImageDataRec

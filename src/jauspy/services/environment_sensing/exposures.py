@@ -7,7 +7,7 @@ from functools import partial
 from typing import TypeAlias
 
 from jauspy.errors import ConfigError
-from jauspy.platform.stills import Still, StillSettings
+from jauspy.platform.video_settings import Still, StillSettings
 from jauspy.services.environment_sensing.video_camera import Cameras
 
 Then: TypeAlias = Callable[[Still | None], None]

@@ -11,8 +11,7 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
     ReportH264VideoEncodingConfiguration,
     SetH264VideoEncodingConfiguration,
 )
-from jauspy.platform.h264 import LEVELS, Preset, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import LEVELS, Preset, Profile, VideoSettings
 
 Wanted: TypeAlias = SetH264VideoEncodingConfiguration.H264ConfigurationSequence
 Code: TypeAlias = H264VideoEncodingErrorRec.H264VideoEncodingErrorCode

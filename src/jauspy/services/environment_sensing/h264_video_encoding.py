@@ -14,8 +14,7 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
     ReportH264VideoEncodingConfiguration,
     SetH264VideoEncodingConfiguration,
 )
-from jauspy.platform.h264 import LEVELS
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import LEVELS, VideoSettings
 from jauspy.services.environment_sensing.h264_changes import PRESETS, PROFILES, Code, Wanted, changed, problems
 from jauspy.services.environment_sensing.video_camera import Cameras
 from jauspy.services.environment_sensing.wanted import chosen

@@ -22,7 +22,7 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
     SetStillImageSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.platform.stills import Still, StillFormat, StillSettings
+from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
 from jauspy.services.environment_sensing.album import NATIVE, Album, Record
 from jauspy.services.environment_sensing.exposures import Exposures

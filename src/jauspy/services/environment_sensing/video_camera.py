@@ -10,8 +10,7 @@ from urllib.parse import urlsplit
 
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.stills import Still, StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.services.environment_sensing.mounting import OnVehicle
 
 Address: TypeAlias = tuple[str, int]
