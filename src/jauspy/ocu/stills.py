@@ -25,7 +25,7 @@ from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
 from jauspy.platform.video_settings import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.environment_sensing.frame_sizes import SIZES, number_of
+from jauspy.services.environment_sensing.video_camera import SIZES, number_of
 
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
 
