@@ -1,4 +1,4 @@
-"""PlatformSpecifications and SkidSteerDriver: what the chassis is like, and open-loop efforts of its tracks (AS6091)."""
+"""PlatformSpecifications and SkidSteerDriver: size and limits of a chassis, efforts of its tracks (AS6091)."""
 
 from __future__ import annotations
 
