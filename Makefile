@@ -16,7 +16,7 @@ SECONDS ?= 600
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: test-slow lint types imports unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
+	@echo "others: test-slow coverage lint types imports docs unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -33,6 +33,9 @@ demo: setup
 	@$(BIN)/jauspy demo --port $(PORT)
 
 test: check wheel-test unit
+
+coverage: dev
+	$(BIN)/pytest -n 2 --cov --cov-report=term $(PYTEST_ARGS)
 
 test-slow: dev
 	$(BIN)/pytest -n 2 -m slow $(PYTEST_ARGS)
