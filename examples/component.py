@@ -1,4 +1,4 @@
-"""A component that offers a public service: it reports the size and mass of a platform (AS6091)."""
+"""A component with a service of the standard: PlatformSpecifications (AS6091), the size and mass of a platform."""
 
 import sys
 
@@ -7,7 +7,7 @@ from jauspy.messages.ugv import ReportPlatformSpecifications as Report
 
 
 class Specifications(jauspy.Service, urn="urn:jaus:jss:ugv:PlatformSpecifications"):
-    """A missing method raises `ConfigError` when the component is made, with the signature that is expected."""
+    """If a method is missing, `jauspy.Component` raises `ConfigError` with the expected signature."""
 
     def send_report_platform_specifications(self) -> Report:
         return Report(

@@ -1,21 +1,21 @@
-"""Acceptance steps of your own.
+"""Acceptance steps of your own: a parked robot is in Standby and does not move.
 
-In this folder: `jauspy conformance conformance_profile:PROFILE --target 101.1.102`.
+Run them in this folder: `jauspy conformance conformance_profile:PROFILE --target 101.1.102 --connect local:/tmp`.
 """
 
-from jauspy.conformance import Profile, Step, ask, has
+from jauspy.conformance import Profile, Step, Tester, ask, has
 from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
 
 
-def stands_still(tester) -> None:
-    """Two poses, one second apart, are the same to a centimetre."""
+def stands_still(tester: Tester) -> None:
+    """Two poses, one second apart, differ by less than a centimetre."""
     client = tester.client("42.1.1")
     first = client.ask(QueryLocalPose(0x1FF), ReportLocalPose)
     tester.wait(1.0)
     second = client.ask(QueryLocalPose(0x1FF), ReportLocalPose)
     moved = abs(second.x - first.x) + abs(second.y - first.y)
-    tester.check("it stands still without control", "" if moved < 0.01 else f"it moved {moved:.3f} m")
+    tester.check("the robot stands still without control", "" if moved < 0.01 else f"it moved {moved:.3f} m")
 
 
 PROFILE = Profile(

@@ -12,10 +12,10 @@ async def main(connect: str | None) -> None:
         robot = await ocu.discover(subsystem=101)
         driver = robot.service("mobility:PrimitiveDriver")
         poses = robot.service("mobility:LocalPoseSensor")
-        async with driver.control(authority=200):  # kept alive; Standby and released at the end, also after an error
+        async with driver.control(authority=200):  # renewed until the block ends; then Standby, control is released
             await driver.resume()
             await driver.send(SetWrenchEffort(propulsive_linear_effort_x=40.0))  # percent
-            async for pose in poses.subscribe(QueryLocalPose(0x1FF), rate=10.0):
+            async for pose in poses.subscribe(QueryLocalPose(0x1FF), rate=10.0):  # all fields, ten times a second
                 print(f"x {pose.x:.2f} m, y {pose.y:.2f} m")
                 if pose.x >= 2.0:
                     break

@@ -1,7 +1,7 @@
-"""A service of your own: a winch, from its JSIDL to a running component and its client.
+"""A service of your own: a winch, its JSIDL definition, a component and a client.
 
-`jauspy new definition urn:example:Winch length:meter` wrote winch.xml. Run `python own_service.py` for the
-component and `python own_service.py client` for its client.
+winch.xml was written by `jauspy new definition urn:example:Winch length:meter`. `python own_service.py` runs the
+component, `python own_service.py client` the client; a node manager (`jauspy node-manager`) connects them.
 """
 
 import asyncio
@@ -26,7 +26,7 @@ class Winch(jauspy.Service, urn="urn:example:Winch", definitions=WINCH):
         self.length = min(20.0, self.length + 0.005)
 
     def report_winch(self) -> jauspy.Message:
-        """The answer to QueryWinch, and the report of events on it."""
+        """Called to answer QueryWinch, and for each event on it."""
         return ReportWinch(length=self.length)
 
 

@@ -1,4 +1,4 @@
-"""Drive all robots of the network ahead for two seconds at the same time, with one operator control unit."""
+"""Drive all robots of the network ahead at the same time, for two seconds, with one operator control unit."""
 
 import asyncio
 import sys

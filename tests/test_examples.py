@@ -1,4 +1,4 @@
-"""The programs in examples/ run, each in a process of its own, against a node manager and a robot."""
+"""The programs in examples/ run, each in a process of its own; most need a node manager and a robot."""
 
 from __future__ import annotations
 
@@ -10,15 +10,17 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.testing import LocalNode
+from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+from jauspy.messages.ugv import QueryPlatformSpecifications
+from jauspy.testing import LocalNode, until
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 
 
-async def run(name: str, *arguments: str) -> str:
-    """What the program prints, which must end without an error and without a word on stderr."""
+async def run(*arguments: str) -> str:
+    """What Python prints, run with these arguments in examples/; it must exit with status 0 and an empty stderr."""
     process = await asyncio.create_subprocess_exec(
-        sys.executable, EXAMPLES / name, *arguments, stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE
+        sys.executable, *arguments, cwd=EXAMPLES, stdout=asyncio.subprocess.PIPE, stderr=asyncio.subprocess.PIPE
     )
     async with asyncio.timeout(100):
         output, errors = await process.communicate()
@@ -79,13 +81,45 @@ async def test_video_opencv(node_manager: LocalNode) -> None:
 
 
 async def test_component(node_manager: LocalNode) -> None:
-    from jauspy.messages.ugv import QueryPlatformSpecifications
-
     component = await start("component.py", node_manager.local)
     async with node_manager.ocu("42.1.1") as ocu:
         report = await ocu.query("101.1.121", QueryPlatformSpecifications(), retries=40)
     assert report.platform_spec.vehicle_weight == pytest.approx(38.0, abs=0.1)
     await stop(component)
+
+
+async def test_backend(node_manager: LocalNode) -> None:
+    program = await start("backend.py", node_manager.local)
+    await until(lambda: node_manager.components, within=60.0)
+    async with node_manager.ocu("42.1.1") as ocu:
+        robot = await ocu.discover(subsystem=101)
+        driver, sensor = robot.service("mobility:PrimitiveDriver"), robot.service("mobility:LocalPoseSensor")
+        async with driver.control(authority=200), asyncio.timeout(60):
+            await driver.resume()
+            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=40.0))
+            async for pose in sensor.subscribe(QueryLocalPose(0x1FF), rate=20.0):
+                if pose.x >= 1.0:
+                    break
+            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=0.0))
+            await asyncio.sleep(1.0)
+            stopped = await sensor.query(QueryLocalPose(0x1FF))
+            await asyncio.sleep(0.5)
+            later = await sensor.query(QueryLocalPose(0x1FF))
+    assert (stopped.y, stopped.yaw) == pytest.approx((0.0, 0.0), abs=1e-3)
+    assert later.x == pytest.approx(stopped.x, abs=1e-3)
+    assert later.x >= 1.0
+    await stop(program)
+
+
+async def test_conformance_profile(node_manager: LocalNode) -> None:
+    async with node_manager.robot():
+        profile = ("conformance_profile:PROFILE", "--target", "101.1.102", "--connect", node_manager.local)
+        output = await run("-m", "jauspy.cli.main", "conformance", *profile)
+    assert "stands still" in output
+
+
+async def test_replay() -> None:
+    assert "1 passed" in await run("-m", "pytest", "-p", "no:cacheprovider", "test_replay.py")
 
 
 async def test_own_service(node_manager: LocalNode) -> None:

@@ -2,22 +2,28 @@
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Sequence
 from importlib.resources import as_file, files
-from typing import Final
+from typing import TYPE_CHECKING, Final, cast
 
 import mujoco
 import numpy as np
 from lxml import etree
+from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel, TrackSetup
+from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import LIVELIEST
-from jauspy_sim.force_torque import add_force_torque
-from jauspy_sim.terrain import add_twins
+
+if TYPE_CHECKING:
+    Numbers = memoryview[float]
+
+logger = logging.getLogger("jauspy_sim.mujoco")
 
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
@@ -25,11 +31,15 @@ TIMESTEP: Final = 0.002
 ROTOR_INERTIA: Final = 1.0 / LIVELIEST
 """Armature of a joint as a part of its greatest effort: what geared rotors add to what a joint moves."""
 
-SEEN: Final = 1
-COLLIDING: Final = 3
-"""Groups of a robot's geometries: MuJoCo draws the first and hides the second. A world's own are in group 0, or
-as `terrain` says.
-"""
+VISUAL: Final = 1
+COLLISION: Final = 3
+"""Geometry groups of a robot: MuJoCo draws the first and hides the second. A world's geometries are in group 0."""
+
+HEIGHT_FIELDS: Final = 2
+"""Geometry group of height fields, which collide and are drawn."""
+
+RAY_MESHES: Final = 4
+"""Geometry group of the meshes that stand for height fields in ray casts."""
 
 
 def known_worlds() -> list[str]:
@@ -64,13 +74,13 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     for belt in robot.tracks.left + robot.tracks.right:
         _belt(spec, robot.description.joint(belt), robot.tracks)
     for link, coefficient in robot.description.friction.items():
-        _grip(spec, link, coefficient)
+        _set_friction(spec, link, coefficient)
     for camera in robot.cameras:
         _camera(spec, camera)
     for sensor in robot.force_torque:
         add_force_torque(spec, sensor)
     for geom in spec.geoms:
-        geom.group = SEEN if not (geom.contype or geom.conaffinity) else COLLIDING
+        geom.group = VISUAL if not (geom.contype or geom.conaffinity) else COLLISION
     return spec
 
 
@@ -80,7 +90,7 @@ def _world(name: str) -> mujoco.MjSpec:
         raise ConfigError(f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}")
     with as_file(files("jauspy_sim") / "worlds" / f"{name}.xml") as path:
         spec = mujoco.MjSpec.from_file(str(path))
-    add_twins(spec)
+    add_ray_meshes(spec)
     return spec
 
 
@@ -100,7 +110,7 @@ def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
     if joint.kind is JointKind.FIXED:
         return
     found = spec.joint(joint.name)
-    found.damping = _like(found.damping, joint.damping)
+    found.damping = _same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
     found.armature = ROTOR_INERTIA * joint.effort
     if joint.mimics is None:
@@ -124,7 +134,7 @@ def _belt(spec: mujoco.MjSpec, joint: Joint, tracks: TrackSetup) -> None:
     spec.add_exclude(bodyname1=joint.parent, bodyname2=joint.child)
 
 
-def _grip(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
+def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
     for geom in spec.body(link).geoms:
         geom.friction = (coefficient, *geom.friction[1:])
 
@@ -136,7 +146,57 @@ def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     added.fovy = math.degrees(camera.fov)  # from top to bottom: set anew when the shape of the picture is known
 
 
-def _like(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
+def _same_shape(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
     """MuJoCo 4 keeps damping as a polynomial of the speed, MuJoCo 3 as a number."""
     terms = np.size(present)
     return (value, *[0.0] * (terms - 1)) if terms > 1 else value
+
+
+def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
+    """Put a sensor between that link and the one that carries it."""
+    spec.body(setup.link).add_site(name=setup.name)
+    for kind, type_ in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
+        spec.add_sensor(name=f"{setup.name}_{kind}", type=type_, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=setup.name)
+
+
+def add_ray_meshes(world: mujoco.MjSpec) -> None:
+    """Give each height field of a world a mesh with the same surface: a ray through it costs a tenth."""
+    fields = [geom for geom in world.geoms if geom.type == mujoco.mjtGeom.mjGEOM_HFIELD]
+    if not fields:
+        return
+    model = world.compile()
+    for number, geom in enumerate(fields):
+        points, triangles = _surface(model, model.hfield(geom.hfieldname).id)
+        name = f"ray_mesh_{number}"
+        mesh = world.add_mesh(name=name, uservert=points.ravel().tolist(), userface=triangles.ravel().tolist())
+        mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        ray_mesh = geom.parent.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, pos=geom.pos, quat=geom.quat)
+        ray_mesh.contype = ray_mesh.conaffinity = 0
+        ray_mesh.rgba, ray_mesh.material = geom.rgba, geom.material
+        geom.group, ray_mesh.group = HEIGHT_FIELDS, RAY_MESHES
+
+
+def _surface(model: mujoco.MjModel, field: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
+    """Corners, and the triangles that MuJoCo, too, makes of each cell."""
+    rows, columns, begin = model.hfield_nrow[field], model.hfield_ncol[field], model.hfield_adr[field]
+    width, depth, height, _ = model.hfield_size[field]
+    heights = height * model.hfield_data[begin : begin + rows * columns]
+    x, y = np.meshgrid(np.linspace(-width, width, columns), np.linspace(-depth, depth, rows))
+    corners = np.arange(rows * columns).reshape(rows, columns)
+    a, b, c, d = (part.ravel() for part in (corners[:-1, :-1], corners[:-1, 1:], corners[1:, :-1], corners[1:, 1:]))
+    triangles = np.concatenate([np.stack((a, b, d), axis=1), np.stack((a, d, c), axis=1)])
+    return np.stack((x.ravel(), y.ravel(), heights), axis=1), triangles
+
+
+def redirect_warnings() -> None:
+    """Log MuJoCo's warnings; by default it writes them to MUJOCO_LOG.TXT in the working directory."""
+    mujoco.set_mju_user_warning(_warn)
+
+
+def _warn(text: str) -> None:
+    logger.warning("%s", text)
+
+
+def view(array: NDArray[np.float64]) -> Numbers:
+    """The same memory; a number is read or written three times faster than through the array."""
+    return cast("Numbers", array.data)

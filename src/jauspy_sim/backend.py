@@ -2,11 +2,18 @@
 
 from __future__ import annotations
 
+import ctypes
+import os
 from importlib.util import find_spec
+from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
+
+GL_LIBRARIES: Final = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
+GL_PACKAGES: Final = {"egl": "libegl1", "osmesa": "libosmesa6"}
+"""The packages of Debian and Ubuntu."""
 
 
 class MujocoBackend:
@@ -15,9 +22,42 @@ class MujocoBackend:
     name: str = "sim"
 
     def open(self, robot: RobotModel, world: str) -> Robot:
-        """That robot, settled on the ground at the world's origin."""
+        """That robot, settled on the ground at the world's origin.
+
+        Raises `ConfigError` if MuJoCo is missing or cannot be imported: it loads the GL library that MUJOCO_GL names.
+        """
         if find_spec("mujoco") is None:
             raise ConfigError("the backend 'sim' needs MuJoCo: pip install 'jauspy[sim]'")
-        from jauspy_sim.robot import SimulatedRobot  # noqa: PLC0415 - only where MuJoCo is installed
-
+        way = os.environ.get("MUJOCO_GL", "").lower().strip()
+        if way in GL_LIBRARIES and not has_gl(way):
+            raise ConfigError(
+                f"MUJOCO_GL={way} needs {GL_LIBRARIES[way][0]}, which is not installed: install {GL_PACKAGES[way]}, or "
+                "unset MUJOCO_GL, or set it to 'disable' to draw camera pictures without GL"
+            )
+        try:
+            from jauspy_sim.robot import SimulatedRobot  # noqa: PLC0415 - only where MuJoCo is installed
+        except (ImportError, AttributeError, RuntimeError) as error:  # what MuJoCo and PyOpenGL raise without their GL
+            setting = f" with MUJOCO_GL={way}" if way else ""
+            raise ConfigError(f"the backend 'sim' cannot import MuJoCo{setting}: {error}") from error
         return SimulatedRobot.open(robot, world)
+
+
+def has_gl(way: str) -> bool:
+    """True if a library for `egl` or `osmesa` can be loaded."""
+    return any(_loads(name) for name in GL_LIBRARIES[way])
+
+
+def choose_gl() -> str | None:
+    """`egl`, `osmesa` or None. The environment's MUJOCO_GL counts: with `disable` it is None."""
+    wanted = os.environ.get("MUJOCO_GL", "").lower()
+    if wanted:
+        return wanted if wanted in GL_LIBRARIES else None
+    return next((way for way in GL_LIBRARIES if has_gl(way)), None)
+
+
+def _loads(library: str) -> bool:
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True

@@ -1,14 +1,135 @@
-"""Shares the simulated robot's state with the processes of its cameras."""
+"""Cameras in the simulated world: the robot's process shares its state, the camera's process renders it."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
 
 import mujoco
+import numpy as np
+from numpy.typing import NDArray
 
-from jauspy.platform.camera import CameraSetup
-from jauspy.platform.shared_state import StateWriter
-from jauspy_sim.camera import SimulatedCamera, state_of, state_size
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
+from jauspy.platform.shared_state import StateReader, StateWriter
+from jauspy_sim.assembly import logger, redirect_warnings
+from jauspy_sim.backend import choose_gl
+from jauspy_sim.gl import GlRenderer
+from jauspy_sim.rays import RayRenderer
+
+
+def state_of(data: mujoco.MjData) -> bytes:
+    """Positions of joints and of mocap bodies (qpos, mocap_pos, mocap_quat), as doubles."""
+    return b"".join(part.tobytes() for part in (data.qpos, data.mocap_pos, data.mocap_quat))
+
+
+def state_size(model: mujoco.MjModel) -> int:
+    """The number of doubles in `state_of`."""
+    return int(model.nq + 7 * model.nmocap)
+
+
+class Renderer(Protocol):
+    """Renders what a camera sees."""
+
+    @property
+    def description(self) -> str:
+        """How it renders, for the log."""
+        ...
+
+    def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
+        """A picture; shape (height, width, 3): red, green, blue. `thoroughly`: may take half a second."""
+        ...
+
+    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+        """A picture, at most that large, and the distances of its pixels along the camera's axis: metres, or inf.
+
+        Shapes (rows, columns, 3) and (rows, columns).
+        """
+        ...
+
+    def close(self) -> None:
+        """Release what it holds."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class SimulatedCamera:
+    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it."""
+
+    setup: CameraSetup
+    model: mujoco.MjModel
+    number: int
+    descriptor: int
+
+    @property
+    def descriptors(self) -> tuple[int, ...]:
+        """The robot's state."""
+        return (self.descriptor,)
+
+    def open(self) -> SimulatedCameraSession:
+        """By GL if it works here, else by rays."""
+        redirect_warnings()
+        return SimulatedCameraSession(self)
+
+
+class SimulatedCameraSession:
+    """A `CameraSession`."""
+
+    def __init__(self, camera: SimulatedCamera) -> None:
+        self._model = camera.model
+        self._data = mujoco.MjData(camera.model)
+        self._state = StateReader(camera.descriptor)
+        self._renderer = _renderer(camera)
+
+    @property
+    def description(self) -> str:
+        """By which GL, or why by none."""
+        return self._renderer.description
+
+    @property
+    def reduced(self) -> bool:
+        """Rays are fewer than pixels."""
+        return isinstance(self._renderer, RayRenderer)
+
+    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
+        """The world as the robot's process left it with its last step."""
+        taken = self._update()
+        return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
+
+    def measure(self, width: int, height: int) -> DepthFrame:
+        """The same, with distances; rays are fewer than pixels may be."""
+        taken = self._update()
+        return DepthFrame(*self._renderer.measure(self._data, width, height), taken)
+
+    def close(self) -> None:
+        """Give GL and memory back."""
+        self._renderer.close()
+        self._state.close()
+
+    def _update(self) -> float:
+        taken, numbers = self._state.read()
+        self._place(np.frombuffer(numbers))
+        return taken
+
+    def _place(self, numbers: NDArray[np.float64]) -> None:
+        model, data = self._model, self._data
+        joints, bodies = model.nq, model.nq + 3 * model.nmocap
+        data.qpos[:] = numbers[:joints]
+        data.mocap_pos[:] = numbers[joints:bodies].reshape(-1, 3)
+        data.mocap_quat[:] = numbers[bodies:].reshape(-1, 4)
+        mujoco.mj_kinematics(model, data)
+        mujoco.mj_comPos(model, data)
+        mujoco.mj_camlight(model, data)
+
+
+def _renderer(camera: SimulatedCamera) -> Renderer:
+    way = choose_gl()
+    if way is not None:
+        try:
+            return GlRenderer(camera.model, camera.number, camera.setup.fov, way)
+        except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
+            logger.warning("%s does not work here: %s", way, error)
+    return RayRenderer(camera.model, camera.number, camera.setup.fov)
 
 
 class SimulatedCameras:

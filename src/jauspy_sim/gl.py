@@ -1,10 +1,8 @@
-"""Which way to off-screen GL there is on this machine, for MuJoCo's renderer."""
+"""Renders camera pictures off screen with GL, by MuJoCo's renderer."""
 
 from __future__ import annotations
 
-import ctypes
 import math
-import os
 from importlib import import_module
 from typing import Final
 
@@ -12,35 +10,17 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.rays import FAR
+from jauspy_sim.rays import MAX_DISTANCE
 
-LIBRARIES: Final = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
-
-NEAR: Final = 0.02
+MIN_DISTANCE: Final = 0.02
 """Metres from a camera to the nearest that it sees: the gripper is close to the arm's."""
 
 MAX_GEOMS: Final = 10_000
 """Shapes in a picture, at most."""
 
 
-def choose() -> str | None:
-    """`egl`, `osmesa` or None; what the environment's MUJOCO_GL says, counts: with `disable` it is none."""
-    wanted = os.environ.get("MUJOCO_GL", "").lower()
-    if wanted:
-        return wanted if wanted in LIBRARIES else None
-    return next((way for way, names in LIBRARIES.items() if any(_loads(name) for name in names)), None)
-
-
-def _loads(library: str) -> bool:
-    try:
-        ctypes.CDLL(library)
-    except OSError:
-        return False
-    return True
-
-
-class GlPainter:
-    """Paints with MuJoCo's renderer, without shadows and smoothed edges, which would halve its speed.
+class GlRenderer:
+    """A `Renderer` without shadows and smoothed edges, which would halve its speed.
 
     Raises when GL does not work after all, and then as any of several exceptions.
     """
@@ -56,7 +36,7 @@ class GlPainter:
         self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
         model.vis.quality.offsamples = 0
-        model.vis.map.znear = NEAR / model.stat.extent
+        model.vis.map.znear = MIN_DISTANCE / model.stat.extent
         self._gl = import_module(f"mujoco.{way}").GLContext(64, 64)
         self._gl.make_current()
         self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
@@ -85,7 +65,7 @@ class GlPainter:
         near, far = (self._model.stat.extent * plane for plane in (self._model.vis.map.znear, self._model.vis.map.zfar))
         upright = depth[::-1]  # 1 at the near plane, 0 at the far one
         along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
-        return np.ascontiguousarray(image[::-1]), np.where(along < FAR, along, np.float32(math.inf))
+        return np.ascontiguousarray(image[::-1]), np.where(along < MAX_DISTANCE, along, np.float32(math.inf))
 
     def close(self) -> None:
         """Give the GL context back; twice is fine."""

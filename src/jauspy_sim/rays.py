@@ -9,25 +9,134 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.assembly import SEEN
-from jauspy_sim.shading import Shading
-from jauspy_sim.sky import Sky
-from jauspy_sim.terrain import FELT
+from jauspy_sim.assembly import RAY_MESHES, VISUAL
 
-PIXELS: Final = 160 * 120
+PLAIN_SKY: Final = (150, 190, 230)
+"""Red, green, blue of the sky of a world without a sky box."""
+
+ZENITH: Final = 90
+"""Degrees of elevation; colours are kept for -90..90."""
+
+_SIDE, _TOP, _BOTTOM = 0, 2, 3
+"""Faces of the box, as MuJoCo stacks them: right, left, up, down, front, back."""
+
+
+class Sky:
+    """The sky by elevation, read from the world's sky box; it looks the same in all directions."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
+        elevations = np.radians(np.arange(-ZENITH, ZENITH + 1))
+        self._colours = (
+            np.array([_colour(_faces(model, int(boxes[0])), elevation) for elevation in elevations])
+            if len(boxes)
+            else np.tile(np.array(PLAIN_SKY, np.float64), (2 * ZENITH + 1, 1))
+        )
+
+    def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What is seen in each direction (unit vectors, z up): red, green, blue, 0..255."""
+        degrees = np.degrees(np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)))
+        seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + ZENITH]
+        return seen
+
+
+def _faces(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
+    """The faces of the box, each as rows of pixels, outermost first; one that has a single face has it six times."""
+    size, begin = int(model.tex_width[texture]), int(model.tex_adr[texture])
+    channels, rows = int(model.tex_nchannel[texture]), int(model.tex_height[texture])
+    pixels = model.tex_data[begin : begin + size * rows * channels].reshape(-1, size, size, channels)
+    return np.resize(pixels[..., :3], (6, size, size, 3))
+
+
+def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
+    """In the middle of a side, or from the middle of the top or the bottom outwards."""
+    last = faces.shape[1] - 1
+    if abs(elevation) <= np.pi / 4.0:
+        row = round((1.0 - np.tan(elevation)) / 2.0 * last)
+        return np.array(faces[_SIDE, row, last // 2], np.float64)
+    row = round((1.0 + 1.0 / np.tan(abs(elevation))) / 2.0 * last)
+    return np.array(faces[_TOP if elevation > 0.0 else _BOTTOM, row, last // 2], np.float64)
+
+
+PATTERN_PERIOD: Final = 2.0
+"""Metres after which a pattern repeats on a floor, when its material says once for each unit."""
+
+
+class Shading:
+    """Of a model's shapes. Lights are directional ones and the camera's own; nothing casts a shadow."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        self._model = model
+        self._plain = 255.0 * np.array([_plain(model, geom) for geom in range(model.ngeom)])
+        self._patterns = {
+            int(geom): pattern
+            for geom in np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE)
+            if (pattern := _pattern(model, int(geom))) is not None
+        }
+
+    def colours(
+        self, data: mujoco.MjData, hit: NDArray[np.int32], points: NDArray[np.float64], widths: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Of the shapes that were hit, at these points of the world; dots that are too wide for a pattern blur it."""
+        colours: NDArray[np.float64] = self._plain[hit]
+        for geom, pattern in self._patterns.items():
+            on = hit == geom
+            local = (points[on] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
+            size = np.array(pattern.shape[:2])
+            at = np.floor(local[:, 1::-1] / [-PATTERN_PERIOD, PATTERN_PERIOD] % 1.0 * size).astype(np.int64) % size
+            blur = np.clip(2.0 * widths[on] / PATTERN_PERIOD, 0.0, 1.0)[:, None]
+            colours[on] *= (1.0 - blur) * pattern[at[:, 0], at[:, 1]] + blur * pattern.mean(axis=(0, 1))
+        return colours
+
+    def light(
+        self, data: mujoco.MjData, facing: NDArray[np.float64], normals: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """What falls on surfaces with these normals, which face the camera so much (0..1): red, green, blue."""
+        model, own = self._model, self._model.vis.headlight
+        light = np.asarray(own.ambient) + facing[:, None] * np.asarray(own.diffuse)
+        for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
+            sun = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
+            light = light + model.light_ambient[number] + sun * model.light_diffuse[number]
+        return np.asarray(light)
+
+
+def _plain(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
+    """Its colour, 0..1. Patterns are drawn on floors; elsewhere they count with their mean."""
+    material = int(model.geom_matid[geom])
+    if material < 0:
+        return np.array(model.geom_rgba[geom][:3])
+    pattern = _pattern(model, geom)
+    is_floor = model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_PLANE
+    mean = 1.0 if pattern is None or is_floor else pattern.mean(axis=(0, 1))
+    return np.array(model.mat_rgba[material][:3]) * mean
+
+
+def _pattern(model: mujoco.MjModel, geom: int) -> NDArray[np.float64] | None:
+    """The texture of its material as rows of pixels, 0..1."""
+    material = int(model.geom_matid[geom])
+    textures = [int(each) for each in np.ravel(model.mat_texid[material]) if each >= 0] if material >= 0 else []
+    if not textures:
+        return None
+    rows, columns = int(model.tex_height[textures[0]]), int(model.tex_width[textures[0]])
+    channels, begin = int(model.tex_nchannel[textures[0]]), int(model.tex_adr[textures[0]])
+    pixels = model.tex_data[begin : begin + rows * columns * channels].reshape(rows, columns, channels)
+    return np.array(pixels[..., :3], np.float64) / 255.0
+
+
+MAX_RAYS: Final = 160 * 120
 """Rays of one picture, at most: 11 ms on a small machine."""
 
-THOROUGH: Final = 480 * 360
+MAX_RAYS_OF_STILL: Final = 480 * 360
 """The same for one that may take half a second."""
 
-FAR: Final = 40.0
+MAX_DISTANCE: Final = 40.0
 """Metres beyond which nothing is seen."""
 
-_SEEN: Final = np.array([group in (0, SEEN, FELT) for group in range(mujoco.mjNGROUP)], np.uint8)
-_HAS_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
+_VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
+_GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
 
-class RayPainter:
+class RayRenderer:
     """Paints what a camera of the model sees; it is told the horizontal field of view in radians."""
 
     description: Final = (
@@ -41,7 +150,7 @@ class RayPainter:
 
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
         """A picture of that size, made of fewer and larger dots; of more when there is time."""
-        columns, rows = _affordable(width, height, THOROUGH if thoroughly else PIXELS)
+        columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
         dots, _ = self._cast(data, self._rays(columns, rows), self._dot(columns))
         dots = dots.reshape(rows, columns, 3)
         down = np.arange(height) * rows // height
@@ -50,14 +159,14 @@ class RayPainter:
 
     def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """The dots, and how far each is along the camera's axis."""
-        columns, rows = _affordable(width, height, PIXELS)
+        columns, rows = _grid_size(width, height, MAX_RAYS)
         rays = self._rays(columns, rows)
         dots, far = self._cast(data, rays, self._dot(columns))
         along = (far * -rays[:, 2]).astype(np.float32)
         return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
 
     def close(self) -> None:
-        """Nothing to give back."""
+        """Does nothing: it holds no resources."""
 
     def _rays(self, columns: int, rows: int) -> NDArray[np.float64]:
         """Directions through the middles of pixels in the camera's frame, which looks along -z with y up."""
@@ -86,14 +195,14 @@ class RayPainter:
             data,
             pnt=data.cam_xpos[self._camera],
             vec=directions.ravel(),
-            geomgroup=_SEEN,
+            geomgroup=_VISIBLE_GROUPS,
             flg_static=True,
             bodyexclude=-1,
             geomid=hit,
             dist=far,
             nray=count,
-            cutoff=FAR,
-            **({"normal": normals.reshape(-1)} if _HAS_NORMALS else {}),
+            cutoff=MAX_DISTANCE,
+            **({"normal": normals.reshape(-1)} if _GIVES_NORMALS else {}),
         )
         painted = self._sky.colours(directions)
         seen = hit >= 0
@@ -104,7 +213,7 @@ class RayPainter:
         return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
 
 
-def _affordable(width: int, height: int, most: int) -> tuple[int, int]:
+def _grid_size(width: int, height: int, most: int) -> tuple[int, int]:
     """Columns and rows of a picture of that shape, in rays."""
     shrink = max(1.0, math.sqrt(width * height / most))
     return round(width / shrink), round(height / shrink)

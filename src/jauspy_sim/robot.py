@@ -11,20 +11,16 @@ import mujoco
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
-from jauspy.platform.scanner import Scanner
-from jauspy_sim import log
-from jauspy_sim.assembly import TIMESTEP, build, prefix
-from jauspy_sim.camera import SimulatedCamera
-from jauspy_sim.cameras import SimulatedCameras
-from jauspy_sim.force_torque import simulated_force_torque
-from jauspy_sim.joints import SimulatedJoints
-from jauspy_sim.lidar import simulated_lidar
-from jauspy_sim.tracks import TrackedDrive
+from jauspy.platform.ranging import Scanner
+from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
+from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
+from jauspy_sim.joints import SimulatedJoints, TrackedDrive
+from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
 
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot sinks into its contacts and comes to rest."""
 
-LONGEST: Final = 2
+MAX_STEPS_AT_ONCE: Final = 2
 """Steps that MuJoCo makes in one go at most: the belts travel 6 mm in it before they are put back."""
 
 ROUNDING: Final = 1e-9
@@ -43,7 +39,7 @@ class SimulatedRobot:
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
         }
-        self._every = math.gcd(LONGEST, *(group.every for group in self._groups.values()))
+        self._every = math.gcd(MAX_STEPS_AT_ONCE, *(group.every for group in self._groups.values()))
         self._sensors: tuple[Scanner | SampledForceTorque, ...] = ()
         mujoco.mj_forward(model, data)
         self._owed = 0.0
@@ -54,13 +50,13 @@ class SimulatedRobot:
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
         self._sensors = (*self._lidars.values(), *self._force_torque.values())
-        self._look()
+        self._update_sensors()
         self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
         """Build and settle that robot in that world; `ConfigError` lists the worlds there are."""
-        log.redirect()
+        redirect_warnings()
         return cls(build(robot, world), robot)
 
     @property
@@ -143,14 +139,14 @@ class SimulatedRobot:
             self._steps += count
             if phase + count == every:
                 self._drive.rewind_belts()
-                self._look()
+                self._update_sensors()
 
     def _control(self) -> None:
         for group in self._groups.values():
             if not self._steps % group.every:
                 group.control()
 
-    def _look(self) -> None:
+    def _update_sensors(self) -> None:
         now = self.time
         for sensor in self._sensors:
             sensor.step(now)

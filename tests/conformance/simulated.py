@@ -17,7 +17,7 @@ from jauspy.modules.robot import announced
 from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
-from jauspy.platform.stills import Still, StillSettings
+from jauspy.platform.video_settings import Still, StillSettings
 from jauspy.video.camera_process import CameraProcess, StillCallback
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)

@@ -19,7 +19,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.platform import kinematic
 from jauspy.platform.kinematic import KinematicRobot
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.ranging import Scanner
 
 WALL = 3.025
 """Metres to the left of where the robot starts; it goes on for ever."""

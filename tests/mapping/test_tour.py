@@ -21,7 +21,7 @@ from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
 from jauspy.modules.robots import load, robot_model
-from jauspy_sim.assembly import COLLIDING, SEEN
+from jauspy_sim.assembly import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 
 TOUR = ((2.2, 0.0), (2.4, -2.2), (0.0, -2.0), (-2.0, -1.8), (-2.0, 1.8), (0.0, 2.5), (2.2, 2.5), (1.0, 1.0), (0.0, 0.0))
@@ -68,7 +68,7 @@ class Odometry:
 
 def floor_plan(robot: SimulatedRobot, grid: OccupancyGrid) -> NDArray[np.bool_]:
     """Cells in which something is as high as the lidar, by rays from above through their corners."""
-    groups = np.array([n not in (SEEN, COLLIDING) for n in range(mujoco.mjNGROUP)], np.uint8)
+    groups = np.array([n not in (VISUAL, COLLISION) for n in range(mujoco.mjNGROUP)], np.uint8)
     down, found = np.array([0.0, 0.0, -1.0]), np.zeros(1, np.int32)
     mujoco.mj_kinematics(robot.model, robot.data)
     inset = 0.02 * grid.resolution

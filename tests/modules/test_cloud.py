@@ -16,8 +16,7 @@ from jauspy.modules import robots
 from jauspy.modules.cloud import Clouds, points, stream
 from jauspy.modules.robots import robot_model
 from jauspy.platform.kinematic import KinematicRobot
-from jauspy.platform.ranging import LidarSetup, RangeScan
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.ranging import LidarSetup, RangeScan, Scanner
 
 SETUP = LidarSetup("lidar", "lidar_link", rays=4)
 

@@ -11,8 +11,7 @@ from jauspy.messages.environment_sensing.v1_0.types import (
     H264VideoEncodingErrorRec,
     SensorIdRec,
 )
-from jauspy.platform.h264 import LEVELS, H264Settings, Preset, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import LEVELS, H264Settings, Preset, Profile, VideoSettings
 
 Wanted = m.SetH264VideoEncodingConfiguration
 Code = H264VideoEncodingErrorRec.H264VideoEncodingErrorCode

@@ -9,8 +9,7 @@ from jauspy.modules.realtime import RealTime
 from jauspy.modules.robots import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
-from jauspy.platform.ranging import LidarSetup, ScanSettings
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.ranging import LidarSetup, Scanner, ScanSettings
 
 
 @pytest.fixture

@@ -31,7 +31,8 @@ from jauspy.messages.mobility import (
 )
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robots import load
-from jauspy.platform import backends
+from jauspy.platform.description import RobotModel
+from jauspy.platform.kinematic import KinematicBackend
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
@@ -170,15 +171,27 @@ async def test_runs_until_cancelled(runner, client):
     assert runner.components == ()
 
 
-async def test_ends_when_the_robot_breaks_down(runner, fragile_robot, monkeypatch):
+async def test_takes_a_backend_that_is_not_installed(hub, client):
+    class Workshop(KinematicBackend):
+        name = "workshop"
+
+    runner = RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), backend=Workshop(), world="empty")
+    assert runner.config.backend == "workshop"
+    async with runner:
+        client.tell(RequestControl(authority_code=100), Resume(), FORWARD)
+        await client.drive_past(0.05)
+
+
+async def test_ends_when_the_robot_breaks_down(hub, fragile_robot):
     class Workshop:
         name = "workshop"
 
-        def open(self, robot: str, world: str):
+        def open(self, robot: RobotModel, world: str):
             return fragile_robot
 
-    monkeypatch.setattr(backends, "find", lambda name: Workshop())
-    runner.config = runner.config.model_copy(update={"modules": runner.config.modules[:1]})
+    config = load("inc1")
+    config = config.model_copy(update={"modules": config.modules[:1]})
+    runner = RobotRunner(config, lambda me: LoopbackTransport(me, hub), backend=Workshop())
     with pytest.raises(RuntimeError, match="a track came off"):
         async with asyncio.timeout(30.0):
             await runner.run()

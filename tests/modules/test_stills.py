@@ -13,8 +13,7 @@ from jauspy.messages import environment_sensing as m, registry
 from jauspy.messages.core import CreateEvent, TimeStamp
 from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, StillImageSensorErrorRec
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.stills import Still, StillFormat, StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import Still, StillFormat, StillSettings, VideoSettings
 from jauspy.services.deferred import REPLY_TIMEOUT
 from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
 from jauspy.services.host import Host

@@ -18,7 +18,7 @@ from jauspy.messages import environment_sensing as m
 from jauspy.ocu import OCU
 from jauspy.ocu.stills import LARGE_IMAGE_DELIVERY
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.stills import Still, StillFormat, StillSettings
+from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.core import Discovery
 from jauspy.services.environment_sensing import StillImage, VideoCamera, VisualSensor
 from jauspy.services.host import Host

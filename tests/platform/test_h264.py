@@ -6,8 +6,7 @@ from itertools import pairwise
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.platform.h264 import LEVELS, H264Settings, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import LEVELS, H264Settings, Profile, VideoSettings
 
 NAMES = [level.name for level in LEVELS]
 

@@ -2,7 +2,8 @@
 
 import pytest
 
-from jauspy.platform.pid import Gains, Pid
+from jauspy.platform.description import Gains
+from jauspy.platform.joint_control import Pid
 
 
 def settle(pid: Pid, load: float, seconds: float, dt: float = 0.002) -> tuple[float, float]:

@@ -8,8 +8,7 @@ from dataclasses import replace
 
 import pytest
 
-from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.ranging import LidarSetup, Scanner
 
 SETUP = LidarSetup("lidar", "lidar_link", rays=8, rate=10.0, least=0.5, most=4.0)
 

@@ -1,14 +1,40 @@
 """The entry point of the simulation, with and without MuJoCo."""
 
+import os
+import subprocess
+import sys
+
 import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.modules.robots import load, robot_model
-from jauspy_sim import backend as backend_module
-from jauspy_sim.backend import MujocoBackend
+from jauspy_sim import backend
+
+MODEL = robot_model(load("inc1"))
 
 
 def test_says_what_to_install_without_mujoco(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(backend_module, "find_spec", lambda name: None)
+    monkeypatch.setattr(backend, "find_spec", lambda name: None)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[sim\]'"):
-        MujocoBackend().open(robot_model(load("inc1")), "demo")
+        backend.MujocoBackend().open(MODEL, "demo")
+
+
+@pytest.mark.parametrize(("way", "package"), [("egl", "libegl1"), ("osmesa", "libosmesa6"), ("OSMesa", "libosmesa6")])
+def test_a_missing_gl_library_is_said_in_one_sentence(monkeypatch, way: str, package: str) -> None:
+    monkeypatch.setenv("MUJOCO_GL", way)
+    monkeypatch.setattr(backend, "_loads", lambda library: False)
+    with pytest.raises(
+        ConfigError, match=rf"MUJOCO_GL={way.lower()} needs lib.*: install {package}, or unset MUJOCO_GL"
+    ):
+        backend.MujocoBackend().open(MODEL, "empty")
+
+
+def test_a_value_that_mujoco_does_not_know_is_said_in_one_sentence() -> None:
+    """In a process of its own: MuJoCo reads it once, when it is imported."""
+    code = (
+        "from jauspy.modules.robots import load, robot_model; from jauspy_sim.backend import MujocoBackend;"
+        "MujocoBackend().open(robot_model(load('inc1')), 'empty')"
+    )
+    environment = {**os.environ, "MUJOCO_GL": "bogus"}
+    run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False, env=environment)
+    assert "ConfigError: the backend 'sim' cannot import MuJoCo with MUJOCO_GL=bogus: invalid value" in run.stderr

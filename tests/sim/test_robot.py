@@ -13,8 +13,8 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 from jauspy.modules.robots import known, load, robot_model
 from jauspy_sim.assembly import TIMESTEP, build, known_worlds, prefix
+from jauspy_sim.joints import roll_pitch_yaw
 from jauspy_sim.robot import SimulatedRobot
-from jauspy_sim.tracks import roll_pitch_yaw
 
 INC1 = robot_model(load("inc1"))
 

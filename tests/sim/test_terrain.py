@@ -10,17 +10,16 @@ import mujoco
 import numpy as np
 
 from jauspy.modules.robots import load, robot_model
-from jauspy_sim.assembly import build
-from jauspy_sim.lidar import cast_rays
-from jauspy_sim.terrain import DRAWN, FELT
+from jauspy_sim.assembly import HEIGHT_FIELDS, RAY_MESHES, build
+from jauspy_sim.sensors import cast_rays
 
 
-def test_rays_meet_the_twin_where_they_would_meet_the_height_field() -> None:
+def test_rays_meet_the_ray_mesh_where_they_would_meet_the_height_field() -> None:
     model = build(robot_model(load("inc1")), "rough")
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
     random = np.random.default_rng(3)
-    field = np.array([group == DRAWN for group in range(mujoco.mjNGROUP)], np.uint8)
+    field = np.array([group == HEIGHT_FIELDS for group in range(mujoco.mjNGROUP)], np.uint8)
     found, met = np.zeros(1, np.int32), 0
     for _ in range(50):
         start = np.array([*random.uniform(-8.0, 8.0, 2), 0.6])
@@ -37,10 +36,10 @@ def test_rays_meet_the_twin_where_they_would_meet_the_height_field() -> None:
 
 def test_only_the_height_field_collides_and_is_drawn() -> None:
     model = build(robot_model(load("inc1")), "rough")
-    (twin,) = np.flatnonzero(model.geom_group == FELT)
+    (twin,) = np.flatnonzero(model.geom_group == RAY_MESHES)
     (field,) = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_HFIELD)
     assert model.geom_contype[twin] == model.geom_conaffinity[twin] == 0
-    assert model.geom_group[field] == DRAWN
+    assert model.geom_group[field] == HEIGHT_FIELDS
     assert model.geom_contype[field]
     assert (model.geom_rgba[twin] == model.geom_rgba[field]).all()
     assert model.geom_matid[twin] == model.geom_matid[field]

@@ -26,8 +26,7 @@ from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY
-from jauspy.platform.stills import StillFormat, StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
 from jauspy.video import camera_process
 from jauspy.video.camera_process import NICENESS, CameraProcess
 from jauspy.video.h264 import H264Decoder

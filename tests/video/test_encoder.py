@@ -8,8 +8,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import numpy as np
 
 from jauspy.errors import ConfigError
-from jauspy.platform.h264 import H264Settings, Preset, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoSettings
 from jauspy.video import h264_payload
 from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.h264_payload import MAX_PAYLOAD, Picture

@@ -13,8 +13,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import numpy as np
 
-from jauspy.platform.h264 import H264Settings, Preset, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoSettings
 from jauspy.video.h264 import H264Encoder
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import RtpSender

@@ -12,7 +12,7 @@ from statistics import mean
 
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.modules.robots import load, robot_model
-from jauspy.platform.kinematic_joints import KinematicJoints
+from jauspy.platform.kinematic import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector import CONTROL_PERIOD, STEPS_PER_TURN
 from jauspy.services.manipulator.tool_motion import ToolMotion

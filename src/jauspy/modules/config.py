@@ -15,9 +15,8 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
+from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
-from jauspy.platform.pid import Gains
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
 

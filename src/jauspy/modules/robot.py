@@ -18,10 +18,10 @@ from jauspy.modules.realtime import RealTime
 from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Robot, Snapshot
+from jauspy.platform.contract import Backend, Robot, Snapshot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
-from jauspy.platform.stills import MAX_REPORT
+from jauspy.platform.video_settings import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
@@ -42,8 +42,8 @@ def _in_real_time(robot: Robot) -> RealTime:
 class RobotRunner:
     """Runs the robot that `config` describes: `async with RobotRunner(...)`, or `await runner.run()`.
 
-    `transports` makes the transport of each component, by its id. `backend` and `world` replace what `config` says;
-    `realtime` says how time passes for the robot.
+    `transports` makes the transport of each component, by its id. `backend`, the name of an installed one or a
+    `Backend`, and `world` replace what `config` says; `realtime` says how time passes for the robot.
     Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
     cannot be opened. Closing ends the components first, and then the robot, which stands still from there on.
     """
@@ -53,11 +53,13 @@ class RobotRunner:
         config: RobotConfig,
         transports: Callable[[JausID], Transport],
         *,
-        backend: str | None = None,
+        backend: str | Backend | None = None,
         world: str | None = None,
         realtime: Callable[[Robot], RealTime] = _in_real_time,
     ) -> None:
-        self.config = config.model_copy(update={"backend": backend or config.backend, "world": world or config.world})
+        self._backend = None if isinstance(backend, str) else backend
+        name = backend if isinstance(backend, str) or backend is None else backend.name
+        self.config = config.model_copy(update={"backend": name or config.backend, "world": world or config.world})
         self._transports = transports
         self._in_time = realtime
         self._realtime: RealTime | None = None
@@ -160,7 +162,8 @@ class RobotRunner:
         return videos
 
     def _bring_to_life(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
-        robot = backends.find(self.config.backend).open(model, self.config.world)
+        backend = self._backend or backends.find(self.config.backend)
+        robot = backend.open(model, self.config.world)
         stack.callback(robot.close)
         return stack.enter_context(self._in_time(robot))
 

@@ -23,9 +23,9 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
-from jauspy.platform.stills import MAX_REPORT
+from jauspy.platform.video_settings import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.environment_sensing.frame_sizes import SIZES, number_of
+from jauspy.services.environment_sensing.video_camera import SIZES, number_of
 
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
 

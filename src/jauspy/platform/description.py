@@ -5,14 +5,24 @@ Frames and units are URDF's (REP-103): metres, radians, kilograms; a joint's fra
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
-from jauspy.platform.pid import Gains
 from jauspy.platform.ranging import LidarSetup
+
+
+@dataclass(frozen=True, slots=True)
+class Gains:
+    """Effort per error, per integrated error, per change of error; `i_limit` bounds what integration may add."""
+
+    p: float
+    i: float = 0.0
+    d: float = 0.0
+    i_limit: float = math.inf
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Final, Protocol
 
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.sampling import Sampling
+from jauspy.platform.ranging import Sampling
 
 NOTHING: Final[Vector] = (0.0, 0.0, 0.0)
 

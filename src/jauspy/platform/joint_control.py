@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.description import JointGains
+from jauspy.platform.description import Gains, JointGains
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.pid import Pid
 from jauspy.platform.setpoint import SetpointGenerator
 
 BRAKING: Final = 0.1
@@ -80,3 +80,26 @@ class JointController:
     def _reset(self) -> None:
         self._position_pid.reset()
         self._velocity_pid.reset()
+
+
+class Pid:
+    """The output stays within `limit` either way; what the limit cuts off is not integrated (anti-windup)."""
+
+    def __init__(self, gains: Gains, limit: float) -> None:
+        self.gains = gains
+        self.limit = limit
+        self._integral = 0.0
+
+    def reset(self) -> None:
+        """Forget what was integrated."""
+        self._integral = 0.0
+
+    def update(self, error: float, rate: float, dt: float, feed_forward: float = 0.0) -> float:
+        """The effort for an error that changes by `rate` per second, after `dt` seconds, on top of `feed_forward`."""
+        gains, integral, limit = self.gains, self._integral, self.limit
+        wanted = feed_forward + gains.p * error + gains.d * rate + integral
+        within = -limit <= wanted <= limit
+        if within or error * wanted < 0.0:
+            integral, most = integral + gains.i * error * dt, gains.i_limit
+            self._integral = integral if -most <= integral <= most else math.copysign(most, integral)
+        return wanted if within else math.copysign(limit, wanted)

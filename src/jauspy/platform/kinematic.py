@@ -10,15 +10,74 @@ from typing import Final
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.poses import Pose, Twist
+from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.camera import Camera
 from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.contract import OptionalPart
-from jauspy.platform.description import RobotModel
+from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
-from jauspy.platform.joints import joint_positions
-from jauspy.platform.kinematic_cameras import KinematicCameras
-from jauspy.platform.kinematic_joints import KinematicJoints
-from jauspy.platform.scanner import Scanner
+from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
+from jauspy.platform.kinematic_camera import KinematicCameras
+from jauspy.platform.ranging import Scanner
+from jauspy.platform.setpoint import SetpointGenerator
+
+
+class KinematicJoints:
+    """A `JointGroup` of joints that follow their set points exactly.
+
+    Commanded by effort, a joint moves as if its damping were all that resists: full effort is full speed.
+    """
+
+    def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
+        self._joints = tuple(description.joint(name) for name in setup.joints)
+        self._chain = description.chain(setup.base, setup.tip)
+        self._motions = [
+            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
+        ]
+        self._efforts = [0.0] * len(self._joints)
+
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints that move, base to tip."""
+        return self._joints
+
+    @property
+    def chain(self) -> tuple[Joint, ...]:
+        """All joints from base to tip, fixed ones included."""
+        return self._chain
+
+    def command(self, targets: Sequence[Target | None]) -> None:
+        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
+        for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
+            if target is None:
+                continue
+            most = motion.joint.effort
+            by_effort = target.mode is ControlMode.EFFORT
+            self._efforts[number] = min(most, max(-most, target.value)) if by_effort else 0.0
+            motion.target = _as_speed(motion.joint, target) if by_effort else target
+
+    def hold(self) -> None:
+        """Stop, and hold the present positions."""
+        for motion in self._motions:
+            motion.hold(motion.position)
+        self._efforts = [0.0] * len(self._joints)
+
+    def state(self) -> JointState:
+        """Positions and velocities after the last step; efforts as commanded."""
+        positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
+        return JointState(positions, velocities, tuple(self._efforts))
+
+    def step(self, dt: float) -> None:
+        """Move for `dt` seconds."""
+        for motion in self._motions:
+            motion.advance(dt)
+
+
+def _as_speed(joint: Joint, target: Target) -> Target:
+    share = target.value / joint.effort if joint.effort else 0.0
+    speed = joint.velocity * min(1.0, max(-1.0, share)) if math.isfinite(share) else 0.0
+    return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)
+
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""

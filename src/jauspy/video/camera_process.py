@@ -10,8 +10,7 @@ from typing import Final, TypeAlias
 
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import Camera, CameraSetup
-from jauspy.platform.stills import Still, StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.video import need_video
 from jauspy.video.camera_protocol import (
     AddReceiver,

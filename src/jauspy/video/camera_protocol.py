@@ -6,8 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from jauspy.platform.camera import Camera
-from jauspy.platform.stills import StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import StillSettings, VideoSettings
 
 Address: TypeAlias = tuple[str, int]
 """IP address and port for RTP; RTCP uses the port above it."""

@@ -16,8 +16,7 @@ from av.video.frame import PictureType
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.platform.h264 import LEVELS, Profile
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import LEVELS, Profile, VideoSettings
 from jauspy.video import h264_payload
 from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
 

@@ -8,7 +8,7 @@ from dataclasses import replace
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.geometry.poses import Transform
 from jauspy.modules.robots import load, robot_model
-from jauspy.platform.kinematic_joints import KinematicJoints
+from jauspy.platform.kinematic import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 
 ROBOTS = ("inc1", "inc1_pprm")

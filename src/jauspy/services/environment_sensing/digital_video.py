@@ -24,7 +24,7 @@ from jauspy.messages.environment_sensing.v2_0.digital_video import (
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.platform.video_settings import MAX_BIT_RATE, MAX_RATE, MIN_BIT_RATE, VideoSettings
-from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, offered
+from jauspy.services.environment_sensing.video_camera import OFFERED, number_of, offered
 from jauspy.services.environment_sensing.viewers import Flow, Viewers
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service

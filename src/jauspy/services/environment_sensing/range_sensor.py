@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+import bz2
+import lzma
+import math
+import zlib
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from datetime import timedelta
 from typing import Any, Final
 
+from jauspy.geometry.poses import Transform
 from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v1_0.types import RangeSensorErrorRec, SensorIdRec
 from jauspy.messages.environment_sensing.v2_0.range_sensor import (
@@ -23,13 +28,130 @@ from jauspy.messages.environment_sensing.v2_0.range_sensor import (
     ReportSensorGeometricProperties,
     SetRangeSensorConfiguration,
 )
-from jauspy.platform.ranging import RangeScan
+from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings
 from jauspy.services.environment_sensing.mounting import Mounted, geometric_properties
-from jauspy.services.environment_sensing.points import COMPRESS, Point, data_rec, encoded, points
-from jauspy.services.environment_sensing.range_settings import Code, State, Wanted, refusal, settings
 from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.messaging import requested_fields
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
+
+Wanted = SetRangeSensorConfiguration.RangeSensorConfigurationRec
+State = SetRangeSensorConfiguration.SensorState
+Code = RangeSensorErrorRec.RangeSensorErrorCode
+
+RATE_STEP: Final = 1000.0 / 65535.0
+"""Of a rate on the wire, in hertz: what a client sets to the limit may arrive just beyond it."""
+RANGE_STEP: Final = 1e6 / (2**32 - 1)
+"""Of a distance on the wire, in metres."""
+FLAT: Final = 1e-6
+"""Radians that count as zero, which lies between two steps on the wire."""
+
+
+def settings(wanted: Wanted, present: ScanSettings) -> ScanSettings:
+    """The settings with what is wanted; angles counted as in REP-103, so left and right change places."""
+    start, stop = wanted.horizontal_field_of_view_start_angle, wanted.horizontal_field_of_view_stop_angle
+    given: dict[str, Any] = {
+        "start": None if stop is None else -stop,
+        "stop": None if start is None else -start,
+        "rate": wanted.update_rate,
+        "least": wanted.minimum_range,
+        "most": wanted.maximum_range,
+        "active": None if wanted.sensor_state is None else wanted.sensor_state == State.ACTIVE,
+    }
+    return replace(present, **{name: value for name, value in given.items() if value is not None})
+
+
+def refusal(wanted: Wanted, present: ScanSettings, setup: LidarSetup) -> RangeSensorErrorRec | None:
+    """Why the sensor cannot be set so; None when it can."""
+    wrong = _problems(wanted, settings(wanted, present), setup)
+    if not wrong:
+        return None
+    code = wrong[0][0] if len(wrong) == 1 else Code.MULTIPLE_INVALID_PARAMETERS
+    return RangeSensorErrorRec(wanted.sensor_id, code, "; ".join(text for _, text in wrong)[:255])
+
+
+def _problems(wanted: Wanted, new: ScanSettings, setup: LidarSetup) -> list[tuple[Code, str]]:
+    wrong = []
+    if new.start >= new.stop:
+        wrong.append((Code.INVALID_HORIZONTAL_FOV, "the first angle must be less than the last"))
+    vertical = (wanted.vertical_field_of_view_start_angle, wanted.vertical_field_of_view_stop_angle)
+    if any(angle is not None and abs(angle) > FLAT for angle in vertical):
+        wrong.append((Code.INVALID_VERTICAL_FOV, "it scans in one plane; vertical angles are 0"))
+    if not 0.0 < new.rate <= setup.rate + RATE_STEP:
+        wrong.append((Code.INVALID_UPDATE_RATE, f"rates are more than 0 and at most {setup.rate:g} Hz"))
+    if new.least < setup.least - RANGE_STEP or new.most > setup.most + RANGE_STEP or new.least >= new.most:
+        wrong.append((Code.INVALID_SENSOR_RANGE, f"distances are within {setup.least:g}..{setup.most:g} m"))
+    return wrong
+
+
+Point = ReportRangeSensorData.RangeSensorDataPointRec
+
+VALIDITY_BIT: Final = 1 << 1
+"""Of a query's presence vector: it asks for RangeValidity."""
+
+COUNT: Final = 2
+"""Bytes of the count of a list of points."""
+
+_Compression = QueryRangeSensorCompressedData.DataCompression
+COMPRESS: Final[Mapping[int, Callable[[bytes], bytes]]] = {
+    _Compression.NONE: bytes,
+    _Compression.DEFLATE: zlib.compress,
+    _Compression.BZIP2: bz2.compress,
+    _Compression.LZMA: lambda data: lzma.compress(data, lzma.FORMAT_ALONE),
+}
+"""AS6060 names the methods and not the containers: these are zlib's (RFC 1950), .bz2 and .lzma."""
+
+
+def points(scan: RangeScan, lidar: RangeFinder, asked: int, frame: Transform | None = None) -> list[Point]:
+    """The rays that met something, and those that did not if the query asks which are valid.
+
+    In the sensor's own frame, or, when its frame in the vehicle's is given, in the vehicle's; both with JAUS's axes.
+    """
+    tells_validity = bool(asked & VALIDITY_BIT)
+    rays = enumerate(zip(scan.angles, scan.ranges, strict=True))
+    found = [(number, ray) for number, ray in rays if tells_validity or math.isfinite(ray[1])]
+    return [requested_fields(_point(number, ray, lidar, frame), asked) for number, ray in found]
+
+
+def _point(number: int, ray: tuple[float, float], lidar: RangeFinder, frame: Transform | None) -> Point:
+    angle, distance = ray
+    limits = lidar.settings
+    metres = min(limits.most, max(limits.least, distance))
+    bearing, inclination = -angle, 0.0  # JAUS counts clockwise
+    if frame is not None:
+        metres, bearing, inclination = _polar(frame, metres, bearing)
+    return Point(
+        point_id=number,
+        range=metres,
+        range_validity=int(math.isfinite(distance)),
+        range_error_rms=lidar.setup.noise,
+        bearing=bearing,
+        bearing_validity=1,
+        bearing_error_rms=0.0,
+        inclination=inclination,
+        inclination_validity=1,
+        inclination_error_rms=0.0,
+    )
+
+
+def _polar(frame: Transform, distance: float, bearing: float) -> tuple[float, float, float]:
+    x, y, z = frame.apply((distance * math.cos(bearing), distance * math.sin(bearing), 0.0))
+    across = math.hypot(x, y)
+    return math.hypot(across, z), math.atan2(y, x), math.atan2(-z, across)  # about y, which is right: up is positive
+
+
+def data_rec(sensor: int, in_vehicle: bool, stamp: TimeStamp) -> ReportRangeSensorData.RangeSensorDataRec:
+    """The head of a report."""
+    return ReportRangeSensorData.RangeSensorDataRec(sensor, int(in_vehicle), stamp)
+
+
+def encoded(found: list[Point], head: ReportRangeSensorData.RangeSensorDataRec) -> bytes:
+    """The list of points alone, with its count, as it stands in a report that is not compressed."""
+    empty, full = (
+        ReportRangeSensorData([ReportRangeSensorData.RangeSensorDataSeq(head, each)]).encode() for each in ([], found)
+    )
+    return full[len(empty) - COUNT :]
+
 
 _Compressed = ReportRangeSensorCompressedData
 _Error = ReportRangeSensorData.DataErrorCode

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable
 from dataclasses import replace
 from datetime import timedelta
 from functools import partial
-from typing import Final
+from typing import Final, TypeAlias
 
+from jauspy.errors import ConfigError
 from jauspy.messages.environment_sensing.v1_0.types import (
     SensorIdRec,
     StillImageSensorErrorRec,
@@ -22,15 +24,77 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
     SetStillImageSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.platform.stills import Still, StillFormat, StillSettings
+from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
-from jauspy.services.environment_sensing.album import NATIVE, Album, Record
-from jauspy.services.environment_sensing.exposures import Exposures
-from jauspy.services.environment_sensing.frame_sizes import OFFERED, number_of, offered
-from jauspy.services.environment_sensing.video_camera import Cameras
+from jauspy.services.environment_sensing.video_camera import OFFERED, Cameras, number_of, offered
 from jauspy.services.environment_sensing.wanted import chosen
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
+
+Record: TypeAlias = ReportStillImageDataExt.StillImageDataRec
+
+NATIVE: Final = ReportStillImageDataExt.ReportCoordinateSystem.NATIVE
+
+
+class Album:
+    """Fulfils `answer` when nothing is missing; a camera without a picture is reported without one."""
+
+    def __init__(
+        self, sensors: Iterable[int], answer: Callable[[Callable[[], ReportStillImageDataExt]], Deferred]
+    ) -> None:
+        self._records = {sensor: Record(sensor, NATIVE) for sensor in sensors}
+        self._missing = set(self._records)
+        self.answer = answer(self.report)
+        self._look()
+
+    def report(self) -> ReportStillImageDataExt:
+        """What is there."""
+        return ReportStillImageDataExt(list(self._records.values()))
+
+    def add(self, sensor: int, develop: Callable[[Still], Record], still: Still | None) -> None:
+        """A camera is done."""
+        if still is not None:
+            self._records[sensor] = develop(still)
+        self._missing.discard(sensor)
+        self._look()
+
+    def _look(self) -> None:
+        if not self._missing:
+            self.answer.set_result(self.report())
+
+
+Then: TypeAlias = Callable[[Still | None], None]
+
+
+class Exposures:
+    """Has the cameras take pictures. Those that come to nothing are counted: `still_refused`, `still_lost`."""
+
+    def __init__(self, cameras: Cameras, count: Callable[[str, str], None]) -> None:
+        self._cameras, self._count = cameras, count
+        self._waiting: dict[tuple[int, StillSettings], list[Then]] = {}
+
+    def take(self, sensor: int, settings: StillSettings, then: Then) -> None:
+        """Call `then` with the picture, or with None when there is none, now or later."""
+        under_way = self._waiting.get((sensor, settings))
+        if under_way is not None:
+            under_way.append(then)
+            return
+        self._waiting[sensor, settings] = [then]
+        try:
+            self._cameras[sensor].source.take(settings, partial(self._taken, sensor, settings))
+        except ConfigError as error:
+            self._count("still_refused", f"sensor {sensor}: {error}")
+            self._hand_out(sensor, settings, None)
+
+    def _taken(self, sensor: int, settings: StillSettings, still: Still | None) -> None:
+        if still is None:
+            self._count("still_lost", f"sensor {sensor}: its process ended before the picture was taken")
+        self._hand_out(sensor, settings, still)
+
+    def _hand_out(self, sensor: int, settings: StillSettings, still: Still | None) -> None:
+        for then in self._waiting.pop((sensor, settings), []):
+            then(still)
+
 
 _Capabilities = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec
 _Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec

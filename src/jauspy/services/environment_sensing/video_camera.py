@@ -5,13 +5,14 @@ from __future__ import annotations
 import ipaddress
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Protocol, TypeAlias
+from typing import Final, Protocol, TypeAlias
 from urllib.parse import urlsplit
 
 from jauspy.errors import ConfigError
+from jauspy.messages.environment_sensing.v1_0.types import SupportedFrameSizes
+from jauspy.messages.environment_sensing.v2_0.digital_video import ReportDigitalVideoSensorConfiguration
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.stills import Still, StillSettings
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.services.environment_sensing.mounting import OnVehicle
 
 Address: TypeAlias = tuple[str, int]
@@ -68,3 +69,30 @@ def address_of(url: str) -> Address:
     if parts.scheme != "rtp" or not 1 <= port <= 65534:
         raise ConfigError(f"{url!r} is not rtp://ADDRESS:PORT with a port of 1..65534")
     return host, port
+
+
+FrameSize = ReportDigitalVideoSensorConfiguration.FrameSize
+
+LARGEST: Final = 1920 * 1200
+"""Pixels of the largest picture that is offered: above it no small machine keeps up."""
+
+
+def _pixels(size: FrameSize) -> tuple[int, int]:
+    _, width, height = size.name.split("_")
+    return int(width), int(height.removeprefix("X"))
+
+
+SIZES: Final = {size: _pixels(size) for size in FrameSize}
+"""Width and height."""
+
+OFFERED: Final = {size: (width, height) for size, (width, height) in SIZES.items() if width * height <= LARGEST}
+
+
+def number_of(width: int, height: int) -> FrameSize | None:
+    """The first size that is so wide and high; None when JAUS has none."""
+    return next((size for size, pixels in SIZES.items() if pixels == (width, height)), None)
+
+
+def offered() -> SupportedFrameSizes:
+    """All sizes that are offered, for a report."""
+    return SupportedFrameSizes(*(int(size in OFFERED) for size in FrameSize))

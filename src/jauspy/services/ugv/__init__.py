@@ -1,6 +1,5 @@
 """Services of unmanned ground vehicles (AS6091) over the contracts of `jauspy.platform`."""
 
-from jauspy.services.ugv.platform_specifications import PlatformSpecifications
-from jauspy.services.ugv.skid_steer_driver import SkidSteerDriver
+from jauspy.services.ugv.chassis import PlatformSpecifications, SkidSteerDriver
 
 __all__ = ["PlatformSpecifications", "SkidSteerDriver"]

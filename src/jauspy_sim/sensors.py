@@ -1,4 +1,4 @@
-"""Distances by rays through MuJoCo's world."""
+"""Lidars, which cast rays through MuJoCo's world, and its sensors of force and torque at the joint above a link."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.scanner import Scanner
-from jauspy_sim.assembly import COLLIDING, SEEN
-from jauspy_sim.terrain import DRAWN
+from jauspy.geometry.vectors import Vector
+from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
+from jauspy.platform.ranging import LidarSetup, Scanner
+from jauspy_sim.assembly import COLLISION, HEIGHT_FIELDS, VISUAL
 
-_GROUPS: Final = np.array([group not in (SEEN, COLLIDING, DRAWN) for group in range(mujoco.mjNGROUP)], np.uint8)
-"""All but those of robots: a lidar that sits among its robot's own parts looks past them. Height fields have twins."""
+_IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
+_GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)
+"""All but robots, since a lidar sits among its robot's own parts, and height fields, which have ray meshes."""
 
 _NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
 """MuJoCo 4 can give the normals of what the rays hit."""
@@ -74,3 +75,20 @@ def cast_rays(
         **_NO_NORMALS,
     )
     return np.where(distances < 0.0, math.inf, distances)
+
+
+def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueSetup) -> SampledForceTorque:
+    """The sensor of that robot, with normally distributed errors."""
+    random = np.random.default_rng(setup.seed)
+    force, torque = (data.sensor(f"{prefix}{setup.name}_{kind}").data for kind in ("force", "torque"))
+
+    def measure() -> tuple[Vector, Vector]:
+        return _noisy(force, setup.force_noise, random), _noisy(torque, setup.torque_noise, random)
+
+    return SampledForceTorque(setup, measure)
+
+
+def _noisy(held: NDArray[np.float64], deviation: float, random: np.random.Generator) -> Vector:
+    """MuJoCo tells what holds the link; what the link does to its carrier is the opposite."""
+    x, y, z = (random.normal(0.0, deviation, 3) - held).tolist()
+    return x, y, z
