@@ -8,17 +8,19 @@ from collections.abc import Callable, Iterable
 from contextlib import AbstractAsyncContextManager
 from dataclasses import replace
 from datetime import datetime
-from typing import Any, Final
+from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.component import Component, ComponentOptions
 from jauspy.component.component import loop_time
 from jauspy.ids import JausID
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Robot
 from jauspy.services.service import Service
 from jauspy.transport import Transport
+
+if TYPE_CHECKING:
+    from jauspy.modules.robot import RobotRunner
 
 
 class TestEnvironment(ABC):

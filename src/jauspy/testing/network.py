@@ -9,17 +9,18 @@ from collections.abc import Callable
 from datetime import datetime
 from itertools import count
 from types import TracebackType
-from typing import Final, Self
+from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
-from jauspy.modules import robots
-from jauspy.modules.robot import RobotRunner
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
 from jauspy.testing.clock import VirtualClock
 from jauspy.testing.environment import TestEnvironment, VirtualTime
 from jauspy.transport import LoopbackHub, LoopbackTransport
+
+if TYPE_CHECKING:
+    from jauspy.modules.robot import RobotRunner
 
 REORDERING_DELAY: Final = 0.01
 """Seconds by which a datagram is delayed so that others overtake it."""
@@ -61,6 +62,9 @@ class VirtualNetwork(TestEnvironment):
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
+        from jauspy.modules import robots  # noqa: PLC0415 - needs the extra `robot`
+        from jauspy.modules.robot import RobotRunner  # noqa: PLC0415
+
         return RobotRunner(robots.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
 
     def now(self) -> float:
