@@ -137,7 +137,7 @@ _GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since 
 
 
 class RayRenderer:
-    """Paints what a camera of the model sees; it is told the horizontal field of view in radians."""
+    """Paints what a camera of the model sees; takes the horizontal field of view in radians."""
 
     description: Final = (
         "no GL here (libegl1 or libosmesa6, and MUJOCO_GL not set otherwise): casts rays, at a reduced size"
