@@ -20,7 +20,7 @@ from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
 from jauspy.protocol.header import Packet
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
-from jauspy.services.environment_sensing import VideoSource, Viewers
+from jauspy.services.environment_sensing import VideoSource, VideoStreams
 from jauspy.services.host import Host
 from jauspy.services.manipulator import Arm, ManipulatorListDriver, PanTilt, PrimitiveEndEffector
 from jauspy.services.mobility import GlobalPose, Vehicle
@@ -99,7 +99,7 @@ def _context(
         return catalogue.SensorContext(robot, mounted_lidars(config, model, robot), mounted_gauges(model, robot))
     if module.camera is not None:
         camera = mounted_camera(config, model, videos[module.camera], robot)
-        return catalogue.VisionContext(robot, Viewers({1: camera}), _pan_tilt(module, model, robot))
+        return catalogue.VisionContext(robot, VideoStreams({1: camera}), _pan_tilt(module, model, robot))
     if module.moves is None:
         return catalogue.MobilityContext(robot, vehicle_of(config, model, robot.drive))
     joints = robot.groups[module.moves]

@@ -8,7 +8,7 @@ from jauspy.services.environment_sensing.mounting import Mounted, OnJoint
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
 from jauspy.services.environment_sensing.still_image import StillImage
 from jauspy.services.environment_sensing.video_camera import VideoCamera, VideoSource
-from jauspy.services.environment_sensing.viewers import Viewers
+from jauspy.services.environment_sensing.viewers import VideoStreams
 from jauspy.services.environment_sensing.visual_sensor import VisualSensor
 
 __all__ = [
@@ -23,6 +23,6 @@ __all__ = [
     "StillImage",
     "VideoCamera",
     "VideoSource",
-    "Viewers",
+    "VideoStreams",
     "VisualSensor",
 ]

@@ -13,7 +13,7 @@ from jauspy.messages.environment_sensing.v2_0.digital_resource_discovery import 
     RemoveDigitalResourceEndpoint,
     ReportDigitalResourceEndpoint,
 )
-from jauspy.services.environment_sensing.viewers import LIFETIME, Viewers
+from jauspy.services.environment_sensing.viewers import END_POINT_TIMEOUT, VideoStreams
 from jauspy.services.service import Service
 
 RTP: Final = 201
@@ -30,7 +30,7 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
     type, or one that cannot be, is told the number 0.
     """
 
-    def __init__(self, viewers: Viewers) -> None:
+    def __init__(self, viewers: VideoStreams) -> None:
         self._viewers = viewers
         self._entered = 0
 
@@ -57,7 +57,9 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
             self.host.count("endpoint_refused", f"{source}: {error}")
             return
         number = self._entered
-        self.host.set_timer(("end point", number), self.host.now + LIFETIME, lambda: self._viewers.remove(number))
+        self.host.set_timer(
+            ("end point", number), self.host.now + END_POINT_TIMEOUT, lambda: self._viewers.remove(number)
+        )
 
     def remove_digital_resource_endpoint(self, msg: RemoveDigitalResourceEndpoint, source: JausID) -> None:
         """Remove an end point of the client's own."""

@@ -24,9 +24,9 @@ from jauspy.messages.environment_sensing.v2_0.digital_video import (
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.platform.video_settings import MAX_BIT_RATE, MAX_RATE, MIN_BIT_RATE, VideoSettings
-from jauspy.services.environment_sensing.video_camera import OFFERED, number_of, offered
-from jauspy.services.environment_sensing.viewers import Flow, Viewers
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.video_camera import SUPPORTED_FRAME_SIZES, frame_size, supported_frame_sizes
+from jauspy.services.environment_sensing.viewers import StreamState, VideoStreams
+from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 
 _Capabilities = ReportDigitalVideoSensorCapabilitiesExt.DigitalVideoSensorCapabilitiesRec
@@ -47,7 +47,7 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
 
     omits = frozenset({"update_digital_video_sensor_recording_state"})
 
-    def __init__(self, viewers: Viewers) -> None:
+    def __init__(self, viewers: VideoStreams) -> None:
         self._viewers, self._cameras = viewers, viewers.cameras
 
     def is_supported(self) -> bool:
@@ -58,21 +58,21 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
         self, query: QueryDigitalVideoSensorCapabilitiesExt
     ) -> ReportDigitalVideoSensorCapabilitiesExt:
         """What each stream can be."""
-        wanted = chosen(query.query_digital_video_sensor_capabilities_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_digital_video_sensor_capabilities_list, self._cameras, known_only=True)
         return ReportDigitalVideoSensorCapabilitiesExt([_capabilities(sensor) for sensor, _ in wanted])
 
     def send_report_digital_video_sensor_configuration(
         self, query: QueryDigitalVideoSensorConfiguration
     ) -> ReportDigitalVideoSensorConfiguration:
         """What each stream is."""
-        wanted = chosen(query.query_digital_video_configuration_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_digital_video_configuration_list, self._cameras, known_only=True)
         return ReportDigitalVideoSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def send_report_digital_video_sensor_status(
         self, query: QueryDigitalVideoSensorStatus
     ) -> ReportDigitalVideoSensorStatus:
         """Whether each stream plays for anybody."""
-        wanted = chosen(query.sensor_id_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.sensor_id_list, self._cameras, known_only=True)
         idle = ReportDigitalVideoSensorStatus.RecordingState.NOT_RECORDING
         states = ReportDigitalVideoSensorStatus.StreamingState
         return ReportDigitalVideoSensorStatus(
@@ -82,12 +82,12 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
     def send_confirm_sensor_configuration(self, msg: SetDigitalVideoSensorConfiguration) -> ConfirmSensorConfiguration:
         """For each camera that it is set, or why not."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = chosen(msg.digital_video_sensor_list, self._cameras)
+        wanted = requested_sensors(msg.digital_video_sensor_list, self._cameras)
         return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_digital_video_sensor_configuration(self, msg: SetDigitalVideoSensorConfiguration) -> None:
         """Set what can be set, from the next picture on; a setting that is left out stays."""
-        for sensor, record in chosen(msg.digital_video_sensor_list, self._cameras, known_only=True):
+        for sensor, record in requested_sensors(msg.digital_video_sensor_list, self._cameras, known_only=True):
             if self._refusal(sensor, record) is None:
                 source = self._cameras[sensor].source
                 source.settings = _settings(record, source.settings)
@@ -95,7 +95,7 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
     def modify_digital_video_sensor_stream(self, msg: ControlDigitalVideoSensorStream, source: JausID) -> None:
         """Play, pause or stop what the client has entered; a new PLAY begins with a whole picture."""
         try:
-            found = self._viewers.control(source, msg.sensor_id, Flow(msg.stream_state))
+            found = self._viewers.control(source, msg.sensor_id, StreamState(msg.stream_state))
         except ConfigError as error:
             self.host.count("stream_refused", f"{source}: {error}")
             return
@@ -113,7 +113,7 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
             minimum_bit_rate=settings.bit_rate // KILO,
             maximum_bit_rate=settings.bit_rate // KILO,
             frame_rate=settings.rate,
-            frame_size=number_of(settings.width, settings.height),
+            frame_size=frame_size(settings.width, settings.height),
             digital_format=H264,
         )
 
@@ -128,7 +128,7 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
 
 
 def _settings(wanted: _Wanted, present: VideoSettings) -> VideoSettings:
-    width, height = OFFERED.get(wanted.frame_size, (present.width, present.height))  # type: ignore[call-overload]
+    width, height = SUPPORTED_FRAME_SIZES.get(wanted.frame_size, (present.width, present.height))  # type: ignore[call-overload]
     rate = present.rate if wanted.frame_rate is None else wanted.frame_rate
     kilobits = wanted.maximum_bit_rate if wanted.maximum_bit_rate is not None else wanted.minimum_bit_rate
     bit_rate = present.bit_rate if kilobits is None else kilobits * KILO
@@ -155,7 +155,7 @@ def _problems(wanted: _Wanted) -> list[tuple[_Code, str]]:
         wrong.append((_Code.FRAME_RATE_TOO_LOW, f"frame rates are 1..{MAX_RATE} a second"))
     if wanted.frame_rate is not None and wanted.frame_rate > MAX_RATE:
         wrong.append((_Code.FRAME_RATE_TOO_HIGH, f"frame rates are 1..{MAX_RATE} a second"))
-    if wanted.frame_size is not None and wanted.frame_size not in OFFERED:
+    if wanted.frame_size is not None and wanted.frame_size not in SUPPORTED_FRAME_SIZES:
         wrong.append((_Code.INVALID_FRAME_SIZE, "the camera does not have this size"))
     if wanted.digital_format not in {None, H264}:
         wrong.append((_Code.INVALID_FORMAT, "the camera codes H.264 only"))
@@ -169,7 +169,7 @@ def _capabilities(sensor: int) -> _Capabilities:
         maximum_bit_rate=MAX_BIT_RATE // KILO,
         minimum_frame_rate=1,
         maximum_frame_rate=MAX_RATE,
-        supported_frame_sizes=offered(),
+        supported_frame_sizes=supported_frame_sizes(),
         supported_digital_formats=SupportedDigitalFormats(0, 0, 0, 0, 0, 0, 1),
         recording_supported=ReportDigitalVideoSensorCapabilitiesExt.RecordingSupported.UNSUPPORTED,
     )

@@ -13,7 +13,7 @@ from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
     ReportForceTorqueCapabilities,
 )
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 
 _Frame = ReportForceTorque.CoordinateSystem
@@ -41,7 +41,7 @@ class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqu
 
     def send_report_force_torque(self, query: QueryForceTorque) -> ReportForceTorque:
         """The last measurement of each sensor that is asked for; the report has no place for unknown ones."""
-        wanted = chosen(query.query_force_torque_list, self._sensors, known_only=True)
+        wanted = requested_sensors(query.query_force_torque_list, self._sensors, known_only=True)
         return ReportForceTorque([self._measured(sensor, record) for sensor, record in wanted])
 
     def _measured(
@@ -59,7 +59,7 @@ class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqu
         self, query: QueryForceTorqueCapabilities
     ) -> ReportForceTorqueCapabilities:
         """What each sensor can measure."""
-        wanted = chosen(query.query_force_torque_capabilities_list, self._sensors, known_only=True)
+        wanted = requested_sensors(query.query_force_torque_capabilities_list, self._sensors, known_only=True)
         return ReportForceTorqueCapabilities([self._capabilities(sensor) for sensor, _ in wanted])
 
     def _capabilities(self, sensor: int) -> ReportForceTorqueCapabilities.ReportForceTorqueCapabilitiesRec:

@@ -17,7 +17,7 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
 )
 from jauspy.platform.video_settings import LEVELS, Preset, Profile, VideoSettings
 from jauspy.services.environment_sensing.video_camera import Cameras
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 
 Wanted: TypeAlias = SetH264VideoEncodingConfiguration.H264ConfigurationSequence
@@ -113,14 +113,14 @@ class H264VideoEncoding(Service, urn="urn:jaus:jss:environmentSensing:H264VideoE
         self, query: QueryH264VideoEncodingCapabilities
     ) -> ReportH264VideoEncodingCapabilities:
         """What each encoder can do."""
-        wanted = chosen(query.query_h264_video_encoding_capabilities_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_h264_video_encoding_capabilities_list, self._cameras, known_only=True)
         return ReportH264VideoEncodingCapabilities([_capabilities(sensor) for sensor, _ in wanted])
 
     def send_report_h264_video_encoding_configuration(
         self, query: QueryH264VideoEncodingConfiguration
     ) -> ReportH264VideoEncodingConfiguration:
         """How each encoder is set; the level is the one that the stream has, whether it was set or not."""
-        wanted = chosen(query.query_h264_video_encoding_configuration_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_h264_video_encoding_configuration_list, self._cameras, known_only=True)
         return ReportH264VideoEncodingConfiguration(
             [_configuration(sensor, self._cameras[sensor].source.settings) for sensor, _ in wanted]
         )
@@ -158,7 +158,7 @@ class _Entry:
 
 
 def _wanted(msg: SetH264VideoEncodingConfiguration, cameras: Cameras) -> dict[int, Wanted]:
-    entries = chosen([_Entry(each) for each in msg.h264_configuration_list], cameras)
+    entries = requested_sensors([_Entry(each) for each in msg.h264_configuration_list], cameras)
     return {sensor: entry.wanted for sensor, entry in entries}
 
 

@@ -30,7 +30,7 @@ from jauspy.messages.environment_sensing.v2_0.range_sensor import (
 )
 from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings
 from jauspy.services.environment_sensing.mounting import Mounted, geometric_properties
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.messaging import requested_fields
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
@@ -190,14 +190,14 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
         self, query: QueryRangeSensorData
     ) -> ReportRangeSensorData:
         """The last scan of each sensor that is asked for."""
-        wanted = chosen(query.query_range_sensor_data_list, self._sensors)
+        wanted = requested_sensors(query.query_range_sensor_data_list, self._sensors)
         return ReportRangeSensorData([self._data(sensor, record) for sensor, record in wanted])
 
     def send_report_range_sensor_compressed_data_in_requested_coordinate_system(
         self, query: QueryRangeSensorCompressedData
     ) -> ReportRangeSensorCompressedData:
         """The same, with the list of points compressed."""
-        wanted = chosen(query.query_range_sensor_compressed_data_list, self._sensors)
+        wanted = requested_sensors(query.query_range_sensor_compressed_data_list, self._sensors)
         return ReportRangeSensorCompressedData([self._compressed(sensor, record) for sensor, record in wanted])
 
     def _data(
@@ -248,7 +248,7 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
         self, query: QueryRangeSensorCapabilities
     ) -> ReportRangeSensorCapabilities:
         """What each sensor can do."""
-        wanted = chosen(query.range_sensor_capabilities_list, self._sensors, known_only=True)
+        wanted = requested_sensors(query.range_sensor_capabilities_list, self._sensors, known_only=True)
         return ReportRangeSensorCapabilities([self._capabilities(sensor) for sensor, _ in wanted])
 
     def _capabilities(self, sensor: int) -> _Capabilities:
@@ -274,7 +274,7 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
         self, query: QueryRangeSensorConfiguration
     ) -> ReportRangeSensorConfiguration:
         """How each sensor is set."""
-        wanted = chosen(query.range_sensor_configuration_list, self._sensors, known_only=True)
+        wanted = requested_sensors(query.range_sensor_configuration_list, self._sensors, known_only=True)
         return ReportRangeSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def _configuration(self, sensor: int) -> _Configuration:
@@ -294,7 +294,7 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
         self, query: QuerySensorGeometricProperties
     ) -> ReportSensorGeometricProperties:
         """Where each sensor is on the vehicle."""
-        wanted = chosen(query.sensor_id_list, self._sensors, known_only=True)
+        wanted = requested_sensors(query.sensor_id_list, self._sensors, known_only=True)
         return ReportSensorGeometricProperties(
             [geometric_properties(sensor, self._sensors[sensor]) for sensor, _ in wanted]
         )
@@ -304,12 +304,12 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
     def send_confirm_sensor_configuration(self, msg: SetRangeSensorConfiguration) -> ConfirmSensorConfiguration:
         """For each sensor that it is set, or why not."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = chosen(msg.range_sensor_configuration_list, self._sensors)
+        wanted = requested_sensors(msg.range_sensor_configuration_list, self._sensors)
         return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_range_sensor_configuration(self, msg: SetRangeSensorConfiguration) -> None:
         """Set those that can be set so; a setting that is left out stays."""
-        for sensor, record in chosen(msg.range_sensor_configuration_list, self._sensors, known_only=True):
+        for sensor, record in requested_sensors(msg.range_sensor_configuration_list, self._sensors, known_only=True):
             if self._refusal(sensor, record) is None:
                 lidar = self._sensors[sensor].lidar
                 lidar.configure(settings(record, lidar.settings))

@@ -26,8 +26,13 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
-from jauspy.services.environment_sensing.video_camera import OFFERED, Cameras, number_of, offered
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.video_camera import (
+    SUPPORTED_FRAME_SIZES,
+    Cameras,
+    frame_size,
+    supported_frame_sizes,
+)
+from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
 
@@ -135,7 +140,7 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
 
     def capture_still_image(self, msg: QueryStillImageDataExt) -> None:
         """Take a picture with each camera that is asked for."""
-        wanted = chosen(msg.query_still_image_data_list, self._cameras, known_only=True)
+        wanted = requested_sensors(msg.query_still_image_data_list, self._cameras, known_only=True)
         album = Album([sensor for sensor, _ in wanted], self.host.defer)
         for sensor, _ in wanted:
             settings = self._settings[sensor]
@@ -159,32 +164,34 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         self, query: QueryStillImageSensorCapabilities
     ) -> ReportStillImageSensorCapabilities:
         """Sizes and formats of each camera."""
-        wanted = chosen(query.query_still_image_sensor_capabilities_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_still_image_sensor_capabilities_list, self._cameras, known_only=True)
         formats = SupportedImageFormats(*(int(number in FORMATS) for number in _Number))
-        return ReportStillImageSensorCapabilities([_Capabilities(sensor, offered(), formats) for sensor, _ in wanted])
+        return ReportStillImageSensorCapabilities(
+            [_Capabilities(sensor, supported_frame_sizes(), formats) for sensor, _ in wanted]
+        )
 
     def send_report_still_image_sensor_configuration(
         self, query: QueryStillImageSensorConfiguration
     ) -> ReportStillImageSensorConfiguration:
         """How each camera is set."""
-        wanted = chosen(query.query_still_image_sensor_configuration_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_still_image_sensor_configuration_list, self._cameras, known_only=True)
         return ReportStillImageSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def _configuration(self, sensor: int) -> _Configuration:
         now = self._settings[sensor]
-        return _Configuration(sensor, number_of(now.width, now.height), NUMBERS[now.format])
+        return _Configuration(sensor, frame_size(now.width, now.height), NUMBERS[now.format])
 
     # --- settings
 
     def send_confirm_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> ConfirmSensorConfiguration:
         """For each camera that it is set, or why not."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = chosen(msg.still_image_sensor_list, self._cameras)
+        wanted = requested_sensors(msg.still_image_sensor_list, self._cameras)
         return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_still_image_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> None:
         """Set what can be set, for the next picture; a setting that is left out stays."""
-        for sensor, record in chosen(msg.still_image_sensor_list, self._cameras, known_only=True):
+        for sensor, record in requested_sensors(msg.still_image_sensor_list, self._cameras, known_only=True):
             if self._refusal(sensor, record) is None:
                 self._settings[sensor] = _changed(self._settings[sensor], record)
 
@@ -192,7 +199,7 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         if sensor not in self._cameras:
             return StillImageSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
         wrong = []
-        if wanted.frame_size is not None and wanted.frame_size not in OFFERED:
+        if wanted.frame_size is not None and wanted.frame_size not in SUPPORTED_FRAME_SIZES:
             wrong.append((_Code.INVALID_FRAME_SIZE, "the camera does not have this size"))
         if wanted.still_image_format is not None and wanted.still_image_format not in FORMATS:
             wrong.append((_Code.INVALID_FORMAT, "the camera writes JPEG and PNG only"))
@@ -204,7 +211,7 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
 
 def _changed(present: StillSettings, wanted: _Wanted) -> StillSettings:
     if wanted.frame_size is not None:
-        width, height = OFFERED[wanted.frame_size]  # type: ignore[index]  # an IntEnum is as good as its number
+        width, height = SUPPORTED_FRAME_SIZES[wanted.frame_size]  # type: ignore[index]  # an IntEnum is as good as its number
         present = replace(present, width=width, height=height)
     if wanted.still_image_format is not None:
         present = replace(present, format=FORMATS[wanted.still_image_format])  # type: ignore[index]

@@ -58,7 +58,7 @@ Cameras: TypeAlias = Mapping[int, VideoCamera]
 """The cameras of a component by the ids of their sensors, which count from 1."""
 
 
-def address_of(url: str) -> Address:
+def parse_rtp_url(url: str) -> Address:
     """Where `rtp://ADDRESS:PORT` is; `ConfigError` says what is wrong with it. Names are not looked up."""
     try:
         parts = urlsplit(url)
@@ -73,7 +73,7 @@ def address_of(url: str) -> Address:
 
 FrameSize = ReportDigitalVideoSensorConfiguration.FrameSize
 
-LARGEST: Final = 1920 * 1200
+MAX_PIXELS: Final = 1920 * 1200
 """Pixels of the largest picture that is offered: above it no small machine keeps up."""
 
 
@@ -82,17 +82,19 @@ def _pixels(size: FrameSize) -> tuple[int, int]:
     return int(width), int(height.removeprefix("X"))
 
 
-SIZES: Final = {size: _pixels(size) for size in FrameSize}
+FRAME_SIZES: Final = {size: _pixels(size) for size in FrameSize}
 """Width and height."""
 
-OFFERED: Final = {size: (width, height) for size, (width, height) in SIZES.items() if width * height <= LARGEST}
+SUPPORTED_FRAME_SIZES: Final = {
+    size: (width, height) for size, (width, height) in FRAME_SIZES.items() if width * height <= MAX_PIXELS
+}
 
 
-def number_of(width: int, height: int) -> FrameSize | None:
+def frame_size(width: int, height: int) -> FrameSize | None:
     """The first size that is so wide and high; None when JAUS has none."""
-    return next((size for size, pixels in SIZES.items() if pixels == (width, height)), None)
+    return next((size for size, pixels in FRAME_SIZES.items() if pixels == (width, height)), None)
 
 
-def offered() -> SupportedFrameSizes:
+def supported_frame_sizes() -> SupportedFrameSizes:
     """All sizes that are offered, for a report."""
-    return SupportedFrameSizes(*(int(size in OFFERED) for size in FrameSize))
+    return SupportedFrameSizes(*(int(size in SUPPORTED_FRAME_SIZES) for size in FrameSize))

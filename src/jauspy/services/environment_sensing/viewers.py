@@ -8,16 +8,16 @@ from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.services.environment_sensing.video_camera import Address, Cameras, address_of
+from jauspy.services.environment_sensing.video_camera import Address, Cameras, parse_rtp_url
 
-MOST: Final = 32
+MAX_END_POINTS: Final = 32
 """End points of a component; they are numbered from 1, and 0 stands for none."""
 
-LIFETIME: Final = 300.0
+END_POINT_TIMEOUT: Final = 300.0
 """Seconds that an end point lasts after its client last entered it."""
 
 
-class Flow(Enum):
+class StreamState(Enum):
     """What a stream does."""
 
     PLAY = 0
@@ -33,10 +33,10 @@ class EndPoint:
     sensor: int
     url: str
     address: Address
-    flow: Flow = Flow.PLAY
+    flow: StreamState = StreamState.PLAY
 
 
-class Viewers:
+class VideoStreams:
     """Enters and removes end points, and has the cameras send to those that play."""
 
     def __init__(self, cameras: Cameras) -> None:
@@ -45,7 +45,7 @@ class Viewers:
 
     def enter(self, client: JausID, sensor: int, url: str) -> int:
         """The number of a new end point, which plays, or of the same one; `ConfigError` when it cannot be."""
-        address = address_of(url)
+        address = parse_rtp_url(url)
         if sensor not in self.cameras:
             raise ConfigError(f"there is no sensor {sensor}; there are: {', '.join(map(str, self.cameras))}")
         for number, known in self.end_points.items():
@@ -53,7 +53,7 @@ class Viewers:
                 if known.client != client:
                     raise ConfigError(f"{url} was entered by {known.client}")
                 return number
-        number = next((each for each in range(1, MOST + 1) if each not in self.end_points), 0)
+        number = next((each for each in range(1, MAX_END_POINTS + 1) if each not in self.end_points), 0)
         if not number:
             raise ConfigError(f"there are {MOST} end points already; one must be removed first")
         self.cameras[sensor].source.watch(address)
@@ -66,22 +66,22 @@ class Viewers:
         if point is not None:
             self.cameras[point.sensor].source.leave(point.address)
 
-    def control(self, client: JausID, sensor: int, flow: Flow) -> int:
+    def control(self, client: JausID, sensor: int, flow: StreamState) -> int:
         """Play, pause or stop the client's own end points of a sensor; how many that are."""
         own = [each for each in self.end_points.values() if (each.client, each.sensor) == (client, sensor)]
         for point in own:
             source = self.cameras[sensor].source
-            if flow is Flow.STOP:
+            if flow is StreamState.STOP:
                 source.leave(point.address)
             else:
-                source.watch(point.address, playing=flow is Flow.PLAY)
+                source.watch(point.address, playing=flow is StreamState.PLAY)
             point.flow = flow
         return len(own)
 
-    def flow(self, sensor: int) -> Flow:
+    def flow(self, sensor: int) -> StreamState:
         """What the stream does: it plays if it does for anybody, and pauses if it only waits to go on."""
         flows = {each.flow for each in self.end_points.values() if each.sensor == sensor}
-        return next((flow for flow in Flow if flow in flows), Flow.STOP)
+        return next((flow for flow in StreamState if flow in flows), StreamState.STOP)
 
     def forget(self, client: JausID) -> None:
         """The client is gone."""

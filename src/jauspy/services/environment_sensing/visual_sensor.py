@@ -21,7 +21,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
 )
 from jauspy.services.environment_sensing.mounting import geometric_properties
 from jauspy.services.environment_sensing.video_camera import Cameras, VideoCamera
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 
 _Ext = ReportVisualSensorCapabilitiesExt.VisualSensorCapabilitiesRec
@@ -43,7 +43,7 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
         self, query: QueryVisualSensorCapabilities
     ) -> ReportVisualSensorCapabilities:
         """What each camera can do."""
-        wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
         return ReportVisualSensorCapabilities(
             [
                 _Capabilities(sensor, self._name(sensor), supported_states=SupportedStates(1, 0, 0))
@@ -55,21 +55,21 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
         self, query: QueryVisualSensorCapabilitiesExt
     ) -> ReportVisualSensorCapabilitiesExt:
         """What each camera can do, and its field of view."""
-        wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
         return ReportVisualSensorCapabilitiesExt([self._extended(sensor) for sensor, _ in wanted])
 
     def send_report_visual_sensor_configuration(
         self, query: QueryVisualSensorConfiguration
     ) -> ReportVisualSensorConfiguration:
         """How each camera is set."""
-        wanted = chosen(query.query_visual_sensor_configuration_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.query_visual_sensor_configuration_list, self._cameras, known_only=True)
         return ReportVisualSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
 
     def send_report_sensor_geometric_properties(
         self, query: QuerySensorGeometricProperties
     ) -> ReportSensorGeometricProperties:
         """Where each camera is on the vehicle."""
-        wanted = chosen(query.sensor_id_list, self._cameras, known_only=True)
+        wanted = requested_sensors(query.sensor_id_list, self._cameras, known_only=True)
         return ReportSensorGeometricProperties(
             [geometric_properties(sensor, self._cameras[sensor]) for sensor, _ in wanted]
         )
@@ -77,7 +77,7 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
     def send_confirm_sensor_configuration(self, msg: SetVisualSensorConfiguration) -> ConfirmSensorConfiguration:
         """That nothing is to be changed, or that it cannot be."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = chosen(msg.visual_sensor_configuration_list, self._cameras)
+        wanted = requested_sensors(msg.visual_sensor_configuration_list, self._cameras)
         return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
 
     def update_visual_sensor_configuration(self) -> None:
