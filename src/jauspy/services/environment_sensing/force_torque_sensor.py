@@ -13,7 +13,7 @@ from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import (
     ReportForceTorqueCapabilities,
 )
 from jauspy.platform.force_torque import ForceTorqueSensor as Gauge
-from jauspy.services.environment_sensing.wanted import requested_sensors
+from jauspy.services.environment_sensing.sensors import requested_sensors
 from jauspy.services.service import Service
 
 _Frame = ReportForceTorque.CoordinateSystem

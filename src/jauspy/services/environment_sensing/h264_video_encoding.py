@@ -16,8 +16,8 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
     SetH264VideoEncodingConfiguration,
 )
 from jauspy.platform.video_settings import LEVELS, Preset, Profile, VideoSettings
+from jauspy.services.environment_sensing.sensors import requested_sensors
 from jauspy.services.environment_sensing.video_camera import Cameras
-from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 
 Wanted: TypeAlias = SetH264VideoEncodingConfiguration.H264ConfigurationSequence

@@ -29,8 +29,7 @@ from jauspy.messages.environment_sensing.v2_0.range_sensor import (
     SetRangeSensorConfiguration,
 )
 from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings
-from jauspy.services.environment_sensing.mounting import Mounted, geometric_properties
-from jauspy.services.environment_sensing.wanted import requested_sensors
+from jauspy.services.environment_sensing.sensors import Mounted, geometric_properties, requested_sensors
 from jauspy.services.messaging import requested_fields
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp

@@ -26,13 +26,13 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
+from jauspy.services.environment_sensing.sensors import requested_sensors
 from jauspy.services.environment_sensing.video_camera import (
     SUPPORTED_FRAME_SIZES,
     Cameras,
     frame_size,
     supported_frame_sizes,
 )
-from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
 

@@ -13,7 +13,7 @@ from jauspy.messages.environment_sensing.v1_0.types import SupportedFrameSizes
 from jauspy.messages.environment_sensing.v2_0.digital_video import ReportDigitalVideoSensorConfiguration
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
-from jauspy.services.environment_sensing.mounting import OnVehicle
+from jauspy.services.environment_sensing.sensors import OnVehicle
 
 Address: TypeAlias = tuple[str, int]
 

@@ -19,9 +19,8 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     ReportVisualSensorConfiguration,
     SetVisualSensorConfiguration,
 )
-from jauspy.services.environment_sensing.mounting import geometric_properties
+from jauspy.services.environment_sensing.sensors import geometric_properties, requested_sensors
 from jauspy.services.environment_sensing.video_camera import Cameras, VideoCamera
-from jauspy.services.environment_sensing.wanted import requested_sensors
 from jauspy.services.service import Service
 
 _Ext = ReportVisualSensorCapabilitiesExt.VisualSensorCapabilitiesRec
