@@ -25,7 +25,7 @@ from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
 from jauspy.platform.video_settings import MAX_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.environment_sensing.video_camera import FRAME_SIZES, frame_size
+from jauspy.services.environment_sensing.visual_sensor import FRAME_SIZES, frame_size
 
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
 

@@ -7,9 +7,8 @@ from jauspy.services.environment_sensing.h264_video_encoding import H264VideoEnc
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
 from jauspy.services.environment_sensing.sensors import Mounted, OnJoint
 from jauspy.services.environment_sensing.still_image import StillImage
-from jauspy.services.environment_sensing.video_camera import VideoCamera, VideoSource
 from jauspy.services.environment_sensing.viewers import VideoStreams
-from jauspy.services.environment_sensing.visual_sensor import VisualSensor
+from jauspy.services.environment_sensing.visual_sensor import VideoCamera, VideoSource, VisualSensor
 
 __all__ = [
     "DigitalResourceDiscovery",

@@ -17,7 +17,7 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
 )
 from jauspy.platform.video_settings import LEVELS, Preset, Profile, VideoSettings
 from jauspy.services.environment_sensing.sensors import requested_sensors
-from jauspy.services.environment_sensing.video_camera import Cameras
+from jauspy.services.environment_sensing.visual_sensor import Cameras
 from jauspy.services.service import Service
 
 Wanted: TypeAlias = SetH264VideoEncodingConfiguration.H264ConfigurationSequence

@@ -27,7 +27,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensor
 from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
 from jauspy.services.environment_sensing.sensors import requested_sensors
-from jauspy.services.environment_sensing.video_camera import (
+from jauspy.services.environment_sensing.visual_sensor import (
     SUPPORTED_FRAME_SIZES,
     Cameras,
     frame_size,

@@ -8,7 +8,7 @@ from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.services.environment_sensing.video_camera import Address, Cameras, parse_rtp_url
+from jauspy.services.environment_sensing.visual_sensor import Address, Cameras, parse_rtp_url
 
 MAX_END_POINTS: Final = 32
 """End points of a component; they are numbered from 1, and 0 stands for none."""
