@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from enum import Enum
 from typing import Final
 
 from jauspy.errors import ConfigError
@@ -13,8 +15,87 @@ from jauspy.messages.environment_sensing.v2_0.digital_resource_discovery import 
     RemoveDigitalResourceEndpoint,
     ReportDigitalResourceEndpoint,
 )
-from jauspy.services.environment_sensing.viewers import END_POINT_TIMEOUT, VideoStreams
+from jauspy.services.environment_sensing.visual_sensor import Address, Cameras, parse_rtp_url
 from jauspy.services.service import Service
+
+MAX_END_POINTS: Final = 32
+"""End points of a component; they are numbered from 1, and 0 stands for none."""
+
+END_POINT_TIMEOUT: Final = 300.0
+"""Seconds that an end point lasts after its client last entered it."""
+
+
+class StreamState(Enum):
+    """What a stream does."""
+
+    PLAY = 0
+    PAUSE = 1
+    STOP = 2
+
+
+@dataclass(slots=True)
+class EndPoint:
+    """Where one client has one camera's stream sent."""
+
+    client: JausID
+    sensor: int
+    url: str
+    address: Address
+    flow: StreamState = StreamState.PLAY
+
+
+class VideoStreams:
+    """Enters and removes end points, and has the cameras send to those that play."""
+
+    def __init__(self, cameras: Cameras) -> None:
+        self.cameras = cameras
+        self.end_points: dict[int, EndPoint] = {}
+
+    def enter(self, client: JausID, sensor: int, url: str) -> int:
+        """The number of a new end point, which plays, or of the same one; `ConfigError` when it cannot be."""
+        address = parse_rtp_url(url)
+        if sensor not in self.cameras:
+            raise ConfigError(f"there is no sensor {sensor}; there are: {', '.join(map(str, self.cameras))}")
+        for number, known in self.end_points.items():
+            if known.sensor == sensor and known.address == address:
+                if known.client != client:
+                    raise ConfigError(f"{url} was entered by {known.client}")
+                return number
+        number = next((each for each in range(1, MAX_END_POINTS + 1) if each not in self.end_points), 0)
+        if not number:
+            raise ConfigError(f"there are {MOST} end points already; one must be removed first")
+        self.cameras[sensor].source.watch(address)
+        self.end_points[number] = EndPoint(client, sensor, url, address)
+        return number
+
+    def remove(self, number: int) -> None:
+        """Send there no longer; unknown ones are no error."""
+        point = self.end_points.pop(number, None)
+        if point is not None:
+            self.cameras[point.sensor].source.leave(point.address)
+
+    def control(self, client: JausID, sensor: int, flow: StreamState) -> int:
+        """Play, pause or stop the client's own end points of a sensor; how many that are."""
+        own = [each for each in self.end_points.values() if (each.client, each.sensor) == (client, sensor)]
+        for point in own:
+            source = self.cameras[sensor].source
+            if flow is StreamState.STOP:
+                source.leave(point.address)
+            else:
+                source.watch(point.address, playing=flow is StreamState.PLAY)
+            point.flow = flow
+        return len(own)
+
+    def flow(self, sensor: int) -> StreamState:
+        """What the stream does: it plays if it does for anybody, and pauses if it only waits to go on."""
+        flows = {each.flow for each in self.end_points.values() if each.sensor == sensor}
+        return next((flow for flow in StreamState if flow in flows), StreamState.STOP)
+
+    def forget(self, client: JausID) -> None:
+        """The client is gone."""
+        for number in [number for number, each in self.end_points.items() if each.client == client]:
+            self.remove(number)
+
 
 RTP: Final = 201
 """Of the server types that are free for everybody's use: RTP over UDP, sent to the address that the URL names."""
