@@ -18,8 +18,12 @@ from jauspy.messages.environment_sensing.v1_0.types import (
     VisualSensorErrorRec,
 )
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.services.environment_sensing.digital_resource_discovery import END_POINT_TIMEOUT, MAX_END_POINTS, RTP
-from jauspy.services.environment_sensing.visual_sensor import parse_rtp_url
+from jauspy.services.environment_sensing.digital_resource_discovery import (
+    END_POINT_TIMEOUT,
+    MAX_END_POINTS,
+    RTP,
+    parse_rtp_url,
+)
 
 Stream, Wanted = m.ControlDigitalVideoSensorStream, m.SetDigitalVideoSensorConfiguration
 Size = Wanted.FrameSize

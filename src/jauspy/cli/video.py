@@ -25,8 +25,7 @@ from jauspy.messages.environment_sensing import (
     RemoveDigitalResourceEndpoint as Remove,
 )
 from jauspy.ocu import OCU
-from jauspy.services.environment_sensing.digital_resource_discovery import RTP
-from jauspy.services.environment_sensing.visual_sensor import parse_rtp_url
+from jauspy.services.environment_sensing.digital_resource_discovery import RTP, parse_rtp_url
 from jauspy.video import need_video
 from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 

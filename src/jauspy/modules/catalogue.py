@@ -20,8 +20,8 @@ from jauspy.services.environment_sensing import (
     DigitalVideo,
     ForceTorqueSensor,
     H264VideoEncoding,
-    Mounted,
-    MountedGauge,
+    MountedForceTorqueSensor,
+    MountedLidar,
     RangeSensor,
     StillImage,
     VideoStreams,
@@ -95,8 +95,8 @@ class SensorContext:
     module: ClassVar[str] = "CM-SEN"
     moving: ClassVar[None] = None
     robot: RobotParts
-    lidars: tuple[Mounted, ...]
-    gauges: tuple[MountedGauge, ...]
+    lidars: tuple[MountedLidar, ...]
+    force_torque: tuple[MountedForceTorqueSensor, ...]
     """The sensors of force and torque."""
 
 
@@ -229,7 +229,7 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         ),
         "ForceTorqueSensor": ServiceEntry(
             SensorContext,
-            lambda context: ForceTorqueSensor(context.gauges) if context.gauges else None,
+            lambda context: ForceTorqueSensor(context.force_torque) if context.force_torque else None,
             needs=FORCE_TORQUE,
         ),
     },

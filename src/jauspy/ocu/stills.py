@@ -23,13 +23,13 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
-from jauspy.platform.video_settings import MAX_REPORT
+from jauspy.platform.frame_sizes import FRAME_SIZES, frame_size
+from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.environment_sensing.visual_sensor import FRAME_SIZES, frame_size
 
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
 
-LARGE_IMAGE_DELIVERY: Final = Delivery(max_message=MAX_REPORT)
+LARGE_IMAGE_DELIVERY: Final = Delivery(max_message=MAX_IMAGE_REPORT)
 """Delivery settings of an OCU that requests large images: by default messages have up to 1 MiB."""
 FORMATS: Final = ReportStillImageSensorConfiguration.StillImageFormat
 ALL_FIELDS: Final = 0xFF

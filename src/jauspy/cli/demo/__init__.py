@@ -24,7 +24,7 @@ from jauspy.cli.processes import ChildFailed, ChildProcess, run
 from jauspy.errors import ConfigError, RequestError
 from jauspy.modules import robots
 from jauspy.ocu import OCU
-from jauspy.services.environment_sensing.visual_sensor import SUPPORTED_FRAME_SIZES, FrameSize
+from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, FrameSize
 
 
 def demo(

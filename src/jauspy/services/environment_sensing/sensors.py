@@ -1,4 +1,4 @@
-"""Which sensors a query or command is about."""
+"""What all sensor services share: the sensors that a message names, and where sensors are mounted."""
 
 from __future__ import annotations
 
@@ -21,15 +21,15 @@ ALL_SENSORS: Final = 0
 """The id that stands for all sensors."""
 
 MAX_SENSORS: Final = 64
-"""Sensors that one answer is about: a query may name 65535, and one of them may be all of them."""
+"""Sensors in one report; a query may have 65535 records, each of which may name all sensors."""
 
 
 class SensorRecord(Protocol):
-    """What a query says of a sensor."""
+    """A record of a query or command about one sensor, or about all."""
 
     @property
     def sensor_id(self) -> int:
-        """Its id, or 0 for all."""
+        """Sensor id; `ALL_SENSORS` for all."""
         ...
 
 
@@ -39,7 +39,7 @@ RecordT = TypeVar("RecordT", bound=SensorRecord)
 def requested_sensors(
     records: Sequence[RecordT], sensors: Collection[int], *, known_only: bool = False
 ) -> list[tuple[int, RecordT]]:
-    """Each sensor that is asked for, once, with the first record about it; unknown ones too unless `known_only`."""
+    """Return each requested sensor once, with the first record about it; unknown ones too unless `known_only`."""
     found: dict[int, RecordT] = {}
     for record in records:
         for sensor in sensors if record.sensor_id == ALL_SENSORS else (record.sensor_id,):
@@ -51,54 +51,54 @@ def requested_sensors(
 
 
 @dataclass(frozen=True, slots=True)
-class OnJoint:
+class JointMount:
     """The joint of a manipulator, or of a pan-tilt unit, that a sensor moves with."""
 
     manipulator: JausID
     number: int
-    """Of the joint, from 1."""
+    """Number of the joint, from 1."""
     frame: Transform
-    """The sensor's frame, with JAUS's axes, in that of the joint, which is the manipulator's own."""
+    """The sensor's frame, with JAUS's axes, in the joint's frame as the manipulator defines it."""
 
 
 @dataclass(frozen=True, slots=True)
-class OnVehicle:
+class MountedSensor:
     """A sensor of the vehicle, and where it is mounted."""
 
     frame: Callable[[], Transform]
-    """Its frame in the vehicle's now, both as in REP-103."""
+    """Returns the sensor's present frame in the vehicle's frame, both with the axes of REP-103."""
     is_fixed: bool = True
-    """The frame never changes."""
-    carrier: OnJoint | None = None
-    """What it moves with, if JAUS knows it."""
+    """True if the frame never changes."""
+    joint: JointMount | None = None
+    """The joint that moves the sensor; None if the sensor is fixed or no JAUS component moves the joint."""
 
     @property
     def in_vehicle(self) -> Transform:
-        """Its frame in the vehicle's now, both with JAUS's axes."""
+        """The sensor's present frame in the vehicle's frame, both with JAUS's axes."""
         return jaus_frame(self.frame())
 
 
 @dataclass(frozen=True, slots=True)
-class Mounted(OnVehicle):
+class MountedLidar(MountedSensor):
     """A lidar of the vehicle."""
 
     lidar: RangeFinder = field(kw_only=True)
 
 
-def geometric_properties(sensor: int, mounted: OnVehicle) -> Report.GeometricPropertiesSequence:
-    """Where a sensor is on the vehicle, or on the joint that moves it; nothing where that is unknown."""
+def geometric_properties(sensor: int, mounted: MountedSensor) -> Report.GeometricPropertiesSequence:
+    """Return the sensor's pose on the vehicle, or on the joint that moves it; no properties if the joint is unknown."""
     found: Report.NoGeometricPropertiesVariant | StaticGeometricPropertiesRec | ManipulatorGeometricPropertiesRec
     if mounted.is_fixed:
-        found = StaticGeometricPropertiesRec(*_place(mounted.in_vehicle))
-    elif (joint := mounted.carrier) is not None:
+        found = StaticGeometricPropertiesRec(*_position_and_rotation(mounted.in_vehicle))
+    elif (joint := mounted.joint) is not None:
         id = joint.manipulator
         found = ManipulatorGeometricPropertiesRec(
-            id.subsystem, id.node, id.component, joint.number, *_place(joint.frame)
+            id.subsystem, id.node, id.component, joint.number, *_position_and_rotation(joint.frame)
         )
     else:
         found = Report.NoGeometricPropertiesVariant(Report.Empty0())
     return Report.GeometricPropertiesSequence(SensorIdRec(sensor), found)
 
 
-def _place(frame: Transform) -> tuple[list[float], list[float]]:
+def _position_and_rotation(frame: Transform) -> tuple[list[float], list[float]]:
     return list(frame.position), list(quaternion(frame.rotation))
