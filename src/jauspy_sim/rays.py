@@ -20,108 +20,8 @@ ZENITH: Final = 90
 _SIDE, _TOP, _BOTTOM = 0, 2, 3
 """Faces of the box, as MuJoCo stacks them: right, left, up, down, front, back."""
 
-
-class Sky:
-    """The sky by elevation, read from the world's sky box; it looks the same in all directions."""
-
-    def __init__(self, model: mujoco.MjModel) -> None:
-        boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
-        elevations = np.radians(np.arange(-ZENITH, ZENITH + 1))
-        self._colours = (
-            np.array([_colour(_faces(model, int(boxes[0])), elevation) for elevation in elevations])
-            if len(boxes)
-            else np.tile(np.array(PLAIN_SKY, np.float64), (2 * ZENITH + 1, 1))
-        )
-
-    def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What is seen in each direction (unit vectors, z up): red, green, blue, 0..255."""
-        degrees = np.degrees(np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)))
-        seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + ZENITH]
-        return seen
-
-
-def _faces(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
-    """The faces of the box, each as rows of pixels, outermost first; one that has a single face has it six times."""
-    size, begin = int(model.tex_width[texture]), int(model.tex_adr[texture])
-    channels, rows = int(model.tex_nchannel[texture]), int(model.tex_height[texture])
-    pixels = model.tex_data[begin : begin + size * rows * channels].reshape(-1, size, size, channels)
-    return np.resize(pixels[..., :3], (6, size, size, 3))
-
-
-def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
-    """In the middle of a side, or from the middle of the top or the bottom outwards."""
-    last = faces.shape[1] - 1
-    if abs(elevation) <= np.pi / 4.0:
-        row = round((1.0 - np.tan(elevation)) / 2.0 * last)
-        return np.array(faces[_SIDE, row, last // 2], np.float64)
-    row = round((1.0 + 1.0 / np.tan(abs(elevation))) / 2.0 * last)
-    return np.array(faces[_TOP if elevation > 0.0 else _BOTTOM, row, last // 2], np.float64)
-
-
 PATTERN_PERIOD: Final = 2.0
 """Metres after which a pattern repeats on a floor, when its material says once for each unit."""
-
-
-class Shading:
-    """Of a model's shapes. Lights are directional ones and the camera's own; nothing casts a shadow."""
-
-    def __init__(self, model: mujoco.MjModel) -> None:
-        self._model = model
-        self._plain = 255.0 * np.array([_plain(model, geom) for geom in range(model.ngeom)])
-        self._patterns = {
-            int(geom): pattern
-            for geom in np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE)
-            if (pattern := _pattern(model, int(geom))) is not None
-        }
-
-    def colours(
-        self, data: mujoco.MjData, hit: NDArray[np.int32], points: NDArray[np.float64], widths: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
-        """Of the shapes that were hit, at these points of the world; dots that are too wide for a pattern blur it."""
-        colours: NDArray[np.float64] = self._plain[hit]
-        for geom, pattern in self._patterns.items():
-            on = hit == geom
-            local = (points[on] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
-            size = np.array(pattern.shape[:2])
-            at = np.floor(local[:, 1::-1] / [-PATTERN_PERIOD, PATTERN_PERIOD] % 1.0 * size).astype(np.int64) % size
-            blur = np.clip(2.0 * widths[on] / PATTERN_PERIOD, 0.0, 1.0)[:, None]
-            colours[on] *= (1.0 - blur) * pattern[at[:, 0], at[:, 1]] + blur * pattern.mean(axis=(0, 1))
-        return colours
-
-    def light(
-        self, data: mujoco.MjData, facing: NDArray[np.float64], normals: NDArray[np.float64]
-    ) -> NDArray[np.float64]:
-        """What falls on surfaces with these normals, which face the camera so much (0..1): red, green, blue."""
-        model, own = self._model, self._model.vis.headlight
-        light = np.asarray(own.ambient) + facing[:, None] * np.asarray(own.diffuse)
-        for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
-            sun = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
-            light = light + model.light_ambient[number] + sun * model.light_diffuse[number]
-        return np.asarray(light)
-
-
-def _plain(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
-    """Its colour, 0..1. Patterns are drawn on floors; elsewhere they count with their mean."""
-    material = int(model.geom_matid[geom])
-    if material < 0:
-        return np.array(model.geom_rgba[geom][:3])
-    pattern = _pattern(model, geom)
-    is_floor = model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_PLANE
-    mean = 1.0 if pattern is None or is_floor else pattern.mean(axis=(0, 1))
-    return np.array(model.mat_rgba[material][:3]) * mean
-
-
-def _pattern(model: mujoco.MjModel, geom: int) -> NDArray[np.float64] | None:
-    """The texture of its material as rows of pixels, 0..1."""
-    material = int(model.geom_matid[geom])
-    textures = [int(each) for each in np.ravel(model.mat_texid[material]) if each >= 0] if material >= 0 else []
-    if not textures:
-        return None
-    rows, columns = int(model.tex_height[textures[0]]), int(model.tex_width[textures[0]])
-    channels, begin = int(model.tex_nchannel[textures[0]]), int(model.tex_adr[textures[0]])
-    pixels = model.tex_data[begin : begin + rows * columns * channels].reshape(rows, columns, channels)
-    return np.array(pixels[..., :3], np.float64) / 255.0
-
 
 MAX_RAYS: Final = 160 * 120
 """Rays of one picture, at most: 11 ms on a small machine."""
@@ -133,6 +33,7 @@ MAX_DISTANCE: Final = 40.0
 """Metres beyond which nothing is seen."""
 
 _VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
+
 _GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
 
@@ -217,3 +118,101 @@ def _grid_size(width: int, height: int, most: int) -> tuple[int, int]:
     """Columns and rows of a picture of that shape, in rays."""
     shrink = max(1.0, math.sqrt(width * height / most))
     return round(width / shrink), round(height / shrink)
+
+
+class Sky:
+    """The sky by elevation, read from the world's sky box; it looks the same in all directions."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
+        elevations = np.radians(np.arange(-ZENITH, ZENITH + 1))
+        self._colours = (
+            np.array([_colour(_faces(model, int(boxes[0])), elevation) for elevation in elevations])
+            if len(boxes)
+            else np.tile(np.array(PLAIN_SKY, np.float64), (2 * ZENITH + 1, 1))
+        )
+
+    def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
+        """What is seen in each direction (unit vectors, z up): red, green, blue, 0..255."""
+        degrees = np.degrees(np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)))
+        seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + ZENITH]
+        return seen
+
+
+def _faces(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
+    """The faces of the box, each as rows of pixels, outermost first; one that has a single face has it six times."""
+    size, begin = int(model.tex_width[texture]), int(model.tex_adr[texture])
+    channels, rows = int(model.tex_nchannel[texture]), int(model.tex_height[texture])
+    pixels = model.tex_data[begin : begin + size * rows * channels].reshape(-1, size, size, channels)
+    return np.resize(pixels[..., :3], (6, size, size, 3))
+
+
+def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
+    """In the middle of a side, or from the middle of the top or the bottom outwards."""
+    last = faces.shape[1] - 1
+    if abs(elevation) <= np.pi / 4.0:
+        row = round((1.0 - np.tan(elevation)) / 2.0 * last)
+        return np.array(faces[_SIDE, row, last // 2], np.float64)
+    row = round((1.0 + 1.0 / np.tan(abs(elevation))) / 2.0 * last)
+    return np.array(faces[_TOP if elevation > 0.0 else _BOTTOM, row, last // 2], np.float64)
+
+
+class Shading:
+    """Of a model's shapes. Lights are directional ones and the camera's own; nothing casts a shadow."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        self._model = model
+        self._plain = 255.0 * np.array([_plain(model, geom) for geom in range(model.ngeom)])
+        self._patterns = {
+            int(geom): pattern
+            for geom in np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE)
+            if (pattern := _pattern(model, int(geom))) is not None
+        }
+
+    def colours(
+        self, data: mujoco.MjData, hit: NDArray[np.int32], points: NDArray[np.float64], widths: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Of the shapes that were hit, at these points of the world; dots that are too wide for a pattern blur it."""
+        colours: NDArray[np.float64] = self._plain[hit]
+        for geom, pattern in self._patterns.items():
+            on = hit == geom
+            local = (points[on] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
+            size = np.array(pattern.shape[:2])
+            at = np.floor(local[:, 1::-1] / [-PATTERN_PERIOD, PATTERN_PERIOD] % 1.0 * size).astype(np.int64) % size
+            blur = np.clip(2.0 * widths[on] / PATTERN_PERIOD, 0.0, 1.0)[:, None]
+            colours[on] *= (1.0 - blur) * pattern[at[:, 0], at[:, 1]] + blur * pattern.mean(axis=(0, 1))
+        return colours
+
+    def light(
+        self, data: mujoco.MjData, facing: NDArray[np.float64], normals: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """What falls on surfaces with these normals, which face the camera so much (0..1): red, green, blue."""
+        model, own = self._model, self._model.vis.headlight
+        light = np.asarray(own.ambient) + facing[:, None] * np.asarray(own.diffuse)
+        for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
+            sun = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
+            light = light + model.light_ambient[number] + sun * model.light_diffuse[number]
+        return np.asarray(light)
+
+
+def _plain(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
+    """Its colour, 0..1. Patterns are drawn on floors; elsewhere they count with their mean."""
+    material = int(model.geom_matid[geom])
+    if material < 0:
+        return np.array(model.geom_rgba[geom][:3])
+    pattern = _pattern(model, geom)
+    is_floor = model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_PLANE
+    mean = 1.0 if pattern is None or is_floor else pattern.mean(axis=(0, 1))
+    return np.array(model.mat_rgba[material][:3]) * mean
+
+
+def _pattern(model: mujoco.MjModel, geom: int) -> NDArray[np.float64] | None:
+    """The texture of its material as rows of pixels, 0..1."""
+    material = int(model.geom_matid[geom])
+    textures = [int(each) for each in np.ravel(model.mat_texid[material]) if each >= 0] if material >= 0 else []
+    if not textures:
+        return None
+    rows, columns = int(model.tex_height[textures[0]]), int(model.tex_width[textures[0]])
+    channels, begin = int(model.tex_nchannel[textures[0]]), int(model.tex_adr[textures[0]])
+    pixels = model.tex_data[begin : begin + rows * columns * channels].reshape(rows, columns, channels)
+    return np.array(pixels[..., :3], np.float64) / 255.0

@@ -20,11 +20,11 @@ from jauspy.services.environment_sensing import (
     DigitalVideo,
     ForceTorqueSensor,
     H264VideoEncoding,
-    Mounted,
-    MountedGauge,
+    MountedForceTorqueSensor,
+    MountedLidar,
     RangeSensor,
     StillImage,
-    Viewers,
+    VideoStreams,
     VisualSensor,
 )
 from jauspy.services.service import Service
@@ -95,8 +95,8 @@ class SensorContext:
     module: ClassVar[str] = "CM-SEN"
     moving: ClassVar[None] = None
     robot: RobotParts
-    lidars: tuple[Mounted, ...]
-    gauges: tuple[MountedGauge, ...]
+    lidars: tuple[MountedLidar, ...]
+    force_torque: tuple[MountedForceTorqueSensor, ...]
     """The sensors of force and torque."""
 
 
@@ -106,7 +106,7 @@ class VisionContext:
 
     module: ClassVar[str] = "CM-VIS"
     robot: RobotParts
-    viewers: Viewers
+    streams: VideoStreams
     """Its cameras, by sensor id, and who watches them."""
     pan_tilt: manipulator.PanTilt | None
     """The unit that turns the camera."""
@@ -166,8 +166,8 @@ def _arm(make: Callable[[manipulator.Arm], Service]) -> ServiceEntry[Manipulator
     return ServiceEntry(ManipulatorContext, lambda context: make(context.arm))
 
 
-def _camera(make: Callable[[Viewers], Service]) -> ServiceEntry[VisionContext]:
-    return ServiceEntry(VisionContext, lambda context: make(context.viewers))
+def _camera(make: Callable[[VideoStreams], Service]) -> ServiceEntry[VisionContext]:
+    return ServiceEntry(VisionContext, lambda context: make(context.streams))
 
 
 def _pan_tilt(make: Callable[[manipulator.PanTilt], Service]) -> ServiceEntry[VisionContext]:
@@ -229,15 +229,15 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         ),
         "ForceTorqueSensor": ServiceEntry(
             SensorContext,
-            lambda context: ForceTorqueSensor(context.gauges) if context.gauges else None,
+            lambda context: ForceTorqueSensor(context.force_torque) if context.force_torque else None,
             needs=FORCE_TORQUE,
         ),
     },
     "CM-VIS": {
-        "VisualSensor": _camera(lambda viewers: VisualSensor(viewers.cameras)),
+        "VisualSensor": _camera(lambda streams: VisualSensor(streams.cameras)),
         "DigitalVideo": _camera(DigitalVideo),
-        "H264VideoEncoding": _camera(lambda viewers: H264VideoEncoding(viewers.cameras)),
-        "StillImage": _camera(lambda viewers: StillImage(viewers.cameras)),
+        "H264VideoEncoding": _camera(lambda streams: H264VideoEncoding(streams.cameras)),
+        "StillImage": _camera(lambda streams: StillImage(streams.cameras)),
         "DigitalResourceDiscovery": _camera(DigitalResourceDiscovery),
         "PrimitivePanTilt": _pan_tilt(manipulator.PrimitivePanTilt),
         "PanTiltJointPositionSensor": _pan_tilt(manipulator.PanTiltJointPositionSensor),

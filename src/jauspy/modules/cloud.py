@@ -18,11 +18,11 @@ from jauspy.modules.config import RobotConfig
 from jauspy.platform.camera import Camera
 from jauspy.platform.ranging import RangeFinder, RangeScan
 
-POLL: Final = 0.02
+POLL_INTERVAL: Final = 0.02
 """Seconds between two looks for a new scan."""
 
 
-class Seeing(Protocol):
+class SensorSource(Protocol):
     """A robot that runs."""
 
     @property
@@ -72,7 +72,7 @@ class Clouds:
         return Counter({f"{name}.{what}": count for name, found in counted for what, count in found.items()})
 
     @asynccontextmanager
-    async def published(self, robot: Seeing) -> AsyncIterator[None]:
+    async def published(self, robot: SensorSource) -> AsyncIterator[None]:
         """Publish meanwhile; `TransportError` when an address cannot be used."""
         async with AsyncExitStack() as stack:
             for name, address in self._places.items():
@@ -99,7 +99,7 @@ async def stream(lidars: Mapping[str, RangeFinder], publisher: CloudPublisher) -
             if scan is not None and scan is not sent.get(name):
                 sent[name] = scan
                 publisher.publish(points(scan), scan.frame, time.time() - lidar.age)
-        await asyncio.sleep(POLL)
+        await asyncio.sleep(POLL_INTERVAL)
 
 
 def points(scan: RangeScan) -> bytes:

@@ -21,7 +21,16 @@ from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
 
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
+
 UrdfName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
+
+Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
+
+DEFAULT_GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
+"""The group of joints that a type moves, unless its module names another."""
+
+MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
+"""Types that move nothing, unless a CM-VIS names a group that its camera is on."""
 
 
 class StrictConfig(BaseModel):
@@ -201,33 +210,6 @@ class CameraConfig(StrictConfig):
         return VideoSettings(*self.size, self.rate, 1000 * self.bit_rate)
 
 
-def _on_the_wire(name: str) -> str:
-    try:
-        name.encode("latin-1")
-    except UnicodeEncodeError as error:
-        raise ValueError(f"name: {name!r}: JAUS sends names in Latin-1, which has no {name[error.start]!r}") from None
-    return name
-
-
-def _one_component(text: str) -> str:
-    try:
-        wildcard = JausID.parse(text).is_wildcard
-    except ConfigError as error:
-        raise ValueError(f"announce_to: {error}") from None
-    if wildcard:
-        raise ValueError(f"announce_to: {text} stands for many; give the id of one console, as in 42.1.1")
-    return text
-
-
-Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
-GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
-"""The group of joints that a type moves, unless its module names another."""
-
-
-MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
-"""Types that move nothing, unless a CM-VIS names a group that its camera is on."""
-
-
 class AccessControlConfig(StrictConfig):
     """Who may control a module, and how long a client may be silent."""
 
@@ -235,6 +217,16 @@ class AccessControlConfig(StrictConfig):
     """Seconds, 1..255; 0 never takes control back."""
     default_authority: Annotated[int, Field(ge=0, le=255)] = 1
     """What a client needs at least."""
+
+
+def _check_single_component(text: str) -> str:
+    try:
+        wildcard = JausID.parse(text).is_wildcard
+    except ConfigError as error:
+        raise ValueError(f"announce_to: {error}") from None
+    if wildcard:
+        raise ValueError(f"announce_to: {text} stands for many; give the id of one console, as in 42.1.1")
+    return text
 
 
 class ModuleConfig(StrictConfig):
@@ -249,7 +241,7 @@ class ModuleConfig(StrictConfig):
     camera: UrdfName | None = None
     """The name of the one that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
-    announce_to: Annotated[str, AfterValidator(_one_component)] | None = None
+    announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
     """The id of a console that the module asks who it is, again and again until it answers, so as to be found."""
 
     @model_validator(mode="after")
@@ -258,7 +250,7 @@ class ModuleConfig(StrictConfig):
             needs = self.needs()
         except ConfigError as error:
             raise ValueError(f"services: {error}") from None
-        if self.group is not None and self.type not in (*GROUPS, "CM-VIS"):
+        if self.group is not None and self.type not in (*DEFAULT_GROUPS, "CM-VIS"):
             raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
         if catalogue.PAN_TILT in needs and self.group is None:
             raise ValueError(f"group: is missing; {needs[catalogue.PAN_TILT][0]} needs {catalogue.PAN_TILT}")
@@ -277,7 +269,7 @@ class ModuleConfig(StrictConfig):
     @property
     def moves(self) -> str | None:
         """The group of joints that the module moves."""
-        return self.group or GROUPS.get(self.type)
+        return self.group or DEFAULT_GROUPS.get(self.type)
 
     def offers(self, service: str) -> bool:
         """True if the module has the service, as far as the robot has what it needs."""
@@ -296,10 +288,18 @@ class OriginConfig(StrictConfig):
     """Degrees clockwise from true north, of the world's x axis: where the robot looks at the start."""
 
 
+def _check_latin1(name: str) -> str:
+    try:
+        name.encode("latin-1")
+    except UnicodeEncodeError as error:
+        raise ValueError(f"name: {name!r}: JAUS sends names in Latin-1, which has no {name[error.start]!r}") from None
+    return name
+
+
 class RobotConfig(StrictConfig):
     """One robot: a JAUS node with its capability modules, on a backend."""
 
-    name: Annotated[Name, AfterValidator(_on_the_wire)]
+    name: Annotated[Name, AfterValidator(_check_latin1)]
     description: Annotated[str, Field(max_length=200)] = ""
     urdf: Annotated[str, Field(min_length=1)]
     """The file that describes its links and joints, as URDF or xacro; a relative path starts at the TOML file."""

@@ -1,4 +1,4 @@
-"""A whole robot: a backend, brought to life in real time, and its capability modules as JAUS components."""
+"""A whole robot: a backend that runs in real time, and its capability modules as JAUS components."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
-from jauspy.platform.video_settings import MAX_REPORT
+from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
@@ -29,14 +29,14 @@ from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
 
-LAPSE: Final = 1.0
+HEARTBEAT_TIMEOUT: Final = 1.0
 """Seconds that the event loop may hang before the drive is stopped without it."""
 
 _VEHICLE, _NODE, _COMPONENT = 10001, 40001, 60001  # the types that Discovery reports (AS5710)
 
 
 def _in_real_time(robot: Robot) -> RealTime:
-    return RealTime(robot, lapse=LAPSE)
+    return RealTime(robot, heartbeat_timeout=HEARTBEAT_TIMEOUT)
 
 
 class RobotRunner:
@@ -115,7 +115,7 @@ class RobotRunner:
             hosts = [_host(self.config, module, model, realtime, videos) for module in self.config.modules]
             _acquaint(hosts)
             for host, module in zip(hosts, self.config.modules, strict=True):
-                delivery = Delivery(max_message=MAX_REPORT) if module.camera else None
+                delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
                 component = Component.of_host(
                     host,
                     self._transports(host.id),
@@ -204,7 +204,7 @@ def announced(host: Host, module: ModuleConfig) -> Intercept | None:
 async def _heartbeat(realtime: RealTime) -> None:
     while True:
         realtime.alive()
-        await asyncio.sleep(LAPSE / 4.0)
+        await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
 
 
 async def _cancel(task: asyncio.Task[None]) -> None:

@@ -23,7 +23,7 @@ from jauspy.platform.description import RobotModel
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
 
-MOST_EXTENSIONS: Final = 8
+MAX_EXTENSIONS: Final = 8
 """Files that may extend each other in a row."""
 
 
@@ -38,7 +38,7 @@ def load(name_or_path: str | Path) -> RobotConfig:
     A file may say `extends = "inc1"` (a name or a path): it has all keys of that file that it does not set itself.
     """
     source = _find(name_or_path, Path())
-    data = _read(source, MOST_EXTENSIONS)
+    data = _read(source, MAX_EXTENSIONS)
     try:
         return RobotConfig.model_validate(data)
     except ValidationError as error:
@@ -81,7 +81,7 @@ def _find(name_or_path: str | Path, folder: Path) -> Traversable:
     return _FOLDER / f"{text}{SUFFIX}"
 
 
-SQUARE: Final = 1e-3
+MAX_AXIS_COSINE: Final = 1e-3
 """Cosine of an angle that counts as a right one."""
 
 
@@ -151,7 +151,7 @@ def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: Robo
     frame = Transform()
     for joint in description.chain(moving[0].child, moving[1].child):
         frame = frame @ Transform.from_pose(joint.origin)
-    if abs(dot(moving[0].axis, frame.rotate(moving[1].axis))) > SQUARE:
+    if abs(dot(moving[0].axis, frame.rotate(moving[1].axis))) > MAX_AXIS_COSINE:
         raise ConfigError(f"{key}.joints: their axes are not at right angles; one pans, the other one tilts")
 
 

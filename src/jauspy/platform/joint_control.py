@@ -10,10 +10,10 @@ from jauspy.platform.description import Gains, JointGains
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.setpoint import SetpointGenerator
 
-BRAKING: Final = 0.1
+BRAKE_TIME: Final = 0.1
 """Seconds that a joint that is to hold brakes first: long enough for those beside it to come to rest, too."""
 
-LIVELIEST: Final = 50.0
+ROTOR_ACCELERATION: Final = 50.0
 """Acceleration of a joint that moves nothing but its own rotor with full effort, rad/s^2 or m/s^2.
 
 So effort / (LIVELIEST * dt) stops within a step at the soonest, and does not shake.
@@ -50,7 +50,7 @@ class JointController:
             return
         self._reset()
         self._setpoint.hold(position)
-        self._holding, self._braking = True, BRAKING
+        self._holding, self._braking = True, BRAKE_TIME
 
     def effort(self, position: float, velocity: float, dt: float, feed_forward: float = 0.0) -> float:
         """The effort for the next `dt` seconds; `feed_forward` is what the joint needs anyhow, against gravity."""
@@ -72,7 +72,7 @@ class JointController:
         """Against the motion, with all there is; the position PID alone would let the joint run on and pull it back."""
         self._braking -= dt
         self._setpoint.hold(position)
-        return self._limited(feed_forward - self._joint.effort * velocity / (LIVELIEST * dt))
+        return self._limited(feed_forward - self._joint.effort * velocity / (ROTOR_ACCELERATION * dt))
 
     def _limited(self, effort: float) -> float:
         return min(self._joint.effort, max(-self._joint.effort, effort))

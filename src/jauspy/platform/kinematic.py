@@ -21,150 +21,33 @@ from jauspy.platform.kinematic_camera import KinematicCameras
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
 
-
-class KinematicJoints:
-    """A `JointGroup` of joints that follow their set points exactly.
-
-    Commanded by effort, a joint moves as if its damping were all that resists: full effort is full speed.
-    """
-
-    def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
-        self._joints = tuple(description.joint(name) for name in setup.joints)
-        self._chain = description.chain(setup.base, setup.tip)
-        self._motions = [
-            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
-        ]
-        self._efforts = [0.0] * len(self._joints)
-
-    @property
-    def joints(self) -> tuple[Joint, ...]:
-        """The joints that move, base to tip."""
-        return self._joints
-
-    @property
-    def chain(self) -> tuple[Joint, ...]:
-        """All joints from base to tip, fixed ones included."""
-        return self._chain
-
-    def command(self, targets: Sequence[Target | None]) -> None:
-        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
-        for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
-            if target is None:
-                continue
-            most = motion.joint.effort
-            by_effort = target.mode is ControlMode.EFFORT
-            self._efforts[number] = min(most, max(-most, target.value)) if by_effort else 0.0
-            motion.target = _as_speed(motion.joint, target) if by_effort else target
-
-    def hold(self) -> None:
-        """Stop, and hold the present positions."""
-        for motion in self._motions:
-            motion.hold(motion.position)
-        self._efforts = [0.0] * len(self._joints)
-
-    def state(self) -> JointState:
-        """Positions and velocities after the last step; efforts as commanded."""
-        positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
-        return JointState(positions, velocities, tuple(self._efforts))
-
-    def step(self, dt: float) -> None:
-        """Move for `dt` seconds."""
-        for motion in self._motions:
-            motion.advance(dt)
-
-
-def _as_speed(joint: Joint, target: Target) -> Target:
-    share = target.value / joint.effort if joint.effort else 0.0
-    speed = joint.velocity * min(1.0, max(-1.0, share)) if math.isfinite(share) else 0.0
-    return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)
-
+WORLDS: Final = ("demo", "empty")
+"""Worlds that are known by name; what stands in them is not there for a kinematic robot."""
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
 
-SLIP: Final = 2.4
+SLIP_FACTOR: Final = 2.4
 """How much farther apart than the tracks two wheels would be that turn as they do."""
 
 
-@dataclass(frozen=True, slots=True)
-class SkidSteerParameters:
-    """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
+class KinematicBackend:
+    """Robots by arithmetic; each of the `WORLDS` is a flat floor to them."""
 
-    free_speed: float = 1.55
-    """Track speed at full effort if nothing resisted."""
-    response: float = 0.15
-    """Time constant with which a track follows its effort (drag against drive force)."""
-    friction: float = 0.2
-    """Deceleration by friction in the drive, whatever the speed."""
-    brake: float = 4.0
-    """Deceleration that the brake adds at zero effort."""
-    slip_width: float = 1.1
-    """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""
+    name: str = "kinematic"
 
-
-WORLDS: Final = ("demo", "empty")
-"""Worlds that are known by name; what stands in them is not there for a kinematic robot."""
-
-
-def track_speed(speed: float, effort: float, dt: float, parameters: SkidSteerParameters) -> float:
-    """Speed of one track `dt` seconds later: towards its effort's, against friction that never reverses it."""
-    resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
-    driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
-    return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
-
-
-def parameters_of(robot: RobotModel) -> SkidSteerParameters:
-    """The chassis of that robot: full speed and distance of the tracks are those of its description."""
-    left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
-    gauge = abs(left.origin.y - right.origin.y)
-    return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP * gauge)
-
-
-class KinematicDrive(SkidSteerDrive):
-    """The chassis of a kinematic robot: a `DriveBase`."""
-
-    def __init__(self, parameters: SkidSteerParameters) -> None:
-        super().__init__()
-        self._parameters = parameters
-        self._efforts = (0.0, 0.0)
-        self._left = self._right = 0.0
-        self._x = self._y = self._yaw = 0.0
-
-    def set_track_efforts(self, left: float, right: float) -> None:
-        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes."""
-        self._efforts = (left, right)
-
-    def pose(self) -> Pose:
-        """Pose on the floor; the yaw is within -pi..pi."""
-        return Pose(x=self._x, y=self._y, yaw=math.remainder(self._yaw, math.tau))
-
-    def twist(self) -> Twist:
-        """Forward speed and yaw rate."""
-        return Twist(
-            vx=(self._left + self._right) / 2.0,
-            wz=(self._right - self._left) / self._parameters.slip_width,
-        )
-
-    def step(self, dt: float) -> None:
-        """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
-        before = self.twist()
-        left, right = self._efforts
-        self._left = track_speed(self._left, left, dt, self._parameters)
-        self._right = track_speed(self._right, right, dt, self._parameters)
-        after = self.twist()
-        distance = (before.vx + after.vx) / 2.0 * dt
-        turn = (before.wz + after.wz) / 2.0 * dt
-        heading = self._yaw + turn / 2.0
-        self._x += distance * math.cos(heading)
-        self._y += distance * math.sin(heading)
-        self._yaw += turn
+    def open(self, robot: RobotModel, world: str) -> KinematicRobot:
+        """A robot at rest at the origin."""
+        if world not in WORLDS:
+            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
+        return KinematicRobot(robot)
 
 
 class KinematicRobot:
     """A chassis on a floor, joints that do not feel weight, lidars that see nothing, and scales for its own parts."""
 
     def __init__(self, robot: RobotModel) -> None:
-        self._drive = KinematicDrive(parameters_of(robot))
+        self._drive = KinematicDrive(skid_steer_parameters(robot))
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
@@ -243,13 +126,128 @@ class KinematicRobot:
         self._cameras.close()
 
 
-class KinematicBackend:
-    """Robots by arithmetic; each of the `WORLDS` is a flat floor to them."""
+@dataclass(frozen=True, slots=True)
+class SkidSteerParameters:
+    """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
 
-    name: str = "kinematic"
+    free_speed: float = 1.55
+    """Track speed at full effort if nothing resisted."""
+    response: float = 0.15
+    """Time constant with which a track follows its effort (drag against drive force)."""
+    friction: float = 0.2
+    """Deceleration by friction in the drive, whatever the speed."""
+    brake: float = 4.0
+    """Deceleration that the brake adds at zero effort."""
+    slip_width: float = 1.1
+    """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""
 
-    def open(self, robot: RobotModel, world: str) -> KinematicRobot:
-        """A robot at rest at the origin."""
-        if world not in WORLDS:
-            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
-        return KinematicRobot(robot)
+
+class KinematicDrive(SkidSteerDrive):
+    """The chassis of a kinematic robot: a `DriveBase`."""
+
+    def __init__(self, parameters: SkidSteerParameters) -> None:
+        super().__init__()
+        self._parameters = parameters
+        self._efforts = (0.0, 0.0)
+        self._left = self._right = 0.0
+        self._x = self._y = self._yaw = 0.0
+
+    def set_track_efforts(self, left: float, right: float) -> None:
+        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes."""
+        self._efforts = (left, right)
+
+    def pose(self) -> Pose:
+        """Pose on the floor; the yaw is within -pi..pi."""
+        return Pose(x=self._x, y=self._y, yaw=math.remainder(self._yaw, math.tau))
+
+    def twist(self) -> Twist:
+        """Forward speed and yaw rate."""
+        return Twist(
+            vx=(self._left + self._right) / 2.0,
+            wz=(self._right - self._left) / self._parameters.slip_width,
+        )
+
+    def step(self, dt: float) -> None:
+        """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
+        before = self.twist()
+        left, right = self._efforts
+        self._left = track_speed_after(self._left, left, dt, self._parameters)
+        self._right = track_speed_after(self._right, right, dt, self._parameters)
+        after = self.twist()
+        distance = (before.vx + after.vx) / 2.0 * dt
+        turn = (before.wz + after.wz) / 2.0 * dt
+        heading = self._yaw + turn / 2.0
+        self._x += distance * math.cos(heading)
+        self._y += distance * math.sin(heading)
+        self._yaw += turn
+
+
+def skid_steer_parameters(robot: RobotModel) -> SkidSteerParameters:
+    """The chassis of that robot: full speed and distance of the tracks are those of its description."""
+    left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
+    gauge = abs(left.origin.y - right.origin.y)
+    return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP_FACTOR * gauge)
+
+
+def track_speed_after(speed: float, effort: float, dt: float, parameters: SkidSteerParameters) -> float:
+    """Speed of one track `dt` seconds later: towards its effort's, against friction that never reverses it."""
+    resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
+    driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
+    return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
+
+
+class KinematicJoints:
+    """A `JointGroup` of joints that follow their set points exactly.
+
+    Commanded by effort, a joint moves as if its damping were all that resists: full effort is full speed.
+    """
+
+    def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
+        self._joints = tuple(description.joint(name) for name in setup.joints)
+        self._chain = description.chain(setup.base, setup.tip)
+        self._motions = [
+            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
+        ]
+        self._efforts = [0.0] * len(self._joints)
+
+    @property
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints that move, base to tip."""
+        return self._joints
+
+    @property
+    def chain(self) -> tuple[Joint, ...]:
+        """All joints from base to tip, fixed ones included."""
+        return self._chain
+
+    def command(self, targets: Sequence[Target | None]) -> None:
+        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
+        for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
+            if target is None:
+                continue
+            most = motion.joint.effort
+            by_effort = target.mode is ControlMode.EFFORT
+            self._efforts[number] = min(most, max(-most, target.value)) if by_effort else 0.0
+            motion.target = _to_velocity(motion.joint, target) if by_effort else target
+
+    def hold(self) -> None:
+        """Stop, and hold the present positions."""
+        for motion in self._motions:
+            motion.hold(motion.position)
+        self._efforts = [0.0] * len(self._joints)
+
+    def state(self) -> JointState:
+        """Positions and velocities after the last step; efforts as commanded."""
+        positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
+        return JointState(positions, velocities, tuple(self._efforts))
+
+    def step(self, dt: float) -> None:
+        """Move for `dt` seconds."""
+        for motion in self._motions:
+            motion.advance(dt)
+
+
+def _to_velocity(joint: Joint, target: Target) -> Target:
+    share = target.value / joint.effort if joint.effort else 0.0
+    speed = joint.velocity * min(1.0, max(-1.0, share)) if math.isfinite(share) else 0.0
+    return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)

@@ -25,19 +25,19 @@ if TYPE_CHECKING:
 
     from jauspy.platform.camera import Distances, Image
 
-NUMBERS: Final = 12
+STATE_LENGTH: Final = 12
 """Of the camera's frame in the world: the rows of its rotation, then its origin."""
 
-FAR: Final = 30.0
+HAZE_DISTANCE: Final = 30.0
 """Metres at which the floor is lost in the haze."""
 
-SHADES: Final = 64
-SKY: Final = 2 * SHADES
+SHADE_COUNT: Final = 64
+SKY_INDEX: Final = 2 * SHADE_COUNT
 """The last number of the palette."""
 
-_SKY: Final = (150, 190, 230)
-_LIGHT: Final = (170, 165, 150)
-_DARK: Final = (95, 100, 90)
+_SKY_COLOUR: Final = (150, 190, 230)
+_LIGHT_COLOUR: Final = (170, 165, 150)
+_DARK_COLOUR: Final = (95, 100, 90)
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,7 +90,7 @@ class FloorCameraSession:
 
     def _see(self, width: int, height: int) -> tuple[float, Image, Distances]:
         taken, data = self._state.read()
-        numbers = struct.unpack(f"={NUMBERS}d", data)
+        numbers = struct.unpack(f"={STATE_LENGTH}d", data)
         return taken, *self._picture(numbers[:9], numbers[9:], width, height)
 
     def _picture(
@@ -104,8 +104,8 @@ class FloorCameraSession:
         x, y, z = (row[0] + row[1] * left + row[2] * up for row in rows)
         far = np.float32(-origin[2]) / np.minimum(z, np.float32(-1e-3))
         squares = (_whole(np, origin[0] + far * x) + _whole(np, origin[1] + far * y)) & 1
-        shades = np.minimum(far, np.float32(FAR)) * np.float32((SHADES - 1) / FAR)
-        image: Image = self._palette[np.where(z < 0.0, squares * SHADES + shades.astype(np.int32), SKY)]
+        shades = np.minimum(far, np.float32(HAZE_DISTANCE)) * np.float32((SHADE_COUNT - 1) / HAZE_DISTANCE)
+        image: Image = self._palette[np.where(z < 0.0, squares * SHADE_COUNT + shades.astype(np.int32), SKY_INDEX)]
         return image, np.where(z < 0.0, far, np.float32(math.inf))
 
 
@@ -117,11 +117,14 @@ def _whole(numpy: ModuleType, values: NDArray[np.float32]) -> NDArray[np.int32]:
 def _palette() -> list[tuple[int, ...]]:
     """Light and dark squares, from near to far, where they are lost in the haze; and the sky."""
     mixed = [
-        tuple(round(near + (sky - near) * shade / (SHADES - 1)) for near, sky in zip(colour, _SKY, strict=True))
-        for colour in (_LIGHT, _DARK)
-        for shade in range(SHADES)
+        tuple(
+            round(near + (sky - near) * shade / (SHADE_COUNT - 1))
+            for near, sky in zip(colour, _SKY_COLOUR, strict=True)
+        )
+        for colour in (_LIGHT_COLOUR, _DARK_COLOUR)
+        for shade in range(SHADE_COUNT)
     ]
-    return [*mixed, _SKY]
+    return [*mixed, _SKY_COLOUR]
 
 
 class KinematicCameras:
@@ -130,7 +133,7 @@ class KinematicCameras:
     def __init__(self, robot: RobotModel, drive: DriveBase, groups: Mapping[str, JointGroup]) -> None:
         self._drive, self._groups = drive, groups
         self._tree = FrameTree(robot.description)
-        self._states = {camera.link: StateWriter(NUMBERS) for camera in robot.cameras}
+        self._states = {camera.link: StateWriter(STATE_LENGTH) for camera in robot.cameras}
         self._positions: Mapping[str, float] = {}
         self._frames: Mapping[str, Transform] = {}
         """The links' frames in the root link's, at these positions: joints mostly rest."""
@@ -150,7 +153,7 @@ class KinematicCameras:
         base = Transform.from_pose(self._drive.pose())
         for link, state in self._states.items():
             frame = base @ self._frames[link]
-            state.write(struct.pack(f"={NUMBERS}d", *chain(*frame.rotation), *frame.position))
+            state.write(struct.pack(f"={STATE_LENGTH}d", *chain(*frame.rotation), *frame.position))
 
     def close(self) -> None:
         """Give the memory back; twice is fine."""

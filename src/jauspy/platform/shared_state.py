@@ -13,11 +13,11 @@ from typing import Final
 _HEADER: Final = struct.Struct("=Qd")
 _NUMBER: Final = 8
 
-TRIES: Final = 1000
+MAX_READ_ATTEMPTS: Final = 1000
 """Attempts of a reader, each disturbed by a write. A write takes microseconds, but for a writer that has to wait for
 the processor in the middle of one."""
 
-PAUSE: Final = 0.001
+READ_RETRY_INTERVAL: Final = 0.001
 """Seconds between two attempts."""
 
 
@@ -64,12 +64,12 @@ class StateReader:
 
     def read(self) -> tuple[float, bytes]:
         """When it was written (monotonic seconds), and the state as doubles: one state, never parts of two."""
-        for _ in range(TRIES):
+        for _ in range(MAX_READ_ATTEMPTS):
             data = self._memory[:]
             version, written = _HEADER.unpack_from(data)
             if version % 2 == 0 and self._memory[:_NUMBER] == data[:_NUMBER]:
                 return written, data[_HEADER.size :]
-            time.sleep(PAUSE)
+            time.sleep(READ_RETRY_INTERVAL)
         raise RuntimeError("the robot's process has stopped in the middle of writing its state")
 
     def close(self) -> None:

@@ -8,8 +8,18 @@ from typing import Final, NamedTuple
 
 from jauspy.errors import ConfigError
 
-BLOCK: Final = 16
+MACROBLOCK_SIZE: Final = 16
 """Pixels of a macroblock's side."""
+
+MIN_BIT_RATE: Final = 64_000
+
+MAX_BIT_RATE: Final = 20_000_000
+
+MAX_RATE: Final = 60
+"""Pictures per second."""
+
+MAX_IMAGE_REPORT: Final = 8 << 20
+"""Bytes of a report with an image: the largest that cameras offer fits without any compression."""
 
 
 class Profile(Enum):
@@ -74,30 +84,7 @@ class H264Settings:
     """Pictures are refreshed column by column, instead of by whole ones that come at once."""
 
 
-def blocks(pixels: int) -> int:
-    """Macroblocks that a row or column of so many pixels takes."""
-    return -(-pixels // BLOCK)
-
-
-def suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int, profile: Profile) -> bool:
-    """True when decoders of that level can take such a stream; size in pixels, rates per second."""
-    across, down = (blocks(pixels) for pixels in size)
-    bits = level.bits_per_second * (5 if profile is Profile.HIGH else 4) // 4
-    return (
-        across * down <= level.macroblocks
-        and max(across, down) ** 2 <= 8 * level.macroblocks
-        and across * down * rate <= level.macroblocks_per_second
-        and bit_rate <= bits
-    )
-
-
-MIN_BIT_RATE: Final = 64_000
-MAX_BIT_RATE: Final = 20_000_000
-
-MAX_RATE: Final = 60
-"""Pictures per second."""
-
-PLAIN: Final = H264Settings()
+DEFAULT_CODING: Final = H264Settings()
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +99,7 @@ class VideoSettings:
     rate: int = 15
     bit_rate: int = 2_000_000
     gop: int = 30
-    coding: H264Settings = PLAIN
+    coding: H264Settings = DEFAULT_CODING
 
     def __post_init__(self) -> None:
         for name, low, high in (
@@ -143,14 +130,27 @@ class VideoSettings:
     @property
     def refresh(self) -> int:
         """Pictures that a gradual refresh takes: each one refreshes a column of macroblocks, or more."""
-        return min(self.gop, blocks(self.width))
+        return min(self.gop, macroblocks(self.width))
 
     def _fits(self, level: Level) -> bool:
-        return suffices(level, (self.width, self.height), self.rate, self.bit_rate, self.coding.profile)
+        return level_suffices(level, (self.width, self.height), self.rate, self.bit_rate, self.coding.profile)
 
 
-MAX_REPORT: Final = 8 << 20
-"""Bytes of a report with an image: the largest that cameras offer fits without any compression."""
+def macroblocks(pixels: int) -> int:
+    """Macroblocks that a row or column of so many pixels takes."""
+    return -(-pixels // MACROBLOCK_SIZE)
+
+
+def level_suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int, profile: Profile) -> bool:
+    """True when decoders of that level can take such a stream; size in pixels, rates per second."""
+    across, down = (macroblocks(pixels) for pixels in size)
+    bits = level.bits_per_second * (5 if profile is Profile.HIGH else 4) // 4
+    return (
+        across * down <= level.macroblocks
+        and max(across, down) ** 2 <= 8 * level.macroblocks
+        and across * down * rate <= level.macroblocks_per_second
+        and bit_rate <= bits
+    )
 
 
 class StillFormat(Enum):
