@@ -34,7 +34,7 @@ from jauspy.codec.message import Message
 from jauspy.conformance import Bench, Part
 from jauspy.messages import core, mobility
 from jauspy.modules import hosts
-from jauspy.services import messaging
+from jauspy.services import presence_vectors
 
 
 def rules(name: str, trips: str, inject: Injector, *, motion: bool = False, only: str = "") -> Fault:
@@ -146,7 +146,7 @@ IGVC_2011: Final = (
         "3.3 3.4 3.6 5.1",
         chatty(core.Standby, core.Resume, core.Shutdown, mobility.SetLocalPose),
     ),
-    rules("reports ignore the presence vector", "4.1 4.2 5.2", patched(messaging, apply_presence_vectors=unmasked)),
+    rules("reports ignore the presence vector", "4.1 4.2 5.2", patched(presence_vectors, apply_presence_vectors=unmasked)),
     rules("velocity is empty", "4.1 4.2", instead(mobility.ReportVelocityState, nothing_in_it)),
     rules("SetLocalPose is ignored", "5.2", deaf_to(mobility.SetLocalPose)),
     rules("poses have no time", "5.3", field(mobility.ReportLocalPose, time_stamp=None)),

@@ -269,7 +269,7 @@ class Subscription(Generic[R]):
             else:
                 self._abandon()
             raise
-        self._renewal = asyncio.create_task(self._keep(lifetime), name=f"event at {self.request.id}")
+        self._renewal = asyncio.create_task(self._renew_regularly(lifetime), name=f"event at {self.request.id}")
         return self
 
     async def __aexit__(
@@ -413,7 +413,7 @@ class Subscription(Generic[R]):
                 return
         await self._create()
 
-    async def _keep(self, lifetime: float) -> None:
+    async def _renew_regularly(self, lifetime: float) -> None:
         """Renew the event at a third of its lifetime and when no reports arrive; on every change, at each interval."""
         if self._error is not None:
             return  # the component has ended it already

@@ -30,7 +30,7 @@ from jauspy.messages.environment_sensing.v2_0.range_sensor import (
 )
 from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings
 from jauspy.services.environment_sensing.sensors import MountedLidar, geometric_properties, requested_sensors
-from jauspy.services.messaging import requested_fields
+from jauspy.services.presence_vectors import requested_fields
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
 
