@@ -48,7 +48,7 @@ from tests.conformance.mistakes import (
 )
 
 from jauspy.codec.message import Message
-from jauspy.conformance import Part
+from jauspy.conformance import TargetComponent
 from jauspy.messages import core, mobility
 from jauspy.services import presence_vectors
 from jauspy.services.core import AccessControl, Events
@@ -80,7 +80,7 @@ ENDING: Final = core.CancelEvent
 """What step 80 begins with."""
 
 DRIVES: Final = (
-    driven("the robot does not move", lambda: (Part, Still, [])),
+    driven("the robot does not move", lambda: (TargetComponent, Still, [])),
     driven("the active element is always 3", field(mobility.ReportActiveElement, element_uid=3)),
     *(driven(f"the robot stops at waypoint {number}", freezes(number)) for number in (1, 2, 3)),
     *(driven(f"{kind.NAME} is late", slow(kind)) for kind in DRIVE_REPORTS),
