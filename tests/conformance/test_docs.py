@@ -37,7 +37,7 @@ def test_a_profile_of_your_own():
 
 def test_steps_as_tests():
     names: dict = {"my_host": my_host}
-    exec(program("from jauspy.conformance import VirtualTarget"), names)
+    exec(program("from jauspy.conformance import TargetComponent"), names)
     (mark,) = names["test_core"].pytestmark
     steps = [each.values[0] for each in mark.args[1]]
     assert len(steps) > 50
