@@ -10,8 +10,8 @@ from typing import Final
 from jauspy.ids import JausID
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort, format_port
+from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.egress import EgressQueue
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.sources import TokenBuckets
