@@ -29,9 +29,8 @@ class StateWriter:
         self._descriptor: int | None = os.memfd_create("jauspy-state", 0)
         os.ftruncate(self._descriptor, _HEADER.size + self._length)
         self._memory = mmap.mmap(self._descriptor, _HEADER.size + self._length)
-        self._finalizer = weakref.finalize(
-            self, os.close, self._descriptor
-        )  # closes the file of a writer that was not closed
+        # closes the file of a writer that was not closed
+        self._finalizer = weakref.finalize(self, os.close, self._descriptor)
         self._version = 0
 
     @property
