@@ -316,7 +316,7 @@ FAMILIES: Final = (
     _stream("events do not count", answers(changed(stuck), *STREAM)),
     _stream("events carry another report", answers(changed(wrong_report), *STREAM)),
     Family("has other numbers", "has (x|y|latitude|longitude)", answers(changed(other_numbers))),
-    Family("tells of changes that are none", "nothing is told", answers(twice, *STREAM)),
+    Family("tells of changes that are none", "nothing is reported when", answers(twice, *STREAM)),
     Family("tells of changes late", "^Event .* in time", delays(lambda payload, to: payload.endswith(LOWER))),
     Family("sends no events", "^Event .* comes$", answers(silence, *STREAM)),
     Family("tells of other changes", "carries the new value", answers(changed(wrong_report), *STREAM)),

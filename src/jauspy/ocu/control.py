@@ -288,7 +288,7 @@ class Control:
             if status.status == ReportStatus.Status.READY:
                 self._was_ready = True
             elif self._was_ready:
-                self._lose(f"{self.id} went from READY to {status_name(status)} without being told to by this OCU")
+                self._lose(f"{self.id} went from READY to {status_name(status)} without a command of this OCU")
 
     def _on_message(self, message: Message, source: JausID) -> None:
         if isinstance(message, RejectControl):

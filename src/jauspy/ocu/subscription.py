@@ -73,10 +73,10 @@ class EventRequest:
 
     def __post_init__(self) -> None:
         if self.rate is not None and not 0 < self.rate <= MAX_RATE:
-            raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; leave it out to hear of every change")
+            raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; omit it to subscribe to every change")
         check_number(self.silence, "silence", optional=True)
         if self.silence is not None and not self.silence > 0:
-            raise ConfigError(f"silence {self.silence} s must be above 0; leave it out for any time")
+            raise ConfigError(f"silence {self.silence} s must be above 0; omit it for no limit")
         check_number(self.buffer, "buffer", whole=True)
         if self.buffer < 1:
             raise ConfigError(f"a buffer of {self.buffer} reports holds nothing; use 1 or more")
