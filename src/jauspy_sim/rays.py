@@ -1,4 +1,4 @@
-"""A camera without GL: a ray for every pixel, by MuJoCo, with the sky, lights and colours that GL would take."""
+"""A renderer without GL: it casts rays with MuJoCo, and applies the sky, lights and colours of the model."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ _GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since 
 
 
 class RayRenderer:
-    """Paints what a camera of the model sees; takes the horizontal field of view in radians."""
+    """Renders images of a camera of the model; `fov` is its horizontal field of view in radians."""
 
     description: Final = (
         "no GL here (libegl1 or libosmesa6, and MUJOCO_GL not set otherwise): casts rays, at a reduced size"
@@ -50,7 +50,7 @@ class RayRenderer:
         self._sky, self._shading = Sky(model), Shading(model)
 
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
-        """A picture of that size, made of fewer and larger dots; of more when there is time."""
+        """Return an image of shape (height, width, 3), enlarged from fewer rays; `thoroughly` casts more."""
         columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
         dots, _ = self._cast(data, self._rays(columns, rows), self._dot(columns))
         dots = dots.reshape(rows, columns, 3)
@@ -59,7 +59,7 @@ class RayRenderer:
         return np.ascontiguousarray(dots[down][:, across])
 
     def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-        """The dots, and how far each is along the camera's axis."""
+        """Return an image of shape (rows, columns, 3) and the depths along the camera's axis, in metres."""
         columns, rows = _grid_size(width, height, MAX_RAYS)
         rays = self._rays(columns, rows)
         dots, far = self._cast(data, rays, self._dot(columns))
@@ -70,7 +70,7 @@ class RayRenderer:
         """Does nothing: it holds no resources."""
 
     def _rays(self, columns: int, rows: int) -> NDArray[np.float64]:
-        """Directions through the middles of pixels in the camera's frame, which looks along -z with y up."""
+        """Return unit vectors through the centres of pixels, shape (rays, 3); the camera looks along -z with y up."""
         dot = self._dot(columns)
         x, y = np.meshgrid(
             dot * (np.arange(columns) - (columns - 1) / 2.0), -dot * (np.arange(rows) - (rows - 1) / 2.0)
@@ -80,13 +80,13 @@ class RayRenderer:
         return units
 
     def _dot(self, columns: int) -> float:
-        """How wide a dot is at a distance of one."""
+        """Return the width of a pixel at a distance of one metre."""
         return 2.0 * self._spread / columns
 
     def _cast(
         self, data: mujoco.MjData, rays: NDArray[np.float64], dot: float
     ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
-        """What the rays hit: colours and distances."""
+        """Return colours of shape (rays, 3) and distances of shape (rays,), inf without a hit."""
         directions = rays @ data.cam_xmat[self._camera].reshape(3, 3).T
         count = len(directions)
         hit, far = np.empty(count, np.int32), np.empty(count)
@@ -114,9 +114,9 @@ class RayRenderer:
         return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
 
 
-def _grid_size(width: int, height: int, most: int) -> tuple[int, int]:
+def _grid_size(width: int, height: int, max_rays: int) -> tuple[int, int]:
     """Columns and rows of a picture of that shape, in rays."""
-    shrink = max(1.0, math.sqrt(width * height / most))
+    shrink = max(1.0, math.sqrt(width * height / max_rays))
     return round(width / shrink), round(height / shrink)
 
 
@@ -133,7 +133,7 @@ class Sky:
         )
 
     def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What is seen in each direction (unit vectors, z up): red, green, blue, 0..255."""
+        """Return the colours in directions (unit vectors, z up) of shape (n, 3): red, green, blue, 0..255."""
         degrees = np.degrees(np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)))
         seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + ZENITH]
         return seen

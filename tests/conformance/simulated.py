@@ -13,7 +13,7 @@ from jauspy.conformance import Profile, Report, Settings, TargetComponent, Virtu
 from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robot import announced
+from jauspy.modules.robot import announcement
 from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
@@ -68,7 +68,7 @@ def robot(
     parts = []
     for module in (each for each in config.modules if component in (None, each.component)):
         host = host_of(config, module, model, body, {}, videos=videos, utc_now=utc_now, now=0.0)
-        parts.append(part(host, announced(host, module) or (lambda _: False)))
+        parts.append(part(host, announcement(host, module) or (lambda _: False)))
     made.append(virtual_target(parts, **({"tick": body.advance} | options)))
     return made[0]
 

@@ -24,7 +24,7 @@ SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
 
 MAX_EXTENSIONS: Final = 8
-"""Files that may extend each other in a row."""
+"""Length of a chain of files that extend each other."""
 
 
 def known() -> list[str]:
@@ -47,7 +47,7 @@ def load(name_or_path: str | Path) -> RobotConfig:
 
 
 def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
-    """Without what follows from another one: a list is too short, too, when what is in it is wrong."""
+    """Return the problems without those that follow from others: a list with an invalid item is also too short."""
     places = [problem["loc"] for problem in problems]
     return [p for p in problems if not any(q != p["loc"] and q[: len(p["loc"])] == p["loc"] for q in places)]
 
@@ -82,7 +82,7 @@ def _find(name_or_path: str | Path, folder: Path) -> Traversable:
 
 
 MAX_AXIS_COSINE: Final = 1e-3
-"""Cosine of an angle that counts as a right one."""
+"""Largest cosine between axes that are taken as perpendicular."""
 
 
 def robot_model(config: RobotConfig) -> RobotModel:

@@ -1,4 +1,4 @@
-"""A skid-steered robot by arithmetic alone: no physics engine, an endless flat floor."""
+"""A kinematic skid-steered robot on an endless flat floor, without a physics engine."""
 
 from __future__ import annotations
 
@@ -22,17 +22,17 @@ from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
 
 WORLDS: Final = ("demo", "empty")
-"""Worlds that are known by name; what stands in them is not there for a kinematic robot."""
+"""Names of worlds; their obstacles do not exist for a kinematic robot."""
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
 
 SLIP_FACTOR: Final = 2.4
-"""How much farther apart than the tracks two wheels would be that turn as they do."""
+"""Distance of two wheels that turn as the tracks do, as a multiple of the tracks' distance; slip makes it larger."""
 
 
 class KinematicBackend:
-    """Robots by arithmetic; each of the `WORLDS` is a flat floor to them."""
+    """A `Backend` of kinematic robots; each of the `WORLDS` is a flat floor."""
 
     name: str = "kinematic"
 
@@ -44,7 +44,10 @@ class KinematicBackend:
 
 
 class KinematicRobot:
-    """A chassis on a floor, joints that do not feel weight, lidars that see nothing, and scales for its own parts."""
+    """A `Robot`: its joints ignore gravity, and its lidars find no obstacles.
+
+    Its force-torque sensors measure the weight of its own links.
+    """
 
     def __init__(self, robot: RobotModel) -> None:
         self._drive = KinematicDrive(skid_steer_parameters(robot))
@@ -56,7 +59,7 @@ class KinematicRobot:
             for setup in robot.force_torque
         }
         self._time = 0.0
-        self._look()
+        self._measure()
 
     @property
     def drive(self) -> KinematicDrive:
@@ -80,12 +83,12 @@ class KinematicRobot:
 
     @property
     def force_torque(self) -> Mapping[str, SampledForceTorque]:
-        """Its sensors of force and torque, by name: they tell what the links beyond them weigh, without noise."""
+        """Its force-torque sensors, by name: they measure the weight of the links beyond them, without noise."""
         return self._force_torque
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """Those of the chassis."""
+        """The optional parts of the chassis."""
         return self._drive.optional_parts
 
     @property
@@ -106,10 +109,10 @@ class KinematicRobot:
         if steps:
             self._drive.update_acceleration(before, dt)
         self._time += dt
-        self._look()
-        self._cameras.show()
+        self._measure()
+        self._cameras.update()
 
-    def _look(self) -> None:
+    def _measure(self) -> None:
         for lidar in self._lidars.values():
             lidar.step(self._time)
         for sensor in self._force_torque.values():
@@ -131,7 +134,7 @@ class SkidSteerParameters:
     """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
 
     free_speed: float = 1.55
-    """Track speed at full effort if nothing resisted."""
+    """Track speed at full effort without resistance."""
     response: float = 0.15
     """Time constant with which a track follows its effort (drag against drive force)."""
     friction: float = 0.2
@@ -139,7 +142,7 @@ class SkidSteerParameters:
     brake: float = 4.0
     """Deceleration that the brake adds at zero effort."""
     slip_width: float = 1.1
-    """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""
+    """Distance of two wheels that turn as the tracks do; larger than the tracks' distance because of slip."""
 
 
 class KinematicDrive(SkidSteerDrive):
@@ -183,14 +186,14 @@ class KinematicDrive(SkidSteerDrive):
 
 
 def skid_steer_parameters(robot: RobotModel) -> SkidSteerParameters:
-    """The chassis of that robot: full speed and distance of the tracks are those of its description."""
+    """Return the chassis parameters of a robot; speed and distance of the tracks are those of its URDF."""
     left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
     gauge = abs(left.origin.y - right.origin.y)
     return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP_FACTOR * gauge)
 
 
 def track_speed_after(speed: float, effort: float, dt: float, parameters: SkidSteerParameters) -> float:
-    """Speed of one track `dt` seconds later: towards its effort's, against friction that never reverses it."""
+    """Return the speed of a track after `dt` seconds at an effort; friction slows it, and never reverses it."""
     resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
     driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
     return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
@@ -221,13 +224,13 @@ class KinematicJoints:
         return self._chain
 
     def command(self, targets: Sequence[Target | None]) -> None:
-        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
+        """Set the targets of the joints, base to tip; None keeps a joint's target."""
         for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
             if target is None:
                 continue
-            most = motion.joint.effort
+            limit = motion.joint.effort
             by_effort = target.mode is ControlMode.EFFORT
-            self._efforts[number] = min(most, max(-most, target.value)) if by_effort else 0.0
+            self._efforts[number] = min(limit, max(-limit, target.value)) if by_effort else 0.0
             motion.target = _to_velocity(motion.joint, target) if by_effort else target
 
     def hold(self) -> None:
@@ -248,6 +251,6 @@ class KinematicJoints:
 
 
 def _to_velocity(joint: Joint, target: Target) -> Target:
-    share = target.value / joint.effort if joint.effort else 0.0
-    speed = joint.velocity * min(1.0, max(-1.0, share)) if math.isfinite(share) else 0.0
+    fraction = target.value / joint.effort if joint.effort else 0.0
+    speed = joint.velocity * min(1.0, max(-1.0, fraction)) if math.isfinite(fraction) else 0.0
     return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)
