@@ -18,7 +18,7 @@ from jauspy.geometry.urdf import Joint, JointKind, RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
-from jauspy.platform.joint_control import LIVELIEST
+from jauspy.platform.joint_control import ROTOR_ACCELERATION
 
 if TYPE_CHECKING:
     Numbers = memoryview[float]
@@ -28,7 +28,7 @@ logger = logging.getLogger("jauspy_sim.mujoco")
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
 
-ROTOR_INERTIA: Final = 1.0 / LIVELIEST
+ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 """Armature of a joint as a part of its greatest effort: what geared rotors add to what a joint moves."""
 
 VISUAL: Final = 1

@@ -25,8 +25,8 @@ class GlRenderer:
     Raises when GL does not work after all, and then as any of several exceptions.
     """
 
-    def __init__(self, model: mujoco.MjModel, camera: int, fov: float, way: str) -> None:
-        self.description = f"renders with {way.upper()}"
+    def __init__(self, model: mujoco.MjModel, camera: int, fov: float, gl_backend: str) -> None:
+        self.description = f"renders with {gl_backend.upper()}"
         self._model = model
         self._spread = math.tan(fov / 2.0)
         self._view = mujoco.MjvCamera()
@@ -37,7 +37,7 @@ class GlRenderer:
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
         model.vis.quality.offsamples = 0
         model.vis.map.znear = MIN_DISTANCE / model.stat.extent
-        self._gl = import_module(f"mujoco.{way}").GLContext(64, 64)
+        self._gl = import_module(f"mujoco.{gl_backend}").GLContext(64, 64)
         self._gl.make_current()
         self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
         self._context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR

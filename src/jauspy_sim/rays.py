@@ -1,4 +1,4 @@
-"""A camera without GL: a ray for every pixel, by MuJoCo, with the sky, lights and colours that GL would take."""
+"""A renderer without GL: it casts rays with MuJoCo, and applies the sky, lights and colours of the model."""
 
 from __future__ import annotations
 
@@ -20,6 +20,105 @@ ZENITH: Final = 90
 _SIDE, _TOP, _BOTTOM = 0, 2, 3
 """Faces of the box, as MuJoCo stacks them: right, left, up, down, front, back."""
 
+PATTERN_PERIOD: Final = 2.0
+"""Metres after which a pattern repeats on a floor, when its material says once for each unit."""
+
+MAX_RAYS: Final = 160 * 120
+"""Rays of one picture, at most: 11 ms on a small machine."""
+
+MAX_RAYS_OF_STILL: Final = 480 * 360
+"""The same for one that may take half a second."""
+
+MAX_DISTANCE: Final = 40.0
+"""Metres beyond which nothing is seen."""
+
+_VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
+
+_GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
+
+
+class RayRenderer:
+    """Renders images of a camera of the model; `fov` is its horizontal field of view in radians."""
+
+    description: Final = (
+        "no GL here (libegl1 or libosmesa6, and MUJOCO_GL not set otherwise): casts rays, at a reduced size"
+    )
+
+    def __init__(self, model: mujoco.MjModel, camera: int, fov: float) -> None:
+        self._model, self._camera = model, camera
+        self._spread = math.tan(fov / 2.0)
+        self._sky, self._shading = Sky(model), Shading(model)
+
+    def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
+        """Return an image of shape (height, width, 3), enlarged from fewer rays; `thoroughly` casts more."""
+        columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
+        dots, _ = self._cast(data, self._rays(columns, rows), self._dot(columns))
+        dots = dots.reshape(rows, columns, 3)
+        down = np.arange(height) * rows // height
+        across = np.arange(width) * columns // width
+        return np.ascontiguousarray(dots[down][:, across])
+
+    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+        """Return an image of shape (rows, columns, 3) and the depths along the camera's axis, in metres."""
+        columns, rows = _grid_size(width, height, MAX_RAYS)
+        rays = self._rays(columns, rows)
+        dots, far = self._cast(data, rays, self._dot(columns))
+        along = (far * -rays[:, 2]).astype(np.float32)
+        return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
+
+    def close(self) -> None:
+        """Does nothing: it holds no resources."""
+
+    def _rays(self, columns: int, rows: int) -> NDArray[np.float64]:
+        """Return unit vectors through the centres of pixels, shape (rays, 3); the camera looks along -z with y up."""
+        dot = self._dot(columns)
+        x, y = np.meshgrid(
+            dot * (np.arange(columns) - (columns - 1) / 2.0), -dot * (np.arange(rows) - (rows - 1) / 2.0)
+        )
+        rays = np.stack((x, y, -np.ones_like(x)), axis=-1).reshape(-1, 3)
+        units: NDArray[np.float64] = rays / np.linalg.norm(rays, axis=1, keepdims=True)
+        return units
+
+    def _dot(self, columns: int) -> float:
+        """Return the width of a pixel at a distance of one metre."""
+        return 2.0 * self._spread / columns
+
+    def _cast(
+        self, data: mujoco.MjData, rays: NDArray[np.float64], dot: float
+    ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
+        """Return colours of shape (rays, 3) and distances of shape (rays,), inf without a hit."""
+        directions = rays @ data.cam_xmat[self._camera].reshape(3, 3).T
+        count = len(directions)
+        hit, far = np.empty(count, np.int32), np.empty(count)
+        normals = np.tile(-directions, 1)
+        mujoco.mj_multiRay(
+            self._model,
+            data,
+            pnt=data.cam_xpos[self._camera],
+            vec=directions.ravel(),
+            geomgroup=_VISIBLE_GROUPS,
+            flg_static=True,
+            bodyexclude=-1,
+            geomid=hit,
+            dist=far,
+            nray=count,
+            cutoff=MAX_DISTANCE,
+            **({"normal": normals.reshape(-1)} if _GIVES_NORMALS else {}),
+        )
+        painted = self._sky.colours(directions)
+        seen = hit >= 0
+        points = data.cam_xpos[self._camera] + directions[seen] * far[seen, None]
+        facing = np.clip(-np.sum(directions[seen] * normals[seen], axis=1), 1e-6, 1.0)
+        light = self._shading.light(data, facing, normals[seen])
+        painted[seen] = self._shading.colours(data, hit[seen], points, dot * far[seen] / facing) * light
+        return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
+
+
+def _grid_size(width: int, height: int, max_rays: int) -> tuple[int, int]:
+    """Columns and rows of a picture of that shape, in rays."""
+    shrink = max(1.0, math.sqrt(width * height / max_rays))
+    return round(width / shrink), round(height / shrink)
+
 
 class Sky:
     """The sky by elevation, read from the world's sky box; it looks the same in all directions."""
@@ -34,7 +133,7 @@ class Sky:
         )
 
     def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
-        """What is seen in each direction (unit vectors, z up): red, green, blue, 0..255."""
+        """Return the colours in directions (unit vectors, z up) of shape (n, 3): red, green, blue, 0..255."""
         degrees = np.degrees(np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)))
         seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + ZENITH]
         return seen
@@ -56,10 +155,6 @@ def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
         return np.array(faces[_SIDE, row, last // 2], np.float64)
     row = round((1.0 + 1.0 / np.tan(abs(elevation))) / 2.0 * last)
     return np.array(faces[_TOP if elevation > 0.0 else _BOTTOM, row, last // 2], np.float64)
-
-
-PATTERN_PERIOD: Final = 2.0
-"""Metres after which a pattern repeats on a floor, when its material says once for each unit."""
 
 
 class Shading:
@@ -121,99 +216,3 @@ def _pattern(model: mujoco.MjModel, geom: int) -> NDArray[np.float64] | None:
     channels, begin = int(model.tex_nchannel[textures[0]]), int(model.tex_adr[textures[0]])
     pixels = model.tex_data[begin : begin + rows * columns * channels].reshape(rows, columns, channels)
     return np.array(pixels[..., :3], np.float64) / 255.0
-
-
-MAX_RAYS: Final = 160 * 120
-"""Rays of one picture, at most: 11 ms on a small machine."""
-
-MAX_RAYS_OF_STILL: Final = 480 * 360
-"""The same for one that may take half a second."""
-
-MAX_DISTANCE: Final = 40.0
-"""Metres beyond which nothing is seen."""
-
-_VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
-_GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
-
-
-class RayRenderer:
-    """Paints what a camera of the model sees; it is told the horizontal field of view in radians."""
-
-    description: Final = (
-        "no GL here (libegl1 or libosmesa6, and MUJOCO_GL not set otherwise): casts rays, at a reduced size"
-    )
-
-    def __init__(self, model: mujoco.MjModel, camera: int, fov: float) -> None:
-        self._model, self._camera = model, camera
-        self._spread = math.tan(fov / 2.0)
-        self._sky, self._shading = Sky(model), Shading(model)
-
-    def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
-        """A picture of that size, made of fewer and larger dots; of more when there is time."""
-        columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
-        dots, _ = self._cast(data, self._rays(columns, rows), self._dot(columns))
-        dots = dots.reshape(rows, columns, 3)
-        down = np.arange(height) * rows // height
-        across = np.arange(width) * columns // width
-        return np.ascontiguousarray(dots[down][:, across])
-
-    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-        """The dots, and how far each is along the camera's axis."""
-        columns, rows = _grid_size(width, height, MAX_RAYS)
-        rays = self._rays(columns, rows)
-        dots, far = self._cast(data, rays, self._dot(columns))
-        along = (far * -rays[:, 2]).astype(np.float32)
-        return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
-
-    def close(self) -> None:
-        """Does nothing: it holds no resources."""
-
-    def _rays(self, columns: int, rows: int) -> NDArray[np.float64]:
-        """Directions through the middles of pixels in the camera's frame, which looks along -z with y up."""
-        dot = self._dot(columns)
-        x, y = np.meshgrid(
-            dot * (np.arange(columns) - (columns - 1) / 2.0), -dot * (np.arange(rows) - (rows - 1) / 2.0)
-        )
-        rays = np.stack((x, y, -np.ones_like(x)), axis=-1).reshape(-1, 3)
-        units: NDArray[np.float64] = rays / np.linalg.norm(rays, axis=1, keepdims=True)
-        return units
-
-    def _dot(self, columns: int) -> float:
-        """How wide a dot is at a distance of one."""
-        return 2.0 * self._spread / columns
-
-    def _cast(
-        self, data: mujoco.MjData, rays: NDArray[np.float64], dot: float
-    ) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
-        """What the rays hit: colours and distances."""
-        directions = rays @ data.cam_xmat[self._camera].reshape(3, 3).T
-        count = len(directions)
-        hit, far = np.empty(count, np.int32), np.empty(count)
-        normals = np.tile(-directions, 1)
-        mujoco.mj_multiRay(
-            self._model,
-            data,
-            pnt=data.cam_xpos[self._camera],
-            vec=directions.ravel(),
-            geomgroup=_VISIBLE_GROUPS,
-            flg_static=True,
-            bodyexclude=-1,
-            geomid=hit,
-            dist=far,
-            nray=count,
-            cutoff=MAX_DISTANCE,
-            **({"normal": normals.reshape(-1)} if _GIVES_NORMALS else {}),
-        )
-        painted = self._sky.colours(directions)
-        seen = hit >= 0
-        points = data.cam_xpos[self._camera] + directions[seen] * far[seen, None]
-        facing = np.clip(-np.sum(directions[seen] * normals[seen], axis=1), 1e-6, 1.0)
-        light = self._shading.light(data, facing, normals[seen])
-        painted[seen] = self._shading.colours(data, hit[seen], points, dot * far[seen] / facing) * light
-        return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
-
-
-def _grid_size(width: int, height: int, most: int) -> tuple[int, int]:
-    """Columns and rows of a picture of that shape, in rays."""
-    shrink = max(1.0, math.sqrt(width * height / most))
-    return round(width / shrink), round(height / shrink)

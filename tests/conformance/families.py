@@ -18,7 +18,7 @@ from tests.conformance.mistakes import goes_on, stuck, wrong_report
 
 from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message, Struct
-from jauspy.conformance import Bench, Part, state_tables
+from jauspy.conformance import TargetComponent, VirtualTarget, state_tables
 from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.explorer import MIN_AUTHORITY
 from jauspy.conformance.state_tests.sensors import IMAGE_TIMEOUT as PICTURE_PATIENCE
@@ -92,14 +92,14 @@ def delays(condition: Callable[[bytes, JausID], bool], seconds: float = 2.9) -> 
 def talks_back() -> Injector:
     """Those who act are told something that nobody has asked for, before the observer is answered."""
 
-    class Chatty(Part):
+    class Chatty(TargetComponent):
         def say(self, outgoing: Any, now: float) -> None:
             if Moment.now and outgoing.destination == WATCHING:
                 for id in ROLES:
                     super().say(outgoing._replace(payload=NONSENSE, destination=id), now)
             super().say(outgoing, now)
 
-    return lambda: (Chatty, Bench, [])
+    return lambda: (Chatty, VirtualTarget, [])
 
 
 def silence(payload: bytes) -> list[bytes]:
@@ -316,7 +316,7 @@ FAMILIES: Final = (
     _stream("events do not count", answers(changed(stuck), *STREAM)),
     _stream("events carry another report", answers(changed(wrong_report), *STREAM)),
     Family("has other numbers", "has (x|y|latitude|longitude)", answers(changed(other_numbers))),
-    Family("tells of changes that are none", "nothing is told", answers(twice, *STREAM)),
+    Family("tells of changes that are none", "nothing is reported when", answers(twice, *STREAM)),
     Family("tells of changes late", "^Event .* in time", delays(lambda payload, to: payload.endswith(LOWER))),
     Family("sends no events", "^Event .* comes$", answers(silence, *STREAM)),
     Family("tells of other changes", "carries the new value", answers(changed(wrong_report), *STREAM)),

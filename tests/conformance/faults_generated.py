@@ -39,7 +39,7 @@ from tests.conformance.mistakes import (
 )
 
 from jauspy.messages import core, mobility
-from jauspy.services import messaging
+from jauspy.services import presence_vectors
 from jauspy.services.core import AccessControl, Events, ListManager, Management, events as event_reports
 
 READY, STANDBY = "Controlled.Available.Ready", "Controlled.Available.Standby"
@@ -132,12 +132,12 @@ GENERATED: Final = (
     core_fault(
         "time ignores the presence vector",
         f"{FREE}/QueryTime/other-client/no-fields",
-        patched(messaging, apply_presence_vectors=unmasked),
+        patched(presence_vectors, apply_presence_vectors=unmasked),
     ),
     core_fault(
         "poses ignore the presence vector",
         f"{FREE}/QueryLocalPose/other-client/no-fields",
-        patched(messaging, apply_presence_vectors=unmasked),
+        patched(presence_vectors, apply_presence_vectors=unmasked),
         profile="mobility-1.1",
     ),
     core_fault(

@@ -31,10 +31,10 @@ from tests.conformance.mistakes import (
 )
 
 from jauspy.codec.message import Message
-from jauspy.conformance import Bench, Part
+from jauspy.conformance import TargetComponent, VirtualTarget
 from jauspy.messages import core, mobility
 from jauspy.modules import hosts
-from jauspy.services import messaging
+from jauspy.services import presence_vectors
 
 
 def rules(name: str, trips: str, inject: Injector, *, motion: bool = False, only: str = "") -> Fault:
@@ -68,7 +68,7 @@ def jumps() -> Injector:
             state[0] += 50.0
             report.x += state[0] - 50.0
 
-    def inject() -> tuple[type[Part], type[Bench], list[Any]]:
+    def inject() -> tuple[type[TargetComponent], type[VirtualTarget], list[Any]]:
         state[0] = 0.0
         return instead(mobility.ReportLocalPose, change)()
 
@@ -78,17 +78,17 @@ def jumps() -> Injector:
 def later_said(kind: type[Message], count: int, make: Callable[[type[Message]], Injector]) -> Injector:
     """A fault of what is said, from the so-manieth time on."""
 
-    def inject() -> tuple[type[Part], type[Bench], list[Any]]:
-        broken, bench, patches = make(kind)()
+    def inject() -> tuple[type[TargetComponent], type[VirtualTarget], list[Any]]:
+        broken, virtual_target, patches = make(kind)()
 
         class Later(broken):  # type: ignore[misc, valid-type]
             said = 0
 
             def say(self, outgoing: Any, now: float) -> None:
                 self.said += outgoing.payload[:2] == code(kind)
-                (super().say if self.said >= count else lambda *args: Part.say(self, *args))(outgoing, now)
+                (super().say if self.said >= count else lambda *args: TargetComponent.say(self, *args))(outgoing, now)
 
-        return Later, bench, patches
+        return Later, virtual_target, patches
 
     return inject
 
@@ -146,7 +146,9 @@ IGVC_2011: Final = (
         "3.3 3.4 3.6 5.1",
         chatty(core.Standby, core.Resume, core.Shutdown, mobility.SetLocalPose),
     ),
-    rules("reports ignore the presence vector", "4.1 4.2 5.2", patched(messaging, apply_presence_vectors=unmasked)),
+    rules(
+        "reports ignore the presence vector", "4.1 4.2 5.2", patched(presence_vectors, apply_presence_vectors=unmasked)
+    ),
     rules("velocity is empty", "4.1 4.2", instead(mobility.ReportVelocityState, nothing_in_it)),
     rules("SetLocalPose is ignored", "5.2", deaf_to(mobility.SetLocalPose)),
     rules("poses have no time", "5.3", field(mobility.ReportLocalPose, time_stamp=None)),
@@ -181,7 +183,7 @@ IGVC_2011: Final = (
         "6.5",
         later(mobility.ExecuteList, 1, field(core.ConfirmControl, response_code=UNAVAILABLE)),
     ),
-    waypoints("the robot does not move", "6.5", lambda: (Part, Still, [])),
+    waypoints("the robot does not move", "6.5", lambda: (TargetComponent, Still, [])),
     waypoints("poses lose their x", "6.5", later(mobility.ExecuteList, 1, field(mobility.ReportLocalPose, x=None))),
     waypoints("poses lose their y", "6.5", later(mobility.ExecuteList, 1, field(mobility.ReportLocalPose, y=None))),
     *(waypoints(f"the robot stops at waypoint {number}", "6.5", freezes(number)) for number in (1, 2, 3)),

@@ -48,9 +48,9 @@ from tests.conformance.mistakes import (
 )
 
 from jauspy.codec.message import Message
-from jauspy.conformance import Part
+from jauspy.conformance import TargetComponent
 from jauspy.messages import core, mobility
-from jauspy.services import messaging
+from jauspy.services import presence_vectors
 from jauspy.services.core import AccessControl, Events
 from jauspy.services.core.subscriptions import Subscriptions
 from jauspy.services.mobility import LocalPoseSensor
@@ -80,7 +80,7 @@ ENDING: Final = core.CancelEvent
 """What step 80 begins with."""
 
 DRIVES: Final = (
-    driven("the robot does not move", lambda: (Part, Still, [])),
+    driven("the robot does not move", lambda: (TargetComponent, Still, [])),
     driven("the active element is always 3", field(mobility.ReportActiveElement, element_uid=3)),
     *(driven(f"the robot stops at waypoint {number}", freezes(number)) for number in (1, 2, 3)),
     *(driven(f"{kind.NAME} is late", slow(kind)) for kind in DRIVE_REPORTS),
@@ -182,7 +182,7 @@ IGVC_2015: Final = (
     igvc("component 255 ignored", "02 04 23", handles(not_for_255)),
     igvc("control not checked", "66", obeys_everybody()),
     igvc("the loser is not told", "29", says(not_told)),
-    igvc("reports ignore the presence vector", "63 71", patched(messaging, apply_presence_vectors=unmasked)),
+    igvc("reports ignore the presence vector", "63 71", patched(presence_vectors, apply_presence_vectors=unmasked)),
     igvc("one component of the answer is missing", "02 12", instead(core.ReportServices, no_components)),
     igvc("no node is listed", "02 12", instead(core.ReportServices, no_nodes)),
     igvc("no service is listed", "02 12", instead(core.ReportServices, no_services)),

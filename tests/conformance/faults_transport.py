@@ -19,10 +19,10 @@ from tests.conformance.injectors import (
 )
 from tests.conformance.simulated import TARGET
 
-from jauspy.conformance import Bench, Part
-from jauspy.conformance.bench import OTHER_PORT, USUAL_PORT
+from jauspy.conformance import TargetComponent, VirtualTarget
 from jauspy.conformance.profiles import transport as transport_steps
 from jauspy.conformance.profiles.raw_packets import FIRST_NUMBER
+from jauspy.conformance.virtual_target import OTHER_PORT, USUAL_PORT
 from jauspy.conformance.wire import Arrival
 from jauspy.ids import JausID
 from jauspy.messages import core
@@ -37,17 +37,17 @@ def wire(name: str, trips: str, inject: Injector) -> Fault:
 def answers_first_port() -> Injector:
     """Whoever was heard from one port is answered there for ever."""
 
-    class Stale(Bench):
+    class Stale(VirtualTarget):
         def way_back(self, port: Any) -> Any:
             return USUAL_PORT
 
-    return lambda: (Part, Stale, [])
+    return lambda: (TargetComponent, Stale, [])
 
 
 def answers_last_port() -> Injector:
     """All clients of a host are answered at the port that one of them used last."""
 
-    class Mixed(Bench):
+    class Mixed(VirtualTarget):
         last: Any = USUAL_PORT
 
         def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
@@ -58,7 +58,7 @@ def answers_last_port() -> Injector:
         def way_back(self, port: Any) -> Any:
             return self.last
 
-    return lambda: (Part, Mixed, [])
+    return lambda: (TargetComponent, Mixed, [])
 
 
 def drops(condition: Callable[[Packet], bool]) -> Injector:
@@ -66,7 +66,7 @@ def drops(condition: Callable[[Packet], bool]) -> Injector:
     return handles(lambda _, datagram: [] if any(condition(each) for each in packets(datagram)) else [datagram])
 
 
-def rewritten(change: Callable[[Part, Packet], Packet]) -> Injector:
+def rewritten(change: Callable[[TargetComponent, Packet], Packet]) -> Injector:
     """The component gets packets with another header."""
     return handles(lambda part, datagram: [judp.pack(change(part, each)) for each in packets(datagram)])
 
@@ -74,28 +74,28 @@ def rewritten(change: Callable[[Part, Packet], Packet]) -> Injector:
 def hangs_on(condition: Callable[[bytes], bool]) -> Injector:
     """Some datagram ends the node manager."""
 
-    class Fragile(Bench):
+    class Fragile(VirtualTarget):
         hung = False
 
         def inbound(self, datagram: bytes) -> Iterable[bytes]:
             self.hung = self.hung or condition(datagram)
             return () if self.hung else (datagram,)
 
-    return lambda: (Part, Fragile, [])
+    return lambda: (TargetComponent, Fragile, [])
 
 
 def echoes_on(condition: Callable[[bytes], bool]) -> Injector:
     """The node manager answers some datagram with a NAK, to whoever seems to have sent it."""
 
-    class Chatty(Bench):
+    class Chatty(VirtualTarget):
         def inbound(self, datagram: bytes) -> Iterable[bytes]:
             if condition(datagram):
-                me = next(iter(self.parts))
+                me = next(iter(self.components))
                 nak = Packet(me, JausID(42, 1, 1), b"", 0, ack=Ack.NAK)
                 self._arrived.append(Arrival(judp.pack(nak)))
             return (datagram,)
 
-    return lambda: (Part, Chatty, [])
+    return lambda: (TargetComponent, Chatty, [])
 
 
 def is_broken(datagram: bytes) -> bool:
@@ -151,7 +151,7 @@ def every_second() -> Injector:
 
 
 def acknowledges_all() -> Injector:
-    class Eager(Part):
+    class Eager(TargetComponent):
         def hear(self, payload: bytes, source: JausID, now: float) -> None:
             self.extra = judp.pack(Packet(self.host.id, source, b"", 1, ack=Ack.ACK))
             super().hear(payload, source, now)
@@ -161,10 +161,10 @@ def acknowledges_all() -> Injector:
             extra, self.extra = getattr(self, "extra", b""), b""
             return [*out, extra] if extra else out
 
-    return lambda: (Eager, Bench, [])
+    return lambda: (Eager, VirtualTarget, [])
 
 
-def _only_acknowledge(part: Part, datagram: bytes) -> Iterable[bytes]:
+def _only_acknowledge(part: TargetComponent, datagram: bytes) -> Iterable[bytes]:
     """What wants to be acknowledged is, and is then forgotten."""
     (packet,) = packets(datagram)
     return [judp.pack(replace(packet, payload=b""))] if packet.ack is Ack.REQUIRED else [datagram]
@@ -172,11 +172,11 @@ def _only_acknowledge(part: Part, datagram: bytes) -> Iterable[bytes]:
 
 def _once(
     condition: Callable[[Packet], bool], *, by_payload: bool = False, by_source: bool = True, spoils: bool = False
-) -> Callable[[Part, bytes], Iterable[bytes]]:
+) -> Callable[[TargetComponent, bytes], Iterable[bytes]]:
     """Packets with a key that was there before are lost; or everything of their source, when they spoil it."""
     seen: set[object] = set()
 
-    def change(part: Part, datagram: bytes) -> Iterable[bytes]:
+    def change(part: TargetComponent, datagram: bytes) -> Iterable[bytes]:
         (packet,) = packets(datagram)
         key = (packet.payload if by_payload else packet.sequence, packet.source if by_source else None, id(part))
         known = condition(packet) and key in seen
@@ -188,11 +188,11 @@ def _once(
     return change
 
 
-def in_order() -> Callable[[Part, bytes], Iterable[bytes]]:
+def in_order() -> Callable[[TargetComponent, bytes], Iterable[bytes]]:
     """A piece that does not continue the one before is lost."""
     last: dict[JausID, int] = {}
 
-    def change(_: Part, datagram: bytes) -> Iterable[bytes]:
+    def change(_: TargetComponent, datagram: bytes) -> Iterable[bytes]:
         (packet,) = packets(datagram)
         if packet.data_flag in (DataFlag.MIDDLE, DataFlag.LAST) and last.get(packet.source) != packet.sequence - 1:
             return []
@@ -205,7 +205,7 @@ def in_order() -> Callable[[Part, bytes], Iterable[bytes]]:
 def first_is_all() -> Injector:
     """The first piece counts as the whole query; the others are lost."""
 
-    def change(part: Part, datagram: bytes) -> Iterable[bytes]:
+    def change(part: TargetComponent, datagram: bytes) -> Iterable[bytes]:
         (packet,) = packets(datagram)
         if packet.data_flag is DataFlag.SINGLE:
             return [datagram]
@@ -220,11 +220,11 @@ def first_is_all() -> Injector:
     return handles(change)
 
 
-def impatient() -> Callable[[Part, bytes], Iterable[bytes]]:
+def impatient() -> Callable[[TargetComponent, bytes], Iterable[bytes]]:
     """A middle piece that comes after the last one is lost."""
     ended: set[tuple[JausID, int]] = set()
 
-    def change(_: Part, datagram: bytes) -> Iterable[bytes]:
+    def change(_: TargetComponent, datagram: bytes) -> Iterable[bytes]:
         (packet,) = packets(datagram)
         if packet.data_flag is DataFlag.LAST:
             ended.add((packet.source, packet.sequence))

@@ -11,12 +11,12 @@ from unittest.mock import patch
 from tests.conformance.simulated import examined, robot
 
 from jauspy.codec.message import Message
-from jauspy.conformance import Bench, Part, Report, waypoint_drive
+from jauspy.conformance import Report, TargetComponent, VirtualTarget, waypoint_drive
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
 
-Injector = Callable[[], tuple[type[Part], type[Bench], list[Any]]]
+Injector = Callable[[], tuple[type[TargetComponent], type[VirtualTarget], list[Any]]]
 """What to build the robot of, and what to patch while it lives."""
 
 
@@ -44,72 +44,72 @@ class Fault:
 
     def run(self) -> Report:
         """The profile against the broken robot."""
-        part, bench, patches = self.inject()
+        part, virtual_target, patches = self.inject()
         with ExitStack() as stack:
             for each in (patch.object(waypoint_drive, "SIDE_TIMEOUT", ENOUGH), *patches):
                 stack.enter_context(each)
             still: dict[str, Any] = {} if self.motion and not self.still else {"tick": None}
-            target = robot(part, bench, timeout=self.timeout, **still)
+            target = robot(part, virtual_target, timeout=self.timeout, **still)
             return examined(self.profile, target, motion=self.motion, only=self.only)
 
 
 def hears(change: Callable[[bytes, JausID], bytes | None]) -> Injector:
     """Messages that come in are changed, or lost."""
 
-    class Deaf(Part):
+    class Deaf(TargetComponent):
         def hear(self, payload: bytes, source: JausID, now: float) -> None:
             heard = change(payload, source)
             if heard is not None:
                 super().hear(heard, source, now)
 
-    return lambda: (Deaf, Bench, [])
+    return lambda: (Deaf, VirtualTarget, [])
 
 
 def says(change: Callable[[bytes, JausID], Iterable[bytes]]) -> Injector:
     """Messages that go out are changed, lost or doubled."""
 
-    class Liar(Part):
+    class Liar(TargetComponent):
         def say(self, outgoing: Any, now: float) -> None:
             for payload in change(outgoing.payload, outgoing.destination):
                 super().say(outgoing._replace(payload=payload), now)
 
-    return lambda: (Liar, Bench, [])
+    return lambda: (Liar, VirtualTarget, [])
 
 
 def patched(owner: object, **methods: object) -> Injector:
     """Methods of a class, or names of a module, are other ones."""
-    return lambda: (Part, Bench, [patch.object(owner, name, new) for name, new in methods.items()])
+    return lambda: (TargetComponent, VirtualTarget, [patch.object(owner, name, new) for name, new in methods.items()])
 
 
-def handles(change: Callable[[Part, bytes], Iterable[bytes]]) -> Injector:
+def handles(change: Callable[[TargetComponent, bytes], Iterable[bytes]]) -> Injector:
     """Datagrams reach the component changed."""
 
-    class Odd(Part):
+    class Odd(TargetComponent):
         def handle(self, datagram: bytes, now: float) -> None:
             for each in change(self, datagram):
                 super().handle(each, now)
 
-    return lambda: (Odd, Bench, [])
+    return lambda: (Odd, VirtualTarget, [])
 
 
 def works(change: Callable[[list[bytes]], list[bytes]]) -> Injector:
     """Datagrams leave the component changed."""
 
-    class Odd(Part):
+    class Odd(TargetComponent):
         def work(self, now: float) -> list[bytes]:
             return change(super().work(now))
 
-    return lambda: (Odd, Bench, [])
+    return lambda: (Odd, VirtualTarget, [])
 
 
 def gets(change: Callable[[bytes], Iterable[bytes]]) -> Injector:
     """Datagrams reach the node manager changed."""
 
-    class Odd(Bench):
+    class Odd(VirtualTarget):
         def inbound(self, datagram: bytes) -> Iterable[bytes]:
             return change(datagram)
 
-    return lambda: (Part, Odd, [])
+    return lambda: (TargetComponent, Odd, [])
 
 
 def code(kind: type[Message]) -> bytes:
@@ -173,7 +173,7 @@ def slow(*kinds: type[Message], seconds: float = 2.0, where: Callable[[Any], boo
 def delayed(is_late: Callable[[Any], bool], seconds: float) -> Injector:
     """What is chosen among the outgoing messages is said late."""
 
-    class Slow(Part):
+    class Slow(TargetComponent):
         late: tuple[tuple[float, Any], ...] = ()
 
         def say(self, outgoing: Any, now: float) -> None:
@@ -194,26 +194,28 @@ def delayed(is_late: Callable[[Any], bool], seconds: float) -> Injector:
             times = [super().next_timeout(), *(at for at, _ in self.late)]
             return min((at for at in times if at is not None), default=None)
 
-    return lambda: (Slow, Bench, [])
+    return lambda: (Slow, VirtualTarget, [])
 
 
 def later(kind: type[Message], count: int, inner: Injector) -> Injector:
     """A fault that begins when a message was heard for the so-manieth time."""
 
-    def inject() -> tuple[type[Part], type[Bench], list[Any]]:
-        broken, bench, patches = inner()
+    def inject() -> tuple[type[TargetComponent], type[VirtualTarget], list[Any]]:
+        broken, virtual_target, patches = inner()
 
         class Later(broken):  # type: ignore[misc, valid-type]
             heard = 0
 
             def hear(self, payload: bytes, source: JausID, now: float) -> None:
                 self.heard += payload[:2] == code(kind)
-                (super().hear if self.heard >= count else lambda *args: Part.hear(self, *args))(payload, source, now)
+                (super().hear if self.heard >= count else lambda *args: TargetComponent.hear(self, *args))(
+                    payload, source, now
+                )
 
             def say(self, outgoing: Any, now: float) -> None:
-                (super().say if self.heard >= count else lambda *args: Part.say(self, *args))(outgoing, now)
+                (super().say if self.heard >= count else lambda *args: TargetComponent.say(self, *args))(outgoing, now)
 
-        return Later, bench, patches
+        return Later, virtual_target, patches
 
     return inject
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from datetime import UTC, datetime
 
 from jauspy import Service
-from jauspy.conformance import Bench, Part, Report, find, run
+from jauspy.conformance import Report, TargetComponent, VirtualTarget, find, run
 from jauspy.ids import JausID
 from jauspy.services.core import Discovery
 from jauspy.services.host import Host
@@ -15,7 +15,7 @@ ID = JausID(101, 1, 1)
 
 def judged(service: Service) -> Report:
     component = Host(ID, [service, Discovery()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
-    return run(find("mobility-1.1"), Bench([Part(component)]), ID, began=0.0)
+    return run(find("mobility-1.1"), VirtualTarget([TargetComponent(component)]), ID, began=0.0)
 
 
 def failed(report: Report) -> set[str]:

@@ -11,7 +11,7 @@ from unittest.mock import patch
 from tests.conformance.injectors import Injector, _spoilt, code, hears, instead, packets, says
 
 from jauspy.codec.message import Message
-from jauspy.conformance import Bench, Part, waypoint_drive
+from jauspy.conformance import TargetComponent, VirtualTarget, waypoint_drive
 from jauspy.ids import JausID
 from jauspy.messages import core, mobility
 from jauspy.protocol.header import Packet
@@ -51,7 +51,7 @@ def ignored(self: object, *_: object) -> None:
     return None
 
 
-def not_for_255(part: Part, datagram: bytes) -> Iterable[bytes]:
+def not_for_255(part: TargetComponent, datagram: bytes) -> Iterable[bytes]:
     return [] if any(each.destination.component == 255 for each in packets(datagram)) else [datagram]
 
 
@@ -63,13 +63,13 @@ def chatty(*kinds: type[Message]) -> Injector:
     """Answers commands that have no answer, with a status that nobody asked for."""
     codes = {code(each) for each in kinds}
 
-    class Chatty(Part):
+    class Chatty(TargetComponent):
         def hear(self, payload: bytes, source: JausID, now: float) -> None:
             super().hear(payload, source, now)
             if payload[:2] in codes:
                 self.host.send(source, core.ReportStatus(core.ReportStatus.Status.READY, 0))
 
-    return lambda: (Chatty, Bench, [])
+    return lambda: (Chatty, VirtualTarget, [])
 
 
 def stuck(event: Any) -> None:
@@ -111,7 +111,7 @@ Status = core.ReportStatus.Status
 ACCEPTED, UNAVAILABLE, INSUFFICIENT = core.ConfirmControl.ResponseCode
 
 
-class Still(Bench):
+class Still(VirtualTarget):
     """A robot without motors: no time passes for it."""
 
     def __init__(self, *args: Any, **options: Any) -> None:
@@ -121,7 +121,7 @@ class Still(Bench):
 def freezes(number: int) -> Injector:
     """The pose stands still once the robot is at a corner of the square."""
 
-    def inject() -> tuple[type[Part], type[Bench], list[Any]]:
+    def inject() -> tuple[type[TargetComponent], type[VirtualTarget], list[Any]]:
         seen: list[Any] = []
 
         def change(pose: Any) -> None:
@@ -142,21 +142,21 @@ def freezes(number: int) -> Injector:
 def obeys_everybody() -> Injector:
     """A pose is taken from whoever sends it."""
 
-    class Obedient(Part):
+    class Obedient(TargetComponent):
         def hear(self, payload: bytes, source: JausID, now: float) -> None:
             sensor = self.host.service(LocalPoseSensor)
             if payload[:2] == code(mobility.SetLocalPose) and sensor is not None:
                 sensor.update_local_pose(mobility.SetLocalPose.decode(payload))
             super().hear(payload, source, now)
 
-    return lambda: (Obedient, Bench, [])
+    return lambda: (Obedient, VirtualTarget, [])
 
 
 def goes_on() -> Injector:
     """Who has cancelled an event gets it all the same."""
     return lambda: (
-        Part,
-        Bench,
+        TargetComponent,
+        VirtualTarget,
         [
             patch.object(host.Host, "cancel_timer", ignored),
             patch.object(Subscriptions, "holds", lambda self, subscription: True),
@@ -192,7 +192,7 @@ def skipping() -> Injector:
 def to_winner() -> Injector:
     """Who has lost control is not told, but who has won it."""
 
-    class Confused(Part):
+    class Confused(TargetComponent):
         winner: Any = None
 
         def hear(self, payload: bytes, source: JausID, now: float) -> None:
@@ -203,7 +203,7 @@ def to_winner() -> Injector:
             astray = self.winner is not None and outgoing.payload[:2] == code(core.RejectControl)
             super().say(outgoing._replace(destination=self.winner) if astray else outgoing, now)
 
-    return lambda: (Confused, Bench, [])
+    return lambda: (Confused, VirtualTarget, [])
 
 
 def elsewhere(number: int, kind: type[Message]) -> Callable[[Packet], Packet]:

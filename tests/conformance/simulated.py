@@ -9,11 +9,11 @@ from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 from functools import cache
 
-from jauspy.conformance import Bench, Part, Profile, Report, Settings, find, run
+from jauspy.conformance import Profile, Report, Settings, TargetComponent, VirtualTarget, find, run
 from jauspy.ids import JausID
 from jauspy.modules import robots
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robot import announced
+from jauspy.modules.robot import announcement
 from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
@@ -23,7 +23,7 @@ from jauspy.video.camera_process import CameraProcess, StillCallback
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)
 TARGET = JausID(105, 1, 255)
 
-Maker = Callable[..., Bench]
+Maker = Callable[..., VirtualTarget]
 
 
 @cache
@@ -40,17 +40,17 @@ class Cameraman(CameraProcess):
 
 
 def robot(
-    part: type[Part] = Part,
-    bench: type[Bench] = Bench,
+    part: type[TargetComponent] = TargetComponent,
+    virtual_target: type[VirtualTarget] = VirtualTarget,
     *,
     name: str = "igvc",
     timeout: int | None = None,
     component: int | None = None,
     **options: object,
-) -> Bench:
+) -> VirtualTarget:
     """The whole robot, or one `component` of it, which is made faster.
 
-    `part` and `bench` may be broken ones, `timeout` is that of its access control.
+    `part` and `virtual_target` may be broken ones, `timeout` is that of its access control.
     """
     config = robots.load(name)
     if timeout is not None:
@@ -60,7 +60,7 @@ def robot(
     model = _model(name)
     body = backends.find("kinematic").open(model, config.world)
     videos = {each.name: Cameraman(body.cameras[each.name], each.settings()) for each in config.cameras}
-    made: list[Bench] = []
+    made: list[VirtualTarget] = []
 
     def utc_now() -> datetime:
         return START + timedelta(seconds=made[0].now() if made else 0.0)
@@ -68,12 +68,14 @@ def robot(
     parts = []
     for module in (each for each in config.modules if component in (None, each.component)):
         host = host_of(config, module, model, body, {}, videos=videos, utc_now=utc_now, now=0.0)
-        parts.append(part(host, announced(host, module) or (lambda _: False)))
-    made.append(bench(parts, **({"tick": body.advance} | options)))
+        parts.append(part(host, announcement(host, module) or (lambda _: False)))
+    made.append(virtual_target(parts, **({"tick": body.advance} | options)))
     return made[0]
 
 
-def examined(profile: str | Profile, bench: Bench, target: JausID = TARGET, **settings: object) -> Report:
+def examined(
+    profile: str | Profile, virtual_target: VirtualTarget, target: JausID = TARGET, **settings: object
+) -> Report:
     """A run against it."""
     chosen = find(profile) if isinstance(profile, str) else profile
-    return run(chosen, bench, target, began=START.timestamp(), settings=Settings(**settings))
+    return run(chosen, virtual_target, target, began=START.timestamp(), settings=Settings(**settings))

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from tests.conformance.simulated import examined
 
-from jauspy.conformance import Bench, Part, Verdict
+from jauspy.conformance import TargetComponent, Verdict, VirtualTarget
 from jauspy.ids import JausID
 from jauspy.services.core import Discovery, Management
 from jauspy.services.host import Host
@@ -30,14 +30,14 @@ def my_host() -> Host:
 def test_a_profile_of_your_own():
     names: dict = {}
     exec(program("from jauspy.conformance import Profile"), names)
-    report = examined(names["PROFILE"], Bench([Part(my_host())]), JausID(101, 1, 1))
+    report = examined(names["PROFILE"], VirtualTarget([TargetComponent(my_host())]), JausID(101, 1, 1))
     assert [each.verdict for each in report.results] == [Verdict.FAIL, Verdict.SILENT]
     assert report.points == (0, 5)
 
 
 def test_steps_as_tests():
     names: dict = {"my_host": my_host}
-    exec(program("from jauspy.conformance import Bench"), names)
+    exec(program("from jauspy.conformance import TargetComponent"), names)
     (mark,) = names["test_core"].pytestmark
     steps = [each.values[0] for each in mark.args[1]]
     assert len(steps) > 50

@@ -76,9 +76,9 @@ def test_a_query_that_is_not_understood_is_no_death():
 @pytest.mark.parametrize("profile", ["mobility-1.1", "ugv-1.0", "manipulator-2.0"])
 def test_the_robot_is_left_in_order(profile):
     name, target = ("inc1", JausID(101, 1, 105)) if profile == "manipulator-2.0" else ("igvc", COMPONENT)
-    bench = robot(name=name, tick=None)
-    examined(profile, bench, target)
-    assert is_free(bench, target)
+    virtual_target = robot(name=name, tick=None)
+    examined(profile, virtual_target, target)
+    assert is_free(virtual_target, target)
 
 
 def test_a_bug_of_a_step_is_told_and_the_others_run():
@@ -105,17 +105,17 @@ def test_whatever_ends_the_run_the_robot_is_left_in_order():
         if result.id == "2":
             raise OSError("no space left")
 
-    bench = robot(tick=None)
+    virtual_target = robot(tick=None)
     with pytest.raises(OSError, match="no space left"):
-        run(steps(STATUS, tell(COP, RequestControl(200)), STATUS), bench, COMPONENT, began=0.0, watch=full)
-    assert is_free(bench)
+        run(steps(STATUS, tell(COP, RequestControl(200)), STATUS), virtual_target, COMPONENT, began=0.0, watch=full)
+    assert is_free(virtual_target)
 
 
 def test_what_is_shut_down_fails_once():
-    bench = robot(timeout=5, component=1, tick=None)
+    virtual_target = robot(timeout=5, component=1, tick=None)
     only = "NotControlled.Available.Standby/Query", "Controlled.Available.Ready/Shutdown/controller"
-    assert examined("core-1.1", bench, COMPONENT, only=only).status == 0
-    report = examined("core-1.1", bench, COMPONENT, only=only)
+    assert examined("core-1.1", virtual_target, COMPONENT, only=only).status == 0
+    report = examined("core-1.1", virtual_target, COMPONENT, only=only)
     first, *others = report.results
     assert first.verdict is Verdict.FAIL
     assert first.reason == "105.1.1 is shut down, and nothing leads out of that: start it again before a test"
@@ -123,16 +123,16 @@ def test_what_is_shut_down_fails_once():
 
 
 def test_what_somebody_else_controls_fails_once():
-    bench = robot(timeout=5, component=1, tick=None)
-    bench.parts[COMPONENT].host.receive(RequestControl(255).encode(), JausID(7, 7, 7), 0.0)
-    report = examined("core-1.1", bench, COMPONENT, only=("NotControlled.Available.Standby/Query",))
+    virtual_target = robot(timeout=5, component=1, tick=None)
+    virtual_target.components[COMPONENT].host.receive(RequestControl(255).encode(), JausID(7, 7, 7), 0.0)
+    report = examined("core-1.1", virtual_target, COMPONENT, only=("NotControlled.Available.Standby/Query",))
     first, *others = report.results
     assert first.reason.startswith("105.1.1 reports status STANDBY, controlled by 7.7.7, and a test begins in ")
     assert {each.verdict for each in others} == {Verdict.SKIPPED}
 
 
-def is_free(bench, target=COMPONENT):
-    seen = examined(steps(STATUS, ask(COP, QueryControl(), ReportControl)), bench, target)
+def is_free(virtual_target, target=COMPONENT):
+    seen = examined(steps(STATUS, ask(COP, QueryControl(), ReportControl)), virtual_target, target)
     status, control = (result.entries[-1].lines[0] for result in seen.results)
     return "STANDBY" in status and "subsystem_id=0" in control
 
@@ -142,15 +142,15 @@ def interrupt(tester):
 
 
 def test_ctrl_c_leaves_the_robot_in_order_and_a_report():
-    bench = robot(tick=None)
+    virtual_target = robot(tick=None)
     emergency = tell("42.2.4", SetEmergency(SetEmergency.EmergencyCode.STOP))
     profile = steps(STATUS, tell(COP, RequestControl(200)), emergency, interrupt, STATUS)
     with pytest.raises(Interrupted) as stopped:
-        examined(profile, bench)
+        examined(profile, virtual_target)
     report = stopped.value.report
     assert report.problem == "interrupted after 3 steps"
     assert len(report.results) == 3
-    assert is_free(bench)
+    assert is_free(virtual_target)
 
 
 def test_a_network_that_goes_away_is_told():

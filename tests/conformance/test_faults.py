@@ -13,7 +13,7 @@ from tests.conformance.faults import HAND_WRITTEN
 from tests.conformance.injectors import Fault
 from tests.conformance.simulated import examined, robot
 
-from jauspy.conformance import Bench, Part, Report
+from jauspy.conformance import Report, TargetComponent, VirtualTarget
 
 MEASURED = re.compile(r"has (x|y|event_id|propulsive_linear_effort_x|left_side_propulsive_effort) \S+")
 """Names of checks that have what the robot said in them."""
@@ -89,7 +89,7 @@ def test_the_faults_are_many_and_have_names_of_their_own():
 
 
 def test_without_a_fault_nothing_is_caught():
-    healthy = Fault("none", "igvc-2015", (), lambda: (Part, Bench, []), motion=True)
+    healthy = Fault("none", "igvc-2015", (), lambda: (TargetComponent, VirtualTarget, []), motion=True)
     report = healthy.run()
     assert report.failures == ()
     assert "not caught by anything" in missed(healthy, report)

@@ -10,7 +10,7 @@ from tests.conformance.injectors import Fault, code, instead, repacked, says, sh
 from tests.conformance.mistakes import elsewhere
 from tests.conformance.simulated import TARGET, examined, robot
 
-from jauspy.conformance import Bench, Part, Verdict, find, offers_of
+from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, offers_of
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.state_tests.behaviour import component_under_test
 from jauspy.conformance.state_tests.plan import Planner
@@ -113,7 +113,7 @@ def test_every_verdict_can_be_given(step, kind, mistake, verdict, reason):
 @pytest.mark.parametrize("name", ["mobility-1.1", "manipulator-2.0", "sensing-2.0", "ugv-1.0"])
 def test_a_target_without_such_services_does_not_pass(name):
     component = Host(ID, [Discovery()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
-    report = examined(name, Bench([Part(component)]), ID)
+    report = examined(name, VirtualTarget([TargetComponent(component)]), ID)
     assert report.status == 2
     assert report.results == ()
     assert "offers no service of" in report.problem
@@ -149,28 +149,28 @@ def test_of_a_wildcard_every_component_is_asked():
     from jauspy.conformance.offers import discover
     from jauspy.conformance.tester import Tester
 
-    bench = robot(name="inc1", tick=None)
-    found = discover(Tester(bench, JausID(101, 1, 255), registry=registry))
-    assert found == offers_of(bench)
+    virtual_target = robot(name="inc1", tick=None)
+    found = discover(Tester(virtual_target, JausID(101, 1, 255), registry=registry))
+    assert found == offers_of(virtual_target)
     assert len(found.components) > 5
 
 
-def component(number: int, *services: Service) -> Part:
+def component(number: int, *services: Service) -> TargetComponent:
     host = Host(JausID(101, 1, number), services, utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
-    return Part(host)
+    return TargetComponent(host)
 
 
 def test_of_a_component_without_discovery_its_node_tells():
     discovery, lonely = component(1, Discovery()), component(7, Liveness())
     offer = RegisterServices([ServiceRec("urn:jaus:jss:core:Liveness", 1, 1)])
     discovery.host.receive(offer.encode(), lonely.host.id, 0.0)
-    report = examined("core-1.1", Bench([discovery, lonely]), lonely.host.id)
+    report = examined("core-1.1", VirtualTarget([discovery, lonely]), lonely.host.id)
     assert report.problem == ""
     assert report.status == 0
 
 
 def test_a_target_that_lives_and_tells_no_services_is_not_called_dead():
-    report = examined("core-1.1", Bench([component(7, Liveness())]), JausID(101, 1, 7))
+    report = examined("core-1.1", VirtualTarget([component(7, Liveness())]), JausID(101, 1, 7))
     assert report.status == 2
     assert "101.1.7 does not say which services it offers: no ReportServices" in report.problem
 
@@ -179,5 +179,5 @@ def test_offers_of_a_bench_are_what_discovery_tells():
     from jauspy.conformance.offers import discover
     from jauspy.conformance.tester import Tester
 
-    bench = robot()
-    assert discover(Tester(bench, TARGET, registry=registry)) == offers_of(bench)
+    virtual_target = robot()
+    assert discover(Tester(virtual_target, TARGET, registry=registry)) == offers_of(virtual_target)

@@ -13,7 +13,7 @@ from jauspy.messages.mobility import (
     SetTravelSpeedExt,
     ZPosition,
 )
-from jauspy.services import messaging
+from jauspy.services import presence_vectors
 
 READY = "Controlled.Available.Ready"
 STILL = SetTravelSpeedExt.Speed(SetTravelSpeedExt.Speed.Choice.SPEED_OVER_GROUND, 0.0)
@@ -87,5 +87,5 @@ def test_what_is_taken_and_not_used_is_noticed(kind, action, step, monkeypatch):
 
 
 def test_a_height_that_was_not_asked_for_is_noticed(monkeypatch):
-    monkeypatch.setattr(messaging, "apply_presence_vectors", lambda report, query: report)
+    monkeypatch.setattr(presence_vectors, "apply_presence_vectors", lambda report, query: report)
     assert f"{READY}/QueryLocalLoiter/other-client/no-fields" in failed(judged(LocalLoiterer()))

@@ -16,7 +16,7 @@ from jauspy.messages.mobility import (
     VelocityVehicleXYZRec,
 )
 from jauspy.messages.mobility.v1_1.navigation_state import ReportNavigation
-from jauspy.services import messaging
+from jauspy.services import presence_vectors
 
 EXTENDED = "Ready/QueryVelocityStateExt/other-client"
 NAVIGATION = "Ready/QueryNavigation/other-client"
@@ -72,7 +72,7 @@ def test_parts_of_a_report_are_not_mixed_up():
 def test_fields_of_every_part_are_compared(part, monkeypatch):
     service = Navigator(part, **PARTS[part])
     assert failed(judged(service)) == set()
-    monkeypatch.setattr(messaging, "apply_presence_vectors", lambda report, query: report)
+    monkeypatch.setattr(presence_vectors, "apply_presence_vectors", lambda report, query: report)
     assert failed(judged(service)) == {f"{NAVIGATION}/{some}-fields" for some in ("no", "some")}
 
 
@@ -80,5 +80,5 @@ def test_components_of_velocity_do_not_come_unless_something_of_velocity_is_aske
     """No bit is theirs alone, so which of them come for which bit is not judged."""
     service = Navigator("components", velocity_x=1.0)
     assert failed(judged(service)) == set()
-    monkeypatch.setattr(messaging, "apply_presence_vectors", lambda report, query: report)
+    monkeypatch.setattr(presence_vectors, "apply_presence_vectors", lambda report, query: report)
     assert failed(judged(service)) == {f"{NAVIGATION}/no-fields"}

@@ -28,24 +28,24 @@ SENSORS = [
     ],
 )
 def test_settings_are_put_back(profile, target, query):
-    bench = robot(name="inc1", component=target.component, tick=None)
+    virtual_target = robot(name="inc1", component=target.component, tick=None)
     told = []
 
     def look(tester):
         told.append(tester.client("42.1.1").ask(query, type(query).REPORT))
 
     asking = Profile("asking", "x", (Step("1", "x", look),))
-    examined(asking, bench, target)
+    examined(asking, virtual_target, target)
     command = query.NAME.replace("Query", "Set", 1)
-    report = examined(profile, bench, target, only=(f"{READY}/{command}/controller",))
+    report = examined(profile, virtual_target, target, only=(f"{READY}/{command}/controller",))
     assert report.status == 0
-    examined(asking, bench, target)
+    examined(asking, virtual_target, target)
     assert told[0] == told[1]
 
 
 def test_the_clock_is_put_back():
-    bench = robot(component=1, tick=None)
+    virtual_target = robot(component=1, tick=None)
     only = "NotControlled.Available.Standby/SetTime/other-client", f"{READY}/SetTime/controller"
-    assert examined("core-1.1", bench, JausID(105, 1, 1), only=only).status == 0
-    (part,) = bench.parts.values()
+    assert examined("core-1.1", virtual_target, JausID(105, 1, 1), only=only).status == 0
+    (part,) = virtual_target.components.values()
     assert abs(part.host.clock_offset.total_seconds()) < 0.1

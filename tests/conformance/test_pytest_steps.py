@@ -9,7 +9,7 @@ from tests.conformance.scripted import ScriptedWire
 from tests.conformance.simulated import robot
 from tests.conformance.test_endings import is_free
 
-from jauspy.conformance import Bench, Part, Profile, Step, ask, offers_of, pytest_steps, tell
+from jauspy.conformance import Profile, Step, TargetComponent, VirtualTarget, ask, offers_of, pytest_steps, tell
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import (
@@ -30,7 +30,9 @@ def test_transport(step):
 
 def small():
     """A component with few services, and so with few steps."""
-    return Bench([Part(Host(JausID(105, 1, 1), [Liveness()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC)))])
+    return VirtualTarget(
+        [TargetComponent(Host(JausID(105, 1, 1), [Liveness()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC)))]
+    )
 
 
 @pytest_steps("core-1.1", small, "105.1.1", offers=offers_of(small()))
@@ -38,7 +40,7 @@ def test_core(step):
     step()
 
 
-class Mute(Part):
+class Mute(TargetComponent):
     def hear(self, payload, source, now):
         pass
 
@@ -79,14 +81,14 @@ def test_silence_of_the_dead_is_no_pass():
 
 
 def test_after_the_last_step_the_robot_is_left_in_order(monkeypatch):
-    bench = robot(tick=None)
+    virtual_target = robot(tick=None)
     closed = []
-    monkeypatch.setattr(bench, "close", lambda: closed.append(True))
+    monkeypatch.setattr(virtual_target, "close", lambda: closed.append(True))
     steps = (Step("1", "s", ask(COP, RequestControl(200), ConfirmControl)), Step("2", "s", STATUS))
-    for test in calls_of(Profile("p", "t", steps), bench):
+    for test in calls_of(Profile("p", "t", steps), virtual_target):
         test()
     assert closed == [True]
-    assert is_free(bench, JausID(105, 1, 1))
+    assert is_free(virtual_target, JausID(105, 1, 1))
 
 
 def test_steps_may_be_called_in_any_order_and_again():

@@ -15,10 +15,10 @@ from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform, jaus_frame
 from jauspy.geometry.vectors import X, Z, rotation_about
 from jauspy.modules.mounting import joint_of
 from jauspy.modules.robots import load, robot_model
-from jauspy.services.environment_sensing import OnJoint
+from jauspy.services.environment_sensing import JointMount
 
 
-def carrier(robot: str, link: str) -> OnJoint:
+def carrier(robot: str, link: str) -> JointMount:
     config = load(robot)
     found = joint_of(config, robot_model(config), link)
     assert found is not None

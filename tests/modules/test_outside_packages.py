@@ -95,9 +95,9 @@ def test_a_module_that_lists_no_services_has_none_of_other_packages() -> None:
 @pytest.mark.parametrize(
     ("services", "said"),
     [
-        ('"Siren"', r"'Siren' is not one that a CM-MOB has; .*from other packages: Broken, Horn, NoEntry, Odometer"),
+        ('"Siren"', r"a CM-MOB has no service 'Siren'; .*from other packages: Broken, Horn, NoEntry, Odometer"),
         ('"Broken"', r"service 'Broken' \(acme_robot:MISSING\) cannot be loaded: .*MISSING"),
-        ('"NoEntry"', r"service 'NoEntry' \(acme_robot:Backend\) is no ServiceEntry"),
+        ('"NoEntry"', r"service 'NoEntry' \(acme_robot:Backend\) is not a ServiceEntry"),
     ],
 )
 def test_what_is_wrong_with_a_service_is_said(write, services: str, said: str) -> None:
@@ -107,7 +107,7 @@ def test_what_is_wrong_with_a_service_is_said(write, services: str, said: str) -
 
 @pytest.mark.usefixtures("installed")
 def test_a_service_of_another_type_of_module_is_not_taken(write) -> None:
-    with pytest.raises(ConfigError, match="'Odometer' is not one that a CM-SEN has"):
+    with pytest.raises(ConfigError, match="a CM-SEN has no service 'Odometer'"):
         catalogue.find("CM-SEN", "Odometer")
 
 

@@ -106,7 +106,7 @@ class Clock:
 
 def test_stops_by_itself_when_nobody_is_alive(fake_robot):
     clock = Clock()
-    with RealTime(fake_robot, step=0.002, lapse=1.0, clock=clock) as runner:
+    with RealTime(fake_robot, step=0.002, heartbeat_timeout=1.0, clock=clock) as runner:
         runner.drive.set_effort(1.0, 0.0)
         fake_robot.wait_for_steps(3)
         assert (1.0, 0.0) in fake_robot.drive.efforts

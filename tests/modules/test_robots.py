@@ -96,7 +96,7 @@ def test_not_even_text(write, tmp_path):
         (
             "component = 33",
             "component = 33\nservices = ['Tim']",
-            r"services: 'Tim' is not one that a CM-MOB has; those are: .*Time, Liveness.*LocalPoseSensor",
+            r"services: a CM-MOB has no service 'Tim'; it can have: .*Time, Liveness.*LocalPoseSensor",
         ),
         (
             "component = 33",

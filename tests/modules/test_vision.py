@@ -18,9 +18,12 @@ from jauspy.messages.environment_sensing.v1_0.types import (
     VisualSensorErrorRec,
 )
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.services.environment_sensing.digital_resource_discovery import RTP
-from jauspy.services.environment_sensing.video_camera import address_of
-from jauspy.services.environment_sensing.viewers import LIFETIME, MOST
+from jauspy.services.environment_sensing.digital_resource_discovery import (
+    END_POINT_TIMEOUT,
+    MAX_END_POINTS,
+    RTP,
+    parse_rtp_url,
+)
 
 Stream, Wanted = m.ControlDigitalVideoSensorStream, m.SetDigitalVideoSensorConfiguration
 Size = Wanted.FrameSize
@@ -67,9 +70,9 @@ def test_a_client_enters_an_address_and_the_camera_sends_there_until_it_is_remov
 
 def test_an_end_point_lasts_five_minutes_unless_it_is_entered_again(module):
     number = module.enter("rtp://10.0.0.7:5004")
-    module.now = LIFETIME - 1.0
+    module.now = END_POINT_TIMEOUT - 1.0
     assert module.enter("rtp://10.0.0.7:5004") == number
-    module.now += LIFETIME - 1.0
+    module.now += END_POINT_TIMEOUT - 1.0
     module.host.handle_timeout(module.now)
     assert module.video.receivers
     module.now += 2.0
@@ -109,8 +112,8 @@ def test_a_client_cannot_remove_or_take_over_what_another_entered(module):
 
 
 def test_there_is_a_limit(module):
-    numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * port}") for port in range(MOST + 1)]
-    assert numbers == [*range(1, MOST + 1), 0]
+    numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * port}") for port in range(MAX_END_POINTS + 1)]
+    assert numbers == [*range(1, MAX_END_POINTS + 1), 0]
 
 
 def test_a_client_that_is_lost_is_sent_nothing_more(module):
@@ -121,7 +124,7 @@ def test_a_client_that_is_lost_is_sent_nothing_more(module):
 
 
 def test_addresses_of_ipv6():
-    assert address_of("rtp://[fe80::1]:5004") == ("fe80::1", 5004)
+    assert parse_rtp_url("rtp://[fe80::1]:5004") == ("fe80::1", 5004)
 
 
 # --- streams

@@ -12,7 +12,7 @@ from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, liveness
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
+from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.header import Packet
 from jauspy.testing import until
 

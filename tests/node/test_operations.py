@@ -18,7 +18,7 @@ from jauspy.cli.node_manager import JsonLines
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, metrics, mirror, status
-from jauspy.node.service_manager import ServiceManager
+from jauspy.node.systemd import SystemdNotifier
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
@@ -308,7 +308,7 @@ async def test_systemd_is_told_of_readiness_and_life(root: Path, monkeypatch: py
         manager.bind(str(root / "notify"))
         monkeypatch.setenv("NOTIFY_SOCKET", str(root / "notify"))
         monkeypatch.setenv("WATCHDOG_USEC", "20000")
-        async with ServiceManager() as services:
+        async with SystemdNotifier() as services:
             told = [await receive(manager) for _ in range(3)]
             assert told == [b"READY=1", b"WATCHDOG=1", b"WATCHDOG=1"]
             services.ready("running")
@@ -318,7 +318,7 @@ async def test_systemd_is_told_of_readiness_and_life(root: Path, monkeypatch: py
 
 async def test_without_systemd_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NOTIFY_SOCKET", raising=False)
-    async with ServiceManager() as services:
+    async with SystemdNotifier() as services:
         services.reloading()
 
 

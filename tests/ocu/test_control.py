@@ -334,7 +334,7 @@ async def test_a_restart_is_noticed_even_when_it_is_not_said_who_is_in_control(w
         await crash(world, robot)
         await world.robot(timeout=1)
         await asyncio.wait_for(control.until_lost(), 2)
-        assert "101.1.1 went from READY to STANDBY without being told to" in control.lost
+        assert "101.1.1 went from READY to STANDBY without a command of this OCU" in control.lost
 
 
 async def test_a_restart_is_noticed_when_control_never_times_out(world, monkeypatch):
@@ -611,7 +611,8 @@ async def test_resume_without_control_says_so(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
     with pytest.raises(
-        RequestError, match=r"still reports STANDBY 0\.2 s after Resume; it obeys only the client in control"
+        RequestError,
+        match=r"still reports STANDBY 0\.2 s after Resume; it accepts commands only from the client in control",
     ):
         await driver.resume(timeout=0.2)
 

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from jauspy.modules.robots import load, robot_model
-from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, track_speed
+from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, track_speed_after
 
 INC1 = robot_model(load("inc1"))
 
@@ -20,8 +20,8 @@ def test_stops_completely() -> None:
 
 
 def test_friction_never_reverses_a_track() -> None:
-    assert track_speed(0.001, 0.0, 0.005, SkidSteerParameters()) == 0.0
-    assert track_speed(-0.001, 0.0, 0.005, SkidSteerParameters()) == 0.0
+    assert track_speed_after(0.001, 0.0, 0.005, SkidSteerParameters()) == 0.0
+    assert track_speed_after(-0.001, 0.0, 0.005, SkidSteerParameters()) == 0.0
 
 
 def test_time_is_exact_and_yaw_wraps() -> None:

@@ -7,7 +7,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import (
     address_book,
     authentication,
-    directory,
+    component_ports,
     judp,
     junior,
     registrar,
@@ -126,10 +126,10 @@ def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_count
 
 def test_components_by_udp_leave_places_for_those_with_a_socket() -> None:
     node = Router("/root")
-    for number in range(directory.MAX_UDP_COMPONENTS + 10):
+    for number in range(component_ports.MAX_UDP_COMPONENTS + 10):
         id = JausID(7, 1 + number // 200, 1 + number % 200)
         node.receive(junior.connect(id), UdpPort("127.0.0.1", 5000 + number), 0.0)
-    assert len(node.components) == directory.MAX_UDP_COMPONENTS
+    assert len(node.components) == component_ports.MAX_UDP_COMPONENTS
     assert node.counters["dropped.component_refused"] == 10
     node.receive(junior.connect(HERE), PORT, 0.0)
     assert int(HERE) in node.components

@@ -171,7 +171,7 @@ def test_simple_without_end_state_stays_as_in_jsidl_1_0() -> None:
     assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
 
 
-def test_internal_without_actions_swallows() -> None:
+def test_internal_without_actions_ignores_the_event() -> None:
     rig = Rig(two_states(a=(on("Ask"),), top=(on("Ask", do="c"),)))
     assert rig.get("Ask") is TriggerOutcome.IGNORED
     assert rig.log == []
@@ -437,7 +437,7 @@ def test_default_transitions_of_the_machine_come_last_of_all() -> None:
         ((on("Other", do="a"),), False),
         ((on("Ask", "simple", "Next", do="a"),), False),
     ],
-    ids=["one action", "first wins", "guarded", "two actions", "swallowed", "another message", "changes the state"],
+    ids=["one action", "first wins", "guarded", "two actions", "ignored", "another message", "changes the state"],
 )
 def test_the_sole_action_is_one_action_on_which_nothing_has_a_say(transitions, found) -> None:
     rig = Rig(definition("S", state("Now", transitions=transitions), state("Next"), start="Now"))

@@ -22,7 +22,7 @@ from jauspy.messages.mobility import (
 )
 from jauspy.messages.mobility.v1_1.navigation_state import QueryNavigation, ReportNavigation
 from jauspy.schema import load_builtin
-from jauspy.services.messaging import apply_presence_vectors
+from jauspy.services.presence_vectors import apply_presence_vectors
 
 FULL = ReportVelocityState(1.0, 2.0, 3.0, 4.0, 0.1, 0.2, 0.3, 0.4)
 NAMES = ("velocity_x", "velocity_y", "velocity_z", "velocity_rms", "roll_rate", "pitch_rate", "yaw_rate", "rate_rms")

@@ -25,7 +25,7 @@ from jauspy.errors import ConfigError
 from jauspy.modules.robots import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
-from jauspy.platform.kinematic_camera import SKY
+from jauspy.platform.kinematic_camera import SKY_INDEX
 from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
 from jauspy.video import camera_process
 from jauspy.video.camera_process import NICENESS, CameraProcess
@@ -171,7 +171,7 @@ async def test_the_edges_of_stills_are_smooth_unless_they_are_large(camera, size
     content = (await asyncio.wait_for(taken, TIMEOUT)).content
     image = cv2.imdecode(np.frombuffer(content, np.uint8), cv2.IMREAD_COLOR)
     colours = {tuple(pixel) for pixel in image.reshape(-1, 3)}
-    assert (len(colours) > SKY + 1) is smooth
+    assert (len(colours) > SKY_INDEX + 1) is smooth
 
 
 async def test_too_many_stills_and_receivers_are_refused(camera):

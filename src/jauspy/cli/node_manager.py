@@ -20,7 +20,7 @@ from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent, file_mode
 from jauspy.cli.processes import end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
 from jauspy.node import NodeConfig, NodeManager, config_file, status
-from jauspy.node.service_manager import ServiceManager
+from jauspy.node.systemd import SystemdNotifier
 
 MAX_OPEN_FILES: Final = 4096
 """Limit of open files: a socket for each of up to 1024 components, TCP connections, logs and captures."""
@@ -158,7 +158,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
     """
     console.log_to_stderr(config.log_level.upper(), JsonLines() if config.log == "json" else None)
     raise_file_limit()
-    async with NodeManager(config) as manager, ServiceManager() as services:
+    async with NodeManager(config) as manager, SystemdNotifier() as services:
         loop = asyncio.get_running_loop()
         loop.add_signal_handler(signal.SIGUSR1, console.print_counters, manager.counters)
         if read is not None:
@@ -180,7 +180,7 @@ def raise_file_limit() -> None:
         resource.setrlimit(resource.RLIMIT_NOFILE, (enough, hard))
 
 
-def reload(manager: NodeManager, read: Callable[[], NodeConfig], services: ServiceManager) -> None:
+def reload(manager: NodeManager, read: Callable[[], NodeConfig], services: SystemdNotifier) -> None:
     """Apply the file's present configuration; an invalid one changes nothing."""
     services.reloading()
     try:

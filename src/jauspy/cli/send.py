@@ -114,7 +114,7 @@ async def _obstacle(ocu: OCU, to: JausID, command: Message) -> str:
         holder = JausID(control.subsystem_id, control.node_id, control.component_id)
         who = str(holder) if int(holder) else "nobody"
         if holder != ocu.id:
-            return f"sent, but {to} obeys only its controller, {who}; use --control AUTHORITY"
+            return f"sent, but {to} accepts commands only from its controller, {who}; use --control AUTHORITY"
     return ""
 
 

@@ -25,8 +25,7 @@ from jauspy.messages.environment_sensing import (
     RemoveDigitalResourceEndpoint as Remove,
 )
 from jauspy.ocu import OCU
-from jauspy.services.environment_sensing.digital_resource_discovery import RTP
-from jauspy.services.environment_sensing.video_camera import address_of
+from jauspy.services.environment_sensing.digital_resource_discovery import RTP, parse_rtp_url
 from jauspy.video import need_video
 from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 
@@ -77,7 +76,7 @@ def video(
         raise ConfigError(f"{component} has wildcards; name one component")
     if save is not None and show:
         raise typer.BadParameter("it cannot be combined with --save: a port has one receiver", param_hint="--show")
-    address = address_of(f"rtp://{to}")
+    address = parse_rtp_url(f"rtp://{to}")
     ocu = client.make_ocu(own_id, connect, timeout)
     if save is not None:
         run(record(ocu, component, sensor, address, file=save, seconds=seconds))

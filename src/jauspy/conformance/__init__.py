@@ -1,22 +1,20 @@
 """The conformance test: profiles of steps, run against a robot or component of any vendor."""
 
-from jauspy.conformance.bench import Bench, Part
 from jauspy.conformance.checks import Check, carries, carries_only, has, near, that
 from jauspy.conformance.profile import Profile, Step, ask, find, known, tell
 from jauspy.conformance.pytest_steps import offers_of, pytest_steps
 from jauspy.conformance.results import Failed, Late, Malformed, Report, Result, Silent, Skipped, StepOutcome, Verdict
 from jauspy.conformance.runner import Settings, run
 from jauspy.conformance.tester import Client, Tester
+from jauspy.conformance.virtual_target import TargetComponent, VirtualTarget
 from jauspy.conformance.wire import Wire
 
 __all__ = [
-    "Bench",
     "Check",
     "Client",
     "Failed",
     "Late",
     "Malformed",
-    "Part",
     "Profile",
     "Report",
     "Result",
@@ -25,8 +23,10 @@ __all__ = [
     "Skipped",
     "Step",
     "StepOutcome",
+    "TargetComponent",
     "Tester",
     "Verdict",
+    "VirtualTarget",
     "Wire",
     "ask",
     "carries",

@@ -7,12 +7,12 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from jauspy.conformance.bench import Bench
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step, find
 from jauspy.conformance.results import Result, Verdict
 from jauspy.conformance.runner import Settings, restore_target, results
 from jauspy.conformance.tester import Tester
+from jauspy.conformance.virtual_target import VirtualTarget
 from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
@@ -22,12 +22,12 @@ if TYPE_CHECKING:
     import pytest
 
 
-def offers_of(bench: Bench) -> Offers:
-    """What the components of a bench offer, without asking them."""
+def offers_of(virtual_target: VirtualTarget) -> Offers:
+    """What the components of a virtual target offer, without asking them."""
     return Offers(
         {
-            id: frozenset(each.key for each in restore_target.host.definitions.values())
-            for id, restore_target in bench.parts.items()
+            id: frozenset(each.key for each in component.host.definitions.values())
+            for id, component in virtual_target.components.items()
         }
     )
 

@@ -155,7 +155,7 @@ class Expectation(Generic[M]):
         wanted = message_name(self._kind)
         if astray := self._astray():
             return Silent(f"no {wanted} came from {self._source} to {self._client.id}, but {astray}")
-        # Control that ends by itself is told to the client at any time.
+        # The client is notified at any time of control that ends by itself.
         others = self._client.unasked(() if self._kind is ConfirmControl else (RejectControl.CODE,))
         if others:
             return Failed(f"no {wanted} came, but {', '.join(others[:4])}")

@@ -20,11 +20,11 @@ from jauspy.services.environment_sensing import (
     DigitalVideo,
     ForceTorqueSensor,
     H264VideoEncoding,
-    Mounted,
-    MountedGauge,
+    MountedForceTorqueSensor,
+    MountedLidar,
     RangeSensor,
     StillImage,
-    Viewers,
+    VideoStreams,
     VisualSensor,
 )
 from jauspy.services.service import Service
@@ -95,8 +95,8 @@ class SensorContext:
     module: ClassVar[str] = "CM-SEN"
     moving: ClassVar[None] = None
     robot: RobotParts
-    lidars: tuple[Mounted, ...]
-    gauges: tuple[MountedGauge, ...]
+    lidars: tuple[MountedLidar, ...]
+    force_torque: tuple[MountedForceTorqueSensor, ...]
     """The sensors of force and torque."""
 
 
@@ -106,7 +106,7 @@ class VisionContext:
 
     module: ClassVar[str] = "CM-VIS"
     robot: RobotParts
-    viewers: Viewers
+    streams: VideoStreams
     """Its cameras, by sensor id, and who watches them."""
     pan_tilt: manipulator.PanTilt | None
     """The unit that turns the camera."""
@@ -145,9 +145,9 @@ class ServiceEntry(Generic[C]):
     context: type[C]
     """Says the type of module: `MobilityContext` is a CM-MOB."""
     make: Callable[[C], Service | None]
-    """Makes the service of one module; None if the robot has not what it needs."""
+    """Makes the service of one module; None if the robot lacks what the service needs."""
     needs: str = ""
-    """What a robot must have for it, as the error says it when it has not."""
+    """What a robot must have for it, as the error names it."""
     by_default: bool = True
     """True if modules offer it that list no services. Services of other packages are offered only when listed."""
 
@@ -166,8 +166,8 @@ def _arm(make: Callable[[manipulator.Arm], Service]) -> ServiceEntry[Manipulator
     return ServiceEntry(ManipulatorContext, lambda context: make(context.arm))
 
 
-def _camera(make: Callable[[Viewers], Service]) -> ServiceEntry[VisionContext]:
-    return ServiceEntry(VisionContext, lambda context: make(context.viewers))
+def _camera(make: Callable[[VideoStreams], Service]) -> ServiceEntry[VisionContext]:
+    return ServiceEntry(VisionContext, lambda context: make(context.streams))
 
 
 def _pan_tilt(make: Callable[[manipulator.PanTilt], Service]) -> ServiceEntry[VisionContext]:
@@ -229,15 +229,15 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         ),
         "ForceTorqueSensor": ServiceEntry(
             SensorContext,
-            lambda context: ForceTorqueSensor(context.gauges) if context.gauges else None,
+            lambda context: ForceTorqueSensor(context.force_torque) if context.force_torque else None,
             needs=FORCE_TORQUE,
         ),
     },
     "CM-VIS": {
-        "VisualSensor": _camera(lambda viewers: VisualSensor(viewers.cameras)),
+        "VisualSensor": _camera(lambda streams: VisualSensor(streams.cameras)),
         "DigitalVideo": _camera(DigitalVideo),
-        "H264VideoEncoding": _camera(lambda viewers: H264VideoEncoding(viewers.cameras)),
-        "StillImage": _camera(lambda viewers: StillImage(viewers.cameras)),
+        "H264VideoEncoding": _camera(lambda streams: H264VideoEncoding(streams.cameras)),
+        "StillImage": _camera(lambda streams: StillImage(streams.cameras)),
         "DigitalResourceDiscovery": _camera(DigitalResourceDiscovery),
         "PrimitivePanTilt": _pan_tilt(manipulator.PrimitivePanTilt),
         "PanTiltJointPositionSensor": _pan_tilt(manipulator.PanTiltJointPositionSensor),
@@ -269,7 +269,7 @@ def find(module: str, name: str) -> ServiceEntry[Any]:
             return entry
     installed = sorted({entry.name for entry in entry_points(group=GROUP)})
     known = ", ".join((*CORE, *BUILT_IN[module])) + (f"; from other packages: {', '.join(installed)}" * bool(installed))
-    raise ConfigError(f"{name!r} is not one that a {module} has; those are: {known}")
+    raise ConfigError(f"a {module} has no service {name!r}; it can have: {known}")
 
 
 def _load(entry: EntryPoint) -> ServiceEntry[Any]:
@@ -278,14 +278,14 @@ def _load(entry: EntryPoint) -> ServiceEntry[Any]:
     except (ImportError, AttributeError) as error:
         raise ConfigError(f"service {entry.name!r} ({entry.value}) cannot be loaded: {error}") from error
     if not isinstance(found, ServiceEntry) or getattr(found.context, "module", None) not in BUILT_IN:
-        raise ConfigError(f"service {entry.name!r} ({entry.value}) is no ServiceEntry of a type of module")
+        raise ConfigError(f"service {entry.name!r} ({entry.value}) is not a ServiceEntry for a known module type")
     return found
 
 
 def make(module: str, names: Iterable[str] | None, context: Context) -> list[Service]:
     """The services of a module that have these names (None: the defaults that the robot has the parts for).
 
-    Raises `ConfigError` for a service that is named and needs what the robot has not.
+    Raises `ConfigError` for a service that is named and needs what the robot lacks.
     """
     chosen = list(defaults(module) if names is None else names)
     order = list(BUILT_IN[module])

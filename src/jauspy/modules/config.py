@@ -1,4 +1,4 @@
-"""What a robot's TOML file may say."""
+"""The tables of a robot's TOML file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,16 @@ from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
 
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
+
 UrdfName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
+
+Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
+
+DEFAULT_GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
+"""The group of joints that a type moves, unless its module names another."""
+
+MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
+"""Types that move nothing, except a CM-VIS with the group of a pan-tilt unit."""
 
 
 class StrictConfig(BaseModel):
@@ -36,10 +45,10 @@ class TracksConfig(StrictConfig):
     left: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
     right: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
     inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 40.0
-    """What rotors and sprockets weigh at the belt, in kilograms."""
+    """Inertia of rotors and sprockets at the belt, in kilograms."""
 
     def setup(self) -> TrackSetup:
-        """For the backend."""
+        """Return the setup for the backend."""
         return TrackSetup(self.left, self.right, self.inertia)
 
 
@@ -50,10 +59,10 @@ class GainsConfig(StrictConfig):
     i: Gain = 0.0
     d: Gain = 0.0
     i_limit: Gain | None = None
-    """The most effort that integration may add."""
+    """Limit of the integral part of the effort."""
 
     def gains(self) -> Gains:
-        """For the controller."""
+        """Return the gains for the controller."""
         return Gains(self.p, self.i, self.d, **({} if self.i_limit is None else {"i_limit": self.i_limit}))
 
 
@@ -62,7 +71,7 @@ class JointConfig(StrictConfig):
 
     name: UrdfName
     start: float = 0.0
-    """Where it is at first, in radians or metres."""
+    """Initial position, in radians or metres."""
     position: GainsConfig
     velocity: GainsConfig
 
@@ -71,23 +80,23 @@ class GroupConfig(StrictConfig):
     """Joints that are commanded together: an arm, a gripper, flippers."""
 
     base: UrdfName
-    """The link it stands on."""
+    """The link that carries the group."""
     tip: UrdfName
     """The link at its end."""
     rate: Annotated[float, Field(ge=10.0, le=500.0)] = 250.0
-    """How often its controllers act, in hertz."""
+    """Rate of the controllers, in hertz."""
     joints: Annotated[tuple[JointConfig, ...], Field(min_length=1, max_length=32)]
     """Base to tip."""
 
     @model_validator(mode="after")
-    def _each_once(self) -> Self:
+    def _check_unique_names(self) -> Self:
         names = [joint.name for joint in self.joints]
         if len(set(names)) < len(names):
             raise ValueError(f"joints: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
         return self
 
     def setup(self) -> GroupSetup:
-        """For the backend."""
+        """Return the setup for the backend."""
         gains = {joint.name: JointGains(joint.position.gains(), joint.velocity.gains()) for joint in self.joints}
         names, start = zip(*((joint.name, joint.start) for joint in self.joints), strict=True)
         return GroupSetup(names, gains, self.base, self.tip, self.rate, start)
@@ -109,16 +118,16 @@ class LidarConfig(StrictConfig):
     noise: Annotated[float, Field(ge=0.0, le=1.0)] = 0.01
     """Standard deviation of a distance in a simulation, in metres."""
     seed: Annotated[int, Field(ge=0)] = 0
-    """Of that noise."""
+    """Seed of the noise."""
 
     @model_validator(mode="after")
-    def _reaches(self) -> Self:
+    def _check_range(self) -> Self:
         if self.range[0] >= self.range[1]:
             raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
         return self
 
     def setup(self) -> LidarSetup:
-        """For the backend."""
+        """Return the setup for the backend."""
         return LidarSetup(self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed)
 
 
@@ -136,15 +145,15 @@ class ForceTorqueConfig(StrictConfig):
     noise: tuple[Annotated[float, Field(ge=0.0, le=100.0)], Annotated[float, Field(ge=0.0, le=100.0)]] = (0.1, 0.01)
     """Standard deviations in a simulation, in newtons and newton metres."""
     seed: Annotated[int, Field(ge=0)] = 0
-    """Of that noise."""
+    """Seed of the noise."""
 
     def setup(self) -> ForceTorqueSetup:
-        """For the backend."""
+        """Return the setup for the backend."""
         return ForceTorqueSetup(self.name, self.link, self.rate, self.force, self.torque, *self.noise, self.seed)
 
 
 class DepthConfig(StrictConfig):
-    """What a camera that also measures distances makes clouds of."""
+    """Point clouds of a depth camera."""
 
     size: tuple[Annotated[int, Field(ge=16, le=1920)], Annotated[int, Field(ge=16, le=1080)]] = (400, 250)
     """Points across and down, at most."""
@@ -154,7 +163,7 @@ class DepthConfig(StrictConfig):
     """The least and the largest distance along the camera's axis that it measures, in metres."""
 
     @model_validator(mode="after")
-    def _fits(self) -> Self:
+    def _check_size(self) -> Self:
         if self.range[0] >= self.range[1]:
             raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
         if self.size[0] * self.size[1] > MAX_POINTS:
@@ -162,7 +171,7 @@ class DepthConfig(StrictConfig):
         return self
 
     def settings(self) -> DepthSettings:
-        """For the process that makes them."""
+        """Return the settings for the process that makes the clouds."""
         return DepthSettings(*self.size, self.rate, *self.range)
 
 
@@ -180,12 +189,12 @@ class CameraConfig(StrictConfig):
     bit_rate: int = 2000
     """Kilobits per second, at first."""
     depth: DepthConfig | None = None
-    """Of a camera that also measures distances."""
+    """Settings of a depth camera; None for other cameras."""
     stamped: bool = False
     """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
 
     @model_validator(mode="after")
-    def _can_be_encoded(self) -> Self:
+    def _check_encoding(self) -> Self:
         try:
             self.settings()
         except ConfigError as error:
@@ -193,39 +202,12 @@ class CameraConfig(StrictConfig):
         return self
 
     def setup(self) -> CameraSetup:
-        """For the backend."""
+        """Return the setup for the backend."""
         return CameraSetup(self.name, self.link, math.radians(self.fov))
 
     def settings(self) -> VideoSettings:
-        """For the encoder; `ConfigError` for what cannot be encoded."""
+        """Return the settings for the encoder; raises `ConfigError` for what cannot be encoded."""
         return VideoSettings(*self.size, self.rate, 1000 * self.bit_rate)
-
-
-def _on_the_wire(name: str) -> str:
-    try:
-        name.encode("latin-1")
-    except UnicodeEncodeError as error:
-        raise ValueError(f"name: {name!r}: JAUS sends names in Latin-1, which has no {name[error.start]!r}") from None
-    return name
-
-
-def _one_component(text: str) -> str:
-    try:
-        wildcard = JausID.parse(text).is_wildcard
-    except ConfigError as error:
-        raise ValueError(f"announce_to: {error}") from None
-    if wildcard:
-        raise ValueError(f"announce_to: {text} stands for many; give the id of one console, as in 42.1.1")
-    return text
-
-
-Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
-GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
-"""The group of joints that a type moves, unless its module names another."""
-
-
-MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
-"""Types that move nothing, unless a CM-VIS names a group that its camera is on."""
 
 
 class AccessControlConfig(StrictConfig):
@@ -234,7 +216,17 @@ class AccessControlConfig(StrictConfig):
     timeout: Annotated[int, Field(ge=0, le=255)] = 5
     """Seconds, 1..255; 0 never takes control back."""
     default_authority: Annotated[int, Field(ge=0, le=255)] = 1
-    """What a client needs at least."""
+    """Lowest authority that may request control."""
+
+
+def _check_single_component(text: str) -> str:
+    try:
+        wildcard = JausID.parse(text).is_wildcard
+    except ConfigError as error:
+        raise ValueError(f"announce_to: {error}") from None
+    if wildcard:
+        raise ValueError(f"announce_to: {text} stands for many; give the id of one console, as in 42.1.1")
+    return text
 
 
 class ModuleConfig(StrictConfig):
@@ -247,18 +239,18 @@ class ModuleConfig(StrictConfig):
     group: UrdfName | None = None
     """The joints that a CM-MAN or CM-EEF moves, `arm` or `gripper` when left out; those that turn a CM-VIS's camera."""
     camera: UrdfName | None = None
-    """The name of the one that a CM-VIS streams."""
+    """Name of the camera that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
-    announce_to: Annotated[str, AfterValidator(_one_component)] | None = None
+    announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
     """The id of a console that the module asks who it is, again and again until it answers, so as to be found."""
 
     @model_validator(mode="after")
-    def _fits_its_type(self) -> Self:
+    def _check_type(self) -> Self:
         try:
             needs = self.needs()
         except ConfigError as error:
             raise ValueError(f"services: {error}") from None
-        if self.group is not None and self.type not in (*GROUPS, "CM-VIS"):
+        if self.group is not None and self.type not in (*DEFAULT_GROUPS, "CM-VIS"):
             raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
         if catalogue.PAN_TILT in needs and self.group is None:
             raise ValueError(f"group: is missing; {needs[catalogue.PAN_TILT][0]} needs {catalogue.PAN_TILT}")
@@ -277,7 +269,7 @@ class ModuleConfig(StrictConfig):
     @property
     def moves(self) -> str | None:
         """The group of joints that the module moves."""
-        return self.group or GROUPS.get(self.type)
+        return self.group or DEFAULT_GROUPS.get(self.type)
 
     def offers(self, service: str) -> bool:
         """True if the module has the service, as far as the robot has what it needs."""
@@ -296,10 +288,18 @@ class OriginConfig(StrictConfig):
     """Degrees clockwise from true north, of the world's x axis: where the robot looks at the start."""
 
 
+def _check_latin1(name: str) -> str:
+    try:
+        name.encode("latin-1")
+    except UnicodeEncodeError as error:
+        raise ValueError(f"name: {name!r}: JAUS sends names in Latin-1, which has no {name[error.start]!r}") from None
+    return name
+
+
 class RobotConfig(StrictConfig):
     """One robot: a JAUS node with its capability modules, on a backend."""
 
-    name: Annotated[Name, AfterValidator(_on_the_wire)]
+    name: Annotated[Name, AfterValidator(_check_latin1)]
     description: Annotated[str, Field(max_length=200)] = ""
     urdf: Annotated[str, Field(min_length=1)]
     """The file that describes its links and joints, as URDF or xacro; a relative path starts at the TOML file."""
@@ -312,7 +312,7 @@ class RobotConfig(StrictConfig):
     modules: tuple[ModuleConfig, ...]
     tracks: TracksConfig
     groups: Groups = {}
-    """Its other joints."""
+    """The groups of joints, by name."""
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()

@@ -14,13 +14,13 @@ from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.modules import catalogue
 from jauspy.modules.catalogue import Context, Stoppable
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.mounting import frame_of, mounted_camera, mounted_gauges, mounted_lidars
+from jauspy.modules.mounting import frame_of, mounted_camera, mounted_force_torque_sensors, mounted_lidars
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
 from jauspy.protocol.header import Packet
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
-from jauspy.services.environment_sensing import VideoSource, Viewers
+from jauspy.services.environment_sensing import VideoSource, VideoStreams
 from jauspy.services.host import Host
 from jauspy.services.manipulator import Arm, ManipulatorListDriver, PanTilt, PrimitiveEndEffector
 from jauspy.services.mobility import GlobalPose, Vehicle
@@ -96,10 +96,12 @@ def _context(
         id = config.id_of(module)
         raise ConfigError(f"{id} moves the group {module.moves!r}, and the backend has no such joints")
     if module.type == "CM-SEN":
-        return catalogue.SensorContext(robot, mounted_lidars(config, model, robot), mounted_gauges(model, robot))
+        return catalogue.SensorContext(
+            robot, mounted_lidars(config, model, robot), mounted_force_torque_sensors(model, robot)
+        )
     if module.camera is not None:
         camera = mounted_camera(config, model, videos[module.camera], robot)
-        return catalogue.VisionContext(robot, Viewers({1: camera}), _pan_tilt(module, model, robot))
+        return catalogue.VisionContext(robot, VideoStreams({1: camera}), _pan_tilt(module, model, robot))
     if module.moves is None:
         return catalogue.MobilityContext(robot, vehicle_of(config, model, robot.drive))
     joints = robot.groups[module.moves]

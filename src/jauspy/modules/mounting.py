@@ -14,24 +14,31 @@ from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.platform.contract import RobotParts
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.joints import JointGroup, joint_positions
-from jauspy.services.environment_sensing import Mounted, MountedGauge, OnJoint, VideoCamera, VideoSource
+from jauspy.services.environment_sensing import (
+    JointMount,
+    MountedForceTorqueSensor,
+    MountedLidar,
+    VideoCamera,
+    VideoSource,
+)
 
 
-def mounted_lidars(config: RobotConfig, model: RobotModel, robot: RobotParts) -> tuple[Mounted, ...]:
+def mounted_lidars(config: RobotConfig, model: RobotModel, robot: RobotParts) -> tuple[MountedLidar, ...]:
     """The lidars, in the order of the robot's description."""
     tree, groups = FrameTree(model.description), robot.groups
     links = ((lidar, lidar.setup.link) for lidar in robot.lidars.values())
     return tuple(
-        Mounted(frame_of(tree, link, groups), tree.is_fixed(link), joint_of(config, model, link), lidar=lidar)
+        MountedLidar(frame_of(tree, link, groups), tree.is_fixed(link), joint_of(config, model, link), lidar=lidar)
         for lidar, link in links
     )
 
 
-def mounted_gauges(model: RobotModel, robot: RobotParts) -> tuple[MountedGauge, ...]:
+def mounted_force_torque_sensors(model: RobotModel, robot: RobotParts) -> tuple[MountedForceTorqueSensor, ...]:
     """The sensors of force and torque, in the order of the robot's description."""
     tree = FrameTree(model.description)
     return tuple(
-        MountedGauge(sensor, frame_of(tree, sensor.setup.link, robot.groups)) for sensor in robot.force_torque.values()
+        MountedForceTorqueSensor(sensor, frame_of(tree, sensor.setup.link, robot.groups))
+        for sensor in robot.force_torque.values()
     )
 
 
@@ -51,7 +58,7 @@ def frame_of(tree: FrameTree, link: str, groups: Mapping[str, JointGroup]) -> Ca
     return lambda: tree.pose(link, joint_positions(groups.values()))
 
 
-def joint_of(config: RobotConfig, model: RobotModel, link: str) -> OnJoint | None:
+def joint_of(config: RobotConfig, model: RobotModel, link: str) -> JointMount | None:
     """The last joint before a link, if a CM-MAN or a CM-VIS moves it; None for one that is fixed, or on a finger."""
     description = model.description
     moving = [each for each in description.chain(description.root(), link) if each.kind is not JointKind.FIXED]
@@ -60,7 +67,7 @@ def joint_of(config: RobotConfig, model: RobotModel, link: str) -> OnJoint | Non
         if module.type in {"CM-MAN", "CM-VIS"} and group is not None and moving[-1].name in group.joints:
             number = 1 + group.joints.index(moving[-1].name)
             frame = _joint_frame(module, model, group, number).inverse() @ _at_zero(model, group.base, link)
-            return OnJoint(config.id_of(module), number, frame @ JAUS_FROM_REP_103)
+            return JointMount(config.id_of(module), number, frame @ JAUS_FROM_REP_103)
     return None
 
 

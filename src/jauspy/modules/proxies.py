@@ -59,7 +59,7 @@ class JointGroupProxy:
         return self._chain
 
     def command(self, targets: Sequence[Target | None]) -> None:
-        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
+        """Set the targets of the joints, base to tip; None keeps a joint's target."""
         if len(targets) != len(self._joints):
             raise ValueError(f"{len(targets)} targets for the {len(self._joints)} joints of {self._name!r}")
         self._link.submit(JointTargets(self._name, tuple(targets)))
@@ -83,7 +83,7 @@ class LidarProxy:
 
     @property
     def setup(self) -> LidarSetup:
-        """What it can do."""
+        """Link, rate and limits."""
         return self._setup
 
     @property
@@ -118,7 +118,7 @@ class ForceTorqueProxy:
 
     @property
     def setup(self) -> ForceTorqueSetup:
-        """What it can do."""
+        """Link, rate and limits."""
         return self._setup
 
     @property

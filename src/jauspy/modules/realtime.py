@@ -60,8 +60,8 @@ class RealTime:
     `submit` and `snapshot`, at any time: all go through a lock that is never held while the robot moves, so an event
     loop is not held up by physics.
 
-    `lapse`: seconds after which the robot is stopped unless somebody calls `alive`, so that a program that hangs does
-    not leave a robot driving; infinite when not given.
+    `heartbeat_timeout`: seconds without a call of `alive` after which the robot is stopped, so that a program
+    that hangs does not leave a robot driving; infinite by default.
     """
 
     def __init__(
@@ -70,13 +70,13 @@ class RealTime:
         *,
         step: float = STEP,
         max_delay: float = MAX_DELAY,
-        lapse: float = math.inf,
+        heartbeat_timeout: float = math.inf,
         clock: Callable[[], float] = time.monotonic,
     ) -> None:
         self._robot = robot
         self._step = step
         self._max_delay = max_delay
-        self._lapse = lapse
+        self._heartbeat_timeout = heartbeat_timeout
         self._clock = clock
         self._alive = clock()
         self._lock = threading.Lock()
@@ -131,7 +131,7 @@ class RealTime:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """`steps` made; those `late`; those `skipped` as too late; those `abandoned`, made after a `lapse`."""
+        """Numbers of `steps`, of `late` and `skipped` ones, and of `abandoned` ones, without a heartbeat."""
         return Counter(self._timer.counters)
 
     @property
@@ -194,7 +194,7 @@ class RealTime:
             self._snapshot = snapshot
 
     def _stop_if_abandoned(self) -> None:
-        abandoned = self._clock() - self._alive > self._lapse
+        abandoned = self._clock() - self._alive > self._heartbeat_timeout
         if abandoned:
             self._timer.counters["abandoned"] += 1
             self._robot.drive.stop()

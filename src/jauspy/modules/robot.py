@@ -1,4 +1,4 @@
-"""A whole robot: a backend, brought to life in real time, and its capability modules as JAUS components."""
+"""A whole robot: a backend that runs in real time, and its capability modules as JAUS components."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
-from jauspy.platform.video_settings import MAX_REPORT
+from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
@@ -29,14 +29,14 @@ from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
 
-LAPSE: Final = 1.0
-"""Seconds that the event loop may hang before the drive is stopped without it."""
+HEARTBEAT_TIMEOUT: Final = 1.0
+"""Seconds without a heartbeat of the event loop after which the robot is stopped."""
 
 _VEHICLE, _NODE, _COMPONENT = 10001, 40001, 60001  # the types that Discovery reports (AS5710)
 
 
 def _in_real_time(robot: Robot) -> RealTime:
-    return RealTime(robot, lapse=LAPSE)
+    return RealTime(robot, heartbeat_timeout=HEARTBEAT_TIMEOUT)
 
 
 class RobotRunner:
@@ -61,7 +61,7 @@ class RobotRunner:
         name = backend if isinstance(backend, str) or backend is None else backend.name
         self.config = config.model_copy(update={"backend": name or config.backend, "world": world or config.world})
         self._transports = transports
-        self._in_time = realtime
+        self._make_realtime = realtime
         self._realtime: RealTime | None = None
         self._components: tuple[Component, ...] = ()
         self._videos: Mapping[str, CameraProcess] = {}
@@ -108,18 +108,18 @@ class RobotRunner:
             return
         async with AsyncExitStack() as stack:
             model = robot_model(self.config)
-            realtime = self._bring_to_life(stack, model)
+            realtime = self._start_robot(stack, model)
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             videos = await self._open_cameras(stack, realtime)
             components = []
             hosts = [_host(self.config, module, model, realtime, videos) for module in self.config.modules]
-            _acquaint(hosts)
+            _share_discovery(hosts)
             for host, module in zip(hosts, self.config.modules, strict=True):
-                delivery = Delivery(max_message=MAX_REPORT) if module.camera else None
+                delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
                 component = Component.of_host(
                     host,
                     self._transports(host.id),
-                    intercept=announced(host, module),
+                    intercept=announcement(host, module),
                     options=ComponentOptions(delivery=delivery),
                 )
                 components.append(await stack.enter_async_context(component))
@@ -154,18 +154,18 @@ class RobotRunner:
         streamed = {module.camera for module in self.config.modules}
         videos = {}
         for camera in (each for each in self.config.cameras if each.name in streamed):
-            seen = realtime.cameras.get(camera.name)
-            if seen is None:
+            source = realtime.cameras.get(camera.name)
+            if source is None:
                 raise ConfigError(f"cameras: the backend {self.config.backend!r} has no camera {camera.name!r}")
-            video = CameraProcess(seen, camera.settings(), stamped=camera.stamped)
+            video = CameraProcess(source, camera.settings(), stamped=camera.stamped)
             videos[camera.name] = await stack.enter_async_context(video)
         return videos
 
-    def _bring_to_life(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
+    def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
         backend = self._backend or backends.find(self.config.backend)
         robot = backend.open(model, self.config.world)
         stack.callback(robot.close)
-        return stack.enter_context(self._in_time(robot))
+        return stack.enter_context(self._make_realtime(robot))
 
 
 def _host(
@@ -189,22 +189,22 @@ def _host(
     )
 
 
-def _acquaint(hosts: Sequence[Host]) -> None:
-    """Whichever of them is asked knows the whole robot."""
+def _share_discovery(hosts: Sequence[Host]) -> None:
+    """Have each module's Discovery report the services of all modules."""
     for host in hosts:
         if (discovery := host.service(Discovery)) is not None:
             discovery.add_local(each for each in hosts if each is not host)
 
 
-def announced(host: Host, module: ModuleConfig) -> Intercept | None:
-    """Has the component make itself known, when it is to, and sees the answers."""
+def announcement(host: Host, module: ModuleConfig) -> Intercept | None:
+    """Announce the component to the configured console; returns the intercept for its answer."""
     return Announcement(host, JausID.parse(module.announce_to)).intercept if module.announce_to else None
 
 
 async def _heartbeat(realtime: RealTime) -> None:
     while True:
         realtime.alive()
-        await asyncio.sleep(LAPSE / 4.0)
+        await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
 
 
 async def _cancel(task: asyncio.Task[None]) -> None:

@@ -23,8 +23,8 @@ from jauspy.platform.description import RobotModel
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
 
-MOST_EXTENSIONS: Final = 8
-"""Files that may extend each other in a row."""
+MAX_EXTENSIONS: Final = 8
+"""Length of a chain of files that extend each other."""
 
 
 def known() -> list[str]:
@@ -38,7 +38,7 @@ def load(name_or_path: str | Path) -> RobotConfig:
     A file may say `extends = "inc1"` (a name or a path): it has all keys of that file that it does not set itself.
     """
     source = _find(name_or_path, Path())
-    data = _read(source, MOST_EXTENSIONS)
+    data = _read(source, MAX_EXTENSIONS)
     try:
         return RobotConfig.model_validate(data)
     except ValidationError as error:
@@ -47,7 +47,7 @@ def load(name_or_path: str | Path) -> RobotConfig:
 
 
 def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
-    """Without what follows from another one: a list is too short, too, when what is in it is wrong."""
+    """Return the problems without those that follow from others: a list with an invalid item is also too short."""
     places = [problem["loc"] for problem in problems]
     return [p for p in problems if not any(q != p["loc"] and q[: len(p["loc"])] == p["loc"] for q in places)]
 
@@ -81,8 +81,8 @@ def _find(name_or_path: str | Path, folder: Path) -> Traversable:
     return _FOLDER / f"{text}{SUFFIX}"
 
 
-SQUARE: Final = 1e-3
-"""Cosine of an angle that counts as a right one."""
+MAX_AXIS_COSINE: Final = 1e-3
+"""Largest cosine between axes that are taken as perpendicular."""
 
 
 def robot_model(config: RobotConfig) -> RobotModel:
@@ -151,7 +151,7 @@ def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: Robo
     frame = Transform()
     for joint in description.chain(moving[0].child, moving[1].child):
         frame = frame @ Transform.from_pose(joint.origin)
-    if abs(dot(moving[0].axis, frame.rotate(moving[1].axis))) > SQUARE:
+    if abs(dot(moving[0].axis, frame.rotate(moving[1].axis))) > MAX_AXIS_COSINE:
         raise ConfigError(f"{key}.joints: their axes are not at right angles; one pans, the other one tilts")
 
 

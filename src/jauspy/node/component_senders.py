@@ -12,8 +12,8 @@ from typing import Final
 from jauspy.node.liveness import remove_socket
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort
+from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentPort
 from jauspy.protocol.routing import Router
 from jauspy.transport.base import SendQueue
 

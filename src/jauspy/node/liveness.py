@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Final
 
 from jauspy.protocol.addressing import LocalPort, UdpPort
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
+from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.transport import local
 
 CHECK_INTERVAL: Final = 1.0

@@ -368,7 +368,7 @@ class Connection:
             self.stats.timeouts += 1
             raise ResponseTimeout(
                 f"{message.NAME} was not sent to {destination}: for {retry.total:g} s another query waited for a "
-                f"{kind.NAME} from there, which could not be told from this one's"
+                f"{kind.NAME} from there, which could not be distinguished from the answer to this query"
             ) from None
 
     async def query_each(

@@ -192,7 +192,7 @@ class Control:
         replies = self._connection.replies.listening(self.id, self._on_message, ConfirmControl, RejectControl)
         self._stack.enter_context(replies)
         self._stack.enter_context(self._connection.on_close(self._on_close))
-        self._renewal = asyncio.create_task(self._keep(), name=f"control of {self.id}")
+        self._renewal = asyncio.create_task(self._keep_alive(), name=f"control of {self.id}")
         return self
 
     async def __aexit__(
@@ -239,7 +239,7 @@ class Control:
 
     # --- keeping --------------------------------------------------------------------------------------------------
 
-    async def _keep(self) -> None:
+    async def _keep_alive(self) -> None:
         """Check and renew control at a third of its timeout, so that single lost packets do no harm."""
         clock = asyncio.get_running_loop().time
         interval = min(self.timeout / 3 or CHECK_INTERVAL, CHECK_INTERVAL)
@@ -288,7 +288,7 @@ class Control:
             if status.status == ReportStatus.Status.READY:
                 self._was_ready = True
             elif self._was_ready:
-                self._lose(f"{self.id} went from READY to {status_name(status)} without being told to by this OCU")
+                self._lose(f"{self.id} went from READY to {status_name(status)} without a command of this OCU")
 
     def _on_message(self, message: Message, source: JausID) -> None:
         if isinstance(message, RejectControl):

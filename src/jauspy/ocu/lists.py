@@ -414,7 +414,9 @@ class ListClient:
                 accept=lambda each: getattr(each, "request_id", None) == number,
             )
         except ResponseTimeout as error:
-            raise ResponseTimeout(f"{error}; a list obeys only the client in control: see `control()`") from None
+            raise ResponseTimeout(
+                f"{error}; a list accepts commands only from the client in control: see `control()`"
+            ) from None
         if isinstance(answer, RejectElementRequest):
             code = answer.response_code
             name = getattr(code, "name", f"code {code}")

@@ -27,7 +27,7 @@ R = TypeVar("R", bound=Message)
 
 _STATUS_INTERVAL: Final = 0.05
 """Seconds between two status queries."""
-_OBEYS: Final = "it obeys only the client in control: use `control()` first"
+_NOT_IN_CONTROL: Final = "it accepts commands only from the client in control: use `control()` first"
 _REFUSES: Final = "you are in control, so it refuses or takes longer; see its log, or allow more `timeout`"
 _HINTS: Final[Mapping[int, str]] = {
     ReportStatus.Status.INITIALIZE: "it is still starting; allow more `timeout`",
@@ -220,6 +220,6 @@ class ServiceClient:
                 "runs and that the node manager is reachable"
             )
         in_control = self.id in self._connection.controls
-        hint = _HINTS.get(status, _REFUSES if in_control else _OBEYS)
+        hint = _HINTS.get(status, _REFUSES if in_control else _NOT_IN_CONTROL)
         name = getattr(status, "name", status)
         return RequestError(f"{self.id} still reports {name} {timeout:g} s after {command.NAME}; {hint}")

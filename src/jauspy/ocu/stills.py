@@ -23,13 +23,13 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
-from jauspy.platform.video_settings import MAX_REPORT
+from jauspy.platform.frame_sizes import FRAME_SIZES, frame_size
+from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.environment_sensing.video_camera import SIZES, number_of
 
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
 
-LARGE_IMAGE_DELIVERY: Final = Delivery(max_message=MAX_REPORT)
+LARGE_IMAGE_DELIVERY: Final = Delivery(max_message=MAX_IMAGE_REPORT)
 """Delivery settings of an OCU that requests large images: by default messages have up to 1 MiB."""
 FORMATS: Final = ReportStillImageSensorConfiguration.StillImageFormat
 ALL_FIELDS: Final = 0xFF
@@ -69,9 +69,9 @@ async def take_photo(connection: Connection, id: JausID, wanted: Configuration, 
 
 def configuration(sensor: int, size: tuple[int, int] | None, format: str | None) -> Configuration:
     """The configuration as JAUS has it, where None stays as it is; `ConfigError` lists the possible values."""
-    number = number_of(*size) if size else None
+    number = frame_size(*size) if size else None
     if size and number is None:
-        known = ", ".join(f"{width}x{height}" for width, height in sorted(set(SIZES.values())))
+        known = ", ".join(f"{width}x{height}" for width, height in sorted(set(FRAME_SIZES.values())))
         raise ConfigError(f"JAUS has no images of {size[0]}x{size[1]}; the sizes are {known}")
     if format is not None and format.upper() not in FORMATS.__members__:
         raise ConfigError(f"JAUS has no image format {format!r}; there are {', '.join(FORMATS.__members__)}")

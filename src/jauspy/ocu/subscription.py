@@ -73,10 +73,10 @@ class EventRequest:
 
     def __post_init__(self) -> None:
         if self.rate is not None and not 0 < self.rate <= MAX_RATE:
-            raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; leave it out to hear of every change")
+            raise ConfigError(f"rate {self.rate} is outside 0..{MAX_RATE:g} Hz; omit it to subscribe to every change")
         check_number(self.silence, "silence", optional=True)
         if self.silence is not None and not self.silence > 0:
-            raise ConfigError(f"silence {self.silence} s must be above 0; leave it out for any time")
+            raise ConfigError(f"silence {self.silence} s must be above 0; omit it for no limit")
         check_number(self.buffer, "buffer", whole=True)
         if self.buffer < 1:
             raise ConfigError(f"a buffer of {self.buffer} reports holds nothing; use 1 or more")
@@ -269,7 +269,7 @@ class Subscription(Generic[R]):
             else:
                 self._abandon()
             raise
-        self._renewal = asyncio.create_task(self._keep(lifetime), name=f"event at {self.request.id}")
+        self._renewal = asyncio.create_task(self._renew_regularly(lifetime), name=f"event at {self.request.id}")
         return self
 
     async def __aexit__(
@@ -413,7 +413,7 @@ class Subscription(Generic[R]):
                 return
         await self._create()
 
-    async def _keep(self, lifetime: float) -> None:
+    async def _renew_regularly(self, lifetime: float) -> None:
         """Renew the event at a third of its lifetime and when no reports arrive; on every change, at each interval."""
         if self._error is not None:
             return  # the component has ended it already

@@ -1,4 +1,4 @@
-"""The contract with cameras: what a camera is, and how a process of its own looks through it."""
+"""The contract of cameras, which are opened in processes of their own."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ class CameraSession(Protocol):
 
     @property
     def description(self) -> str:
-        """How it comes to its pictures, for the log."""
+        """How images are made, for the log."""
         ...
 
     @property
@@ -74,7 +74,7 @@ class Camera(Protocol):
 
     @property
     def setup(self) -> CameraSetup:
-        """What it is."""
+        """Name, link and field of view."""
         ...
 
     @property
@@ -83,5 +83,5 @@ class Camera(Protocol):
         ...
 
     def open(self) -> CameraSession:
-        """In the other process; `ConfigError` when a package is missing there."""
+        """Open the camera in the other process; raises `ConfigError` if a package is missing."""
         ...

@@ -38,7 +38,7 @@ class DriveStop(Command):
 
 @dataclass(frozen=True, slots=True)
 class JointTargets(Command):
-    """What the joints of a group are to do, base to tip; None leaves a joint at what it does."""
+    """Targets of the joints of a group, base to tip; None keeps a joint's target."""
 
     group: str
     targets: tuple[Target | None, ...]

@@ -1,4 +1,4 @@
-"""The contract with what measures forces and torques: a sensor between two links."""
+"""The contract of force-torque sensors, which sit between two links."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from typing import Final, Protocol
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.ranging import Sampling
 
-NOTHING: Final[Vector] = (0.0, 0.0, 0.0)
+ZERO: Final[Vector] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,18 +40,18 @@ class Wrench:
 
     time: float
     """The robot's own, in seconds."""
-    force: Vector = NOTHING
+    force: Vector = ZERO
     """N."""
-    torque: Vector = NOTHING
+    torque: Vector = ZERO
     """N m."""
 
 
 class ForceTorqueSensor(Protocol):
-    """A sensor of a robot."""
+    """A force-torque sensor of a robot."""
 
     @property
     def setup(self) -> ForceTorqueSetup:
-        """What it can do."""
+        """Link, rate and limits."""
         ...
 
     @property
@@ -61,7 +61,7 @@ class ForceTorqueSensor(Protocol):
 
 
 class SampledForceTorque:
-    """A `ForceTorqueSensor` out of something that tells force and torque at any time; `step` lets it live."""
+    """A `ForceTorqueSensor` that samples the function `measure` in `step`."""
 
     def __init__(self, setup: ForceTorqueSetup, measure: Callable[[], tuple[Vector, Vector]]) -> None:
         self.setup = setup

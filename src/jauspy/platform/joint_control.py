@@ -10,10 +10,10 @@ from jauspy.platform.description import Gains, JointGains
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.setpoint import SetpointGenerator
 
-BRAKING: Final = 0.1
-"""Seconds that a joint that is to hold brakes first: long enough for those beside it to come to rest, too."""
+BRAKE_TIME: Final = 0.1
+"""Seconds that a joint brakes before it holds its position; adjacent joints come to rest meanwhile."""
 
-LIVELIEST: Final = 50.0
+ROTOR_ACCELERATION: Final = 50.0
 """Acceleration of a joint that moves nothing but its own rotor with full effort, rad/s^2 or m/s^2.
 
 So effort / (LIVELIEST * dt) stops within a step at the soonest, and does not shake.
@@ -21,7 +21,7 @@ So effort / (LIVELIEST * dt) stops within a step at the soonest, and does not sh
 
 
 class JointController:
-    """Turns what a joint is to do into an effort, at each step of its control loop."""
+    """Computes the effort of a joint at each step of its control loop (N m or N)."""
 
     def __init__(self, joint: Joint, gains: JointGains, position: float) -> None:
         self._joint = joint
@@ -33,11 +33,11 @@ class JointController:
 
     @property
     def mode(self) -> ControlMode:
-        """Which controller acts."""
+        """The active controller."""
         return self._setpoint.target.mode
 
     def follow(self, target: Target, position: float, velocity: float) -> None:
-        """From now on; the joint is at `position` and moves at `velocity`, so that switching does not jerk."""
+        """Follow a target; a change of mode starts at the present `position` and `velocity`, without a jerk."""
         if target.mode is not self.mode:
             self._reset()
             self._setpoint.start(position, velocity)
@@ -45,15 +45,15 @@ class JointController:
         self._holding, self._braking = False, 0.0
 
     def hold(self, position: float) -> None:
-        """Brake, and stay where the joint comes to rest. Again changes nothing: it would follow a joint that sags."""
+        """Brake, and hold the position where the joint comes to rest. Has no effect on a joint that holds already."""
         if self._holding:
             return
         self._reset()
         self._setpoint.hold(position)
-        self._holding, self._braking = True, BRAKING
+        self._holding, self._braking = True, BRAKE_TIME
 
     def effort(self, position: float, velocity: float, dt: float, feed_forward: float = 0.0) -> float:
-        """The effort for the next `dt` seconds; `feed_forward` is what the joint needs anyhow, against gravity."""
+        """Return the effort for the next `dt` seconds; `feed_forward` compensates gravity."""
         joint, setpoint = self._joint, self._setpoint
         if self._braking > 0.0:
             return self._brake(position, velocity, dt, feed_forward)
@@ -61,18 +61,20 @@ class JointController:
         if mode is ControlMode.EFFORT:
             return self._limited(setpoint.target.value)
         setpoint.advance(dt)
-        wanted = setpoint.velocity
-        help_along = feed_forward + joint.damping * wanted
+        desired_velocity = setpoint.velocity
+        feed_forward += joint.damping * desired_velocity
         if mode is ControlMode.POSITION:
-            return self._position_pid.update(setpoint.position - position, wanted - velocity, dt, help_along)
+            return self._position_pid.update(
+                setpoint.position - position, desired_velocity - velocity, dt, feed_forward
+            )
         setpoint.position = position  # the limits stop where the joint is, not where it would be
-        return self._velocity_pid.update(wanted - velocity, 0.0, dt, help_along)
+        return self._velocity_pid.update(desired_velocity - velocity, 0.0, dt, feed_forward)
 
     def _brake(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
-        """Against the motion, with all there is; the position PID alone would let the joint run on and pull it back."""
+        """Return an effort against the motion, up to the limit; the position PID alone would overshoot."""
         self._braking -= dt
         self._setpoint.hold(position)
-        return self._limited(feed_forward - self._joint.effort * velocity / (LIVELIEST * dt))
+        return self._limited(feed_forward - self._joint.effort * velocity / (ROTOR_ACCELERATION * dt))
 
     def _limited(self, effort: float) -> float:
         return min(self._joint.effort, max(-self._joint.effort, effort))
@@ -83,7 +85,7 @@ class JointController:
 
 
 class Pid:
-    """The output stays within `limit` either way; what the limit cuts off is not integrated (anti-windup)."""
+    """A PID controller with outputs within -limit..limit; it does not integrate beyond the limit (anti-windup)."""
 
     def __init__(self, gains: Gains, limit: float) -> None:
         self.gains = gains
@@ -91,15 +93,15 @@ class Pid:
         self._integral = 0.0
 
     def reset(self) -> None:
-        """Forget what was integrated."""
+        """Set the integral to zero."""
         self._integral = 0.0
 
     def update(self, error: float, rate: float, dt: float, feed_forward: float = 0.0) -> float:
-        """The effort for an error that changes by `rate` per second, after `dt` seconds, on top of `feed_forward`."""
+        """Return the effort for an error with the derivative `rate` (1/s), `dt` seconds after the last one."""
         gains, integral, limit = self.gains, self._integral, self.limit
-        wanted = feed_forward + gains.p * error + gains.d * rate + integral
-        within = -limit <= wanted <= limit
-        if within or error * wanted < 0.0:
-            integral, most = integral + gains.i * error * dt, gains.i_limit
-            self._integral = integral if -most <= integral <= most else math.copysign(most, integral)
-        return wanted if within else math.copysign(limit, wanted)
+        output = feed_forward + gains.p * error + gains.d * rate + integral
+        in_range = -limit <= output <= limit
+        if in_range or error * output < 0.0:
+            integral, i_limit = integral + gains.i * error * dt, gains.i_limit
+            self._integral = integral if -i_limit <= integral <= i_limit else math.copysign(i_limit, integral)
+        return output if in_range else math.copysign(limit, output)

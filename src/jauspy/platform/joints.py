@@ -1,4 +1,4 @@
-"""The contract with what moves joints: arms, grippers, flippers."""
+"""The contract of joint groups: arms, grippers, flippers."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ class JointGroup(Protocol):
         ...
 
     def command(self, targets: Sequence[Target | None]) -> None:
-        """What each joint is to do from now on, base to tip; None leaves a joint at what it does. Limits clamp."""
+        """Set the targets of the joints, base to tip, clamped to limits; None keeps a joint's target."""
         ...
 
     def hold(self) -> None:
@@ -69,7 +69,7 @@ class JointGroup(Protocol):
 
 
 def joint_positions(groups: Iterable[JointGroup]) -> dict[str, float]:
-    """Where the joints of these groups are now, by name."""
+    """Return the present positions of all joints of the groups, by name (rad or m)."""
     found: dict[str, float] = {}
     for group in groups:
         found |= zip((joint.name for joint in group.joints), group.state().positions, strict=True)

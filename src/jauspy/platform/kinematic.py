@@ -1,4 +1,4 @@
-"""A skid-steered robot by arithmetic alone: no physics engine, an endless flat floor."""
+"""A kinematic skid-steered robot on an endless flat floor, without a physics engine."""
 
 from __future__ import annotations
 
@@ -21,69 +21,112 @@ from jauspy.platform.kinematic_camera import KinematicCameras
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
 
-
-class KinematicJoints:
-    """A `JointGroup` of joints that follow their set points exactly.
-
-    Commanded by effort, a joint moves as if its damping were all that resists: full effort is full speed.
-    """
-
-    def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
-        self._joints = tuple(description.joint(name) for name in setup.joints)
-        self._chain = description.chain(setup.base, setup.tip)
-        self._motions = [
-            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
-        ]
-        self._efforts = [0.0] * len(self._joints)
-
-    @property
-    def joints(self) -> tuple[Joint, ...]:
-        """The joints that move, base to tip."""
-        return self._joints
-
-    @property
-    def chain(self) -> tuple[Joint, ...]:
-        """All joints from base to tip, fixed ones included."""
-        return self._chain
-
-    def command(self, targets: Sequence[Target | None]) -> None:
-        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
-        for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
-            if target is None:
-                continue
-            most = motion.joint.effort
-            by_effort = target.mode is ControlMode.EFFORT
-            self._efforts[number] = min(most, max(-most, target.value)) if by_effort else 0.0
-            motion.target = _as_speed(motion.joint, target) if by_effort else target
-
-    def hold(self) -> None:
-        """Stop, and hold the present positions."""
-        for motion in self._motions:
-            motion.hold(motion.position)
-        self._efforts = [0.0] * len(self._joints)
-
-    def state(self) -> JointState:
-        """Positions and velocities after the last step; efforts as commanded."""
-        positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
-        return JointState(positions, velocities, tuple(self._efforts))
-
-    def step(self, dt: float) -> None:
-        """Move for `dt` seconds."""
-        for motion in self._motions:
-            motion.advance(dt)
-
-
-def _as_speed(joint: Joint, target: Target) -> Target:
-    share = target.value / joint.effort if joint.effort else 0.0
-    speed = joint.velocity * min(1.0, max(-1.0, share)) if math.isfinite(share) else 0.0
-    return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)
-
+WORLDS: Final = ("demo", "empty")
+"""Names of worlds; their obstacles do not exist for a kinematic robot."""
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
 
-SLIP: Final = 2.4
-"""How much farther apart than the tracks two wheels would be that turn as they do."""
+SLIP_FACTOR: Final = 2.4
+"""Distance of two wheels that turn as the tracks do, as a multiple of the tracks' distance; slip makes it larger."""
+
+
+class KinematicBackend:
+    """A `Backend` of kinematic robots; each of the `WORLDS` is a flat floor."""
+
+    name: str = "kinematic"
+
+    def open(self, robot: RobotModel, world: str) -> KinematicRobot:
+        """A robot at rest at the origin."""
+        if world not in WORLDS:
+            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
+        return KinematicRobot(robot)
+
+
+class KinematicRobot:
+    """A `Robot`: its joints ignore gravity, and its lidars find no obstacles.
+
+    Its force-torque sensors measure the weight of its own links.
+    """
+
+    def __init__(self, robot: RobotModel) -> None:
+        self._drive = KinematicDrive(skid_steer_parameters(robot))
+        self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
+        self._cameras = KinematicCameras(robot, self._drive, self._groups)
+        self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
+        self._force_torque = {
+            setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
+            for setup in robot.force_torque
+        }
+        self._time = 0.0
+        self._measure()
+
+    @property
+    def drive(self) -> KinematicDrive:
+        """The chassis."""
+        return self._drive
+
+    @property
+    def groups(self) -> Mapping[str, KinematicJoints]:
+        """Its other joints, by the names that its description gives them."""
+        return self._groups
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras, which see sky and floor."""
+        return self._cameras.cameras
+
+    @property
+    def lidars(self) -> Mapping[str, Scanner]:
+        """Its lidars, by name."""
+        return self._lidars
+
+    @property
+    def force_torque(self) -> Mapping[str, SampledForceTorque]:
+        """Its force-torque sensors, by name: they measure the weight of the links beyond them, without noise."""
+        return self._force_torque
+
+    @property
+    def optional_parts(self) -> Sequence[OptionalPart]:
+        """The optional parts of the chassis."""
+        return self._drive.optional_parts
+
+    @property
+    def time(self) -> float:
+        """Seconds since it was opened."""
+        return self._time
+
+    def advance(self, dt: float) -> None:
+        """Let exactly `dt` seconds pass, in equal steps of at most `MAX_STEP`."""
+        if not 0.0 <= dt < math.inf:
+            raise ValueError(f"cannot advance by {dt} s; time only goes forward")
+        before = self._drive.twist()
+        steps = math.ceil(dt / MAX_STEP)
+        for _ in range(steps):
+            self._drive.step(dt / steps)
+            for group in self._groups.values():
+                group.step(dt / steps)
+        if steps:
+            self._drive.update_acceleration(before, dt)
+        self._time += dt
+        self._measure()
+        self._cameras.update()
+
+    def _measure(self) -> None:
+        for lidar in self._lidars.values():
+            lidar.step(self._time)
+        for sensor in self._force_torque.values():
+            sensor.step(self._time)
+
+    def _positions(self) -> Mapping[str, float]:
+        return joint_positions(self._groups.values())
+
+    def close(self) -> None:
+        """Stop, and release what cameras share."""
+        self._drive.stop()
+        for group in self._groups.values():
+            group.hold()
+        self._cameras.close()
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +134,7 @@ class SkidSteerParameters:
     """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
 
     free_speed: float = 1.55
-    """Track speed at full effort if nothing resisted."""
+    """Track speed at full effort without resistance."""
     response: float = 0.15
     """Time constant with which a track follows its effort (drag against drive force)."""
     friction: float = 0.2
@@ -99,25 +142,7 @@ class SkidSteerParameters:
     brake: float = 4.0
     """Deceleration that the brake adds at zero effort."""
     slip_width: float = 1.1
-    """Distance of two wheels that would turn as the tracks do; slip makes it larger than their real distance."""
-
-
-WORLDS: Final = ("demo", "empty")
-"""Worlds that are known by name; what stands in them is not there for a kinematic robot."""
-
-
-def track_speed(speed: float, effort: float, dt: float, parameters: SkidSteerParameters) -> float:
-    """Speed of one track `dt` seconds later: towards its effort's, against friction that never reverses it."""
-    resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
-    driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
-    return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
-
-
-def parameters_of(robot: RobotModel) -> SkidSteerParameters:
-    """The chassis of that robot: full speed and distance of the tracks are those of its description."""
-    left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
-    gauge = abs(left.origin.y - right.origin.y)
-    return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP * gauge)
+    """Distance of two wheels that turn as the tracks do; larger than the tracks' distance because of slip."""
 
 
 class KinematicDrive(SkidSteerDrive):
@@ -149,8 +174,8 @@ class KinematicDrive(SkidSteerDrive):
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
         before = self.twist()
         left, right = self._efforts
-        self._left = track_speed(self._left, left, dt, self._parameters)
-        self._right = track_speed(self._right, right, dt, self._parameters)
+        self._left = track_speed_after(self._left, left, dt, self._parameters)
+        self._right = track_speed_after(self._right, right, dt, self._parameters)
         after = self.twist()
         distance = (before.vx + after.vx) / 2.0 * dt
         turn = (before.wz + after.wz) / 2.0 * dt
@@ -160,96 +185,72 @@ class KinematicDrive(SkidSteerDrive):
         self._yaw += turn
 
 
-class KinematicRobot:
-    """A chassis on a floor, joints that do not feel weight, lidars that see nothing, and scales for its own parts."""
+def skid_steer_parameters(robot: RobotModel) -> SkidSteerParameters:
+    """Return the chassis parameters of a robot; speed and distance of the tracks are those of its URDF."""
+    left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
+    gauge = abs(left.origin.y - right.origin.y)
+    return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP_FACTOR * gauge)
 
-    def __init__(self, robot: RobotModel) -> None:
-        self._drive = KinematicDrive(parameters_of(robot))
-        self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
-        self._cameras = KinematicCameras(robot, self._drive, self._groups)
-        self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
-        self._force_torque = {
-            setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
-            for setup in robot.force_torque
-        }
-        self._time = 0.0
-        self._look()
 
-    @property
-    def drive(self) -> KinematicDrive:
-        """The chassis."""
-        return self._drive
+def track_speed_after(speed: float, effort: float, dt: float, parameters: SkidSteerParameters) -> float:
+    """Return the speed of a track after `dt` seconds at an effort; friction slows it, and never reverses it."""
+    resistance = parameters.friction + (parameters.brake if effort == 0.0 else 0.0)
+    driven = speed + (effort * parameters.free_speed - speed) * (1.0 - math.exp(-dt / parameters.response))
+    return math.copysign(max(0.0, abs(driven) - resistance * dt), driven)
 
-    @property
-    def groups(self) -> Mapping[str, KinematicJoints]:
-        """Its other joints, by the names that its description gives them."""
-        return self._groups
 
-    @property
-    def cameras(self) -> Mapping[str, Camera]:
-        """Its cameras, which see sky and floor."""
-        return self._cameras.cameras
+class KinematicJoints:
+    """A `JointGroup` of joints that follow their set points exactly.
+
+    Commanded by effort, a joint moves as if its damping were all that resists: full effort is full speed.
+    """
+
+    def __init__(self, description: RobotDescription, setup: GroupSetup) -> None:
+        self._joints = tuple(description.joint(name) for name in setup.joints)
+        self._chain = description.chain(setup.base, setup.tip)
+        self._motions = [
+            SetpointGenerator(joint, start) for joint, start in zip(self._joints, setup.start, strict=True)
+        ]
+        self._efforts = [0.0] * len(self._joints)
 
     @property
-    def lidars(self) -> Mapping[str, Scanner]:
-        """Its lidars, by name."""
-        return self._lidars
+    def joints(self) -> tuple[Joint, ...]:
+        """The joints that move, base to tip."""
+        return self._joints
 
     @property
-    def force_torque(self) -> Mapping[str, SampledForceTorque]:
-        """Its sensors of force and torque, by name: they tell what the links beyond them weigh, without noise."""
-        return self._force_torque
+    def chain(self) -> tuple[Joint, ...]:
+        """All joints from base to tip, fixed ones included."""
+        return self._chain
 
-    @property
-    def optional_parts(self) -> Sequence[OptionalPart]:
-        """Those of the chassis."""
-        return self._drive.optional_parts
+    def command(self, targets: Sequence[Target | None]) -> None:
+        """Set the targets of the joints, base to tip; None keeps a joint's target."""
+        for number, (motion, target) in enumerate(zip(self._motions, targets, strict=True)):
+            if target is None:
+                continue
+            limit = motion.joint.effort
+            by_effort = target.mode is ControlMode.EFFORT
+            self._efforts[number] = min(limit, max(-limit, target.value)) if by_effort else 0.0
+            motion.target = _to_velocity(motion.joint, target) if by_effort else target
 
-    @property
-    def time(self) -> float:
-        """Seconds since it was opened."""
-        return self._time
+    def hold(self) -> None:
+        """Stop, and hold the present positions."""
+        for motion in self._motions:
+            motion.hold(motion.position)
+        self._efforts = [0.0] * len(self._joints)
 
-    def advance(self, dt: float) -> None:
-        """Let exactly `dt` seconds pass, in equal steps of at most `MAX_STEP`."""
-        if not 0.0 <= dt < math.inf:
-            raise ValueError(f"cannot advance by {dt} s; time only goes forward")
-        before = self._drive.twist()
-        steps = math.ceil(dt / MAX_STEP)
-        for _ in range(steps):
-            self._drive.step(dt / steps)
-            for group in self._groups.values():
-                group.step(dt / steps)
-        if steps:
-            self._drive.update_acceleration(before, dt)
-        self._time += dt
-        self._look()
-        self._cameras.show()
+    def state(self) -> JointState:
+        """Positions and velocities after the last step; efforts as commanded."""
+        positions, velocities = zip(*((motion.position, motion.velocity) for motion in self._motions), strict=True)
+        return JointState(positions, velocities, tuple(self._efforts))
 
-    def _look(self) -> None:
-        for lidar in self._lidars.values():
-            lidar.step(self._time)
-        for sensor in self._force_torque.values():
-            sensor.step(self._time)
-
-    def _positions(self) -> Mapping[str, float]:
-        return joint_positions(self._groups.values())
-
-    def close(self) -> None:
-        """Stop, and release what cameras share."""
-        self._drive.stop()
-        for group in self._groups.values():
-            group.hold()
-        self._cameras.close()
+    def step(self, dt: float) -> None:
+        """Move for `dt` seconds."""
+        for motion in self._motions:
+            motion.advance(dt)
 
 
-class KinematicBackend:
-    """Robots by arithmetic; each of the `WORLDS` is a flat floor to them."""
-
-    name: str = "kinematic"
-
-    def open(self, robot: RobotModel, world: str) -> KinematicRobot:
-        """A robot at rest at the origin."""
-        if world not in WORLDS:
-            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
-        return KinematicRobot(robot)
+def _to_velocity(joint: Joint, target: Target) -> Target:
+    fraction = target.value / joint.effort if joint.effort else 0.0
+    speed = joint.velocity * min(1.0, max(-1.0, fraction)) if math.isfinite(fraction) else 0.0
+    return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)

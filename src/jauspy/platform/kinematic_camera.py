@@ -1,4 +1,4 @@
-"""Cameras of the kinematic robot: a sky, and a floor of squares of one metre, seen from where the camera is."""
+"""Cameras of the kinematic robot: they draw a sky and a floor of squares of one metre."""
 
 from __future__ import annotations
 
@@ -25,35 +25,35 @@ if TYPE_CHECKING:
 
     from jauspy.platform.camera import Distances, Image
 
-NUMBERS: Final = 12
-"""Of the camera's frame in the world: the rows of its rotation, then its origin."""
+STATE_LENGTH: Final = 12
+"""Doubles of a camera's frame in the world: the rows of its rotation, then its origin."""
 
-FAR: Final = 30.0
-"""Metres at which the floor is lost in the haze."""
+HAZE_DISTANCE: Final = 30.0
+"""Metres at which the floor has the colour of the sky."""
 
-SHADES: Final = 64
-SKY: Final = 2 * SHADES
-"""The last number of the palette."""
+SHADE_COUNT: Final = 64
+SKY_INDEX: Final = 2 * SHADE_COUNT
+"""Index of the sky in the palette, the last one."""
 
-_SKY: Final = (150, 190, 230)
-_LIGHT: Final = (170, 165, 150)
-_DARK: Final = (95, 100, 90)
+_SKY_COLOUR: Final = (150, 190, 230)
+_LIGHT_COLOUR: Final = (170, 165, 150)
+_DARK_COLOUR: Final = (95, 100, 90)
 
 
 @dataclass(frozen=True, slots=True)
 class FloorCamera:
-    """A `Camera`; the state is its frame in the world."""
+    """A `Camera` whose shared state is its frame in the world."""
 
     setup: CameraSetup
     descriptor: int
 
     @property
     def descriptors(self) -> tuple[int, ...]:
-        """The robot's state."""
+        """The file descriptor of the shared state."""
         return (self.descriptor,)
 
     def open(self) -> FloorCameraSession:
-        """Needs NumPy."""
+        """Open the camera; raises `ConfigError` without NumPy."""
         try:
             return FloorCameraSession(self)
         except ImportError as error:
@@ -75,22 +75,22 @@ class FloorCameraSession:
         self._state = StateReader(camera.descriptor)
 
     def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:  # noqa: ARG002 - it always does
-        """The floor in squares, darker where it is far."""
+        """Return an image of shape (height, width, 3)."""
         taken, image, _ = self._see(width, height)
         return Frame(image, taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
-        """The same, and how far the floor is."""
+        """Return an image of shape (height, width, 3) and distances of shape (height, width), in metres."""
         taken, image, distances = self._see(width, height)
         return DepthFrame(image, distances, taken)
 
     def close(self) -> None:
-        """Give the state's memory back."""
+        """Release the shared state."""
         self._state.close()
 
     def _see(self, width: int, height: int) -> tuple[float, Image, Distances]:
         taken, data = self._state.read()
-        numbers = struct.unpack(f"={NUMBERS}d", data)
+        numbers = struct.unpack(f"={STATE_LENGTH}d", data)
         return taken, *self._picture(numbers[:9], numbers[9:], width, height)
 
     def _picture(
@@ -104,8 +104,8 @@ class FloorCameraSession:
         x, y, z = (row[0] + row[1] * left + row[2] * up for row in rows)
         far = np.float32(-origin[2]) / np.minimum(z, np.float32(-1e-3))
         squares = (_whole(np, origin[0] + far * x) + _whole(np, origin[1] + far * y)) & 1
-        shades = np.minimum(far, np.float32(FAR)) * np.float32((SHADES - 1) / FAR)
-        image: Image = self._palette[np.where(z < 0.0, squares * SHADES + shades.astype(np.int32), SKY)]
+        shades = np.minimum(far, np.float32(HAZE_DISTANCE)) * np.float32((SHADE_COUNT - 1) / HAZE_DISTANCE)
+        image: Image = self._palette[np.where(z < 0.0, squares * SHADE_COUNT + shades.astype(np.int32), SKY_INDEX)]
         return image, np.where(z < 0.0, far, np.float32(math.inf))
 
 
@@ -115,32 +115,35 @@ def _whole(numpy: ModuleType, values: NDArray[np.float32]) -> NDArray[np.int32]:
 
 
 def _palette() -> list[tuple[int, ...]]:
-    """Light and dark squares, from near to far, where they are lost in the haze; and the sky."""
+    """Return the shades of light and of dark squares, from near to far, and the sky (red, green, blue)."""
     mixed = [
-        tuple(round(near + (sky - near) * shade / (SHADES - 1)) for near, sky in zip(colour, _SKY, strict=True))
-        for colour in (_LIGHT, _DARK)
-        for shade in range(SHADES)
+        tuple(
+            round(near + (sky - near) * shade / (SHADE_COUNT - 1))
+            for near, sky in zip(colour, _SKY_COLOUR, strict=True)
+        )
+        for colour in (_LIGHT_COLOUR, _DARK_COLOUR)
+        for shade in range(SHADE_COUNT)
     ]
-    return [*mixed, _SKY]
+    return [*mixed, _SKY_COLOUR]
 
 
 class KinematicCameras:
-    """One memory for each link that carries cameras, with its frame in the world."""
+    """The cameras, and a shared state with the frame in the world for each link that carries cameras."""
 
     def __init__(self, robot: RobotModel, drive: DriveBase, groups: Mapping[str, JointGroup]) -> None:
         self._drive, self._groups = drive, groups
         self._tree = FrameTree(robot.description)
-        self._states = {camera.link: StateWriter(NUMBERS) for camera in robot.cameras}
+        self._states = {camera.link: StateWriter(STATE_LENGTH) for camera in robot.cameras}
         self._positions: Mapping[str, float] = {}
         self._frames: Mapping[str, Transform] = {}
-        """The links' frames in the root link's, at these positions: joints mostly rest."""
+        """The links' frames in the root link's frame at `_positions`; kept because joints rarely move."""
         self.cameras: Mapping[str, FloorCamera] = {
             setup.name: FloorCamera(setup, self._states[setup.link].descriptor) for setup in robot.cameras
         }
-        self.show()
+        self.update()
 
-    def show(self) -> None:
-        """The robot has moved."""
+    def update(self) -> None:
+        """Write the present frames to the shared states."""
         if not self._states:
             return
         positions = joint_positions(self._groups.values())
@@ -150,10 +153,10 @@ class KinematicCameras:
         base = Transform.from_pose(self._drive.pose())
         for link, state in self._states.items():
             frame = base @ self._frames[link]
-            state.write(struct.pack(f"={NUMBERS}d", *chain(*frame.rotation), *frame.position))
+            state.write(struct.pack(f"={STATE_LENGTH}d", *chain(*frame.rotation), *frame.position))
 
     def close(self) -> None:
-        """Give the memory back; twice is fine."""
+        """Release the shared states. May be called twice."""
         for state in self._states.values():
             state.close()
         self._states = {}

@@ -7,6 +7,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from typing import Final, Protocol, TypeAlias
 
+DUE_TOLERANCE: Final = 1e-6
+"""Seconds by which a sample may be early, because sums of steps are not exact."""
+
+ANGLE_TOLERANCE: Final = 1e-6
+"""Radians by which a ray may be outside of the configured angles, which are rounded on the wire."""
+
+Measure: TypeAlias = Callable[[Sequence[float]], Sequence[float]]
+"""Distances along rays, given as angles in the plane of the lidar's link: metres, inf where nothing is."""
+
 
 @dataclass(frozen=True, slots=True)
 class ScanSettings:
@@ -68,16 +77,16 @@ class RangeFinder(Protocol):
 
     @property
     def setup(self) -> LidarSetup:
-        """What it can do."""
+        """Link, number of rays and limits."""
         ...
 
     @property
     def settings(self) -> ScanSettings:
-        """What it was told to do."""
+        """The present settings."""
         ...
 
     def configure(self, settings: ScanSettings) -> None:
-        """Measure so from the next scan on; beyond its setup it does what it can."""
+        """Apply settings from the next scan on, clamped to the limits of `setup`."""
         ...
 
     @property
@@ -91,47 +100,36 @@ class RangeFinder(Protocol):
         ...
 
 
-EARLY: Final = 1e-6
-"""Seconds by which it may be early: sums of steps are not exact."""
-
-
 class Sampling:
-    """Due at once, and then `rate` times a second; after a pause it does not catch up."""
+    """When samples are due: at once, and then `rate` times a second; missed samples are not made up for."""
 
     def __init__(self, rate: float) -> None:
         self.rate = rate
-        """Hertz, more than 0; counts from the next time on."""
+        """Hertz, more than 0; a change takes effect after the next sample."""
         self._due = 0.0
 
     def restart(self, now: float) -> None:
-        """Due at once."""
+        """Make a sample due at once."""
         self._due = now
 
     def is_due(self, now: float) -> bool:
         """True once for each time; `now` in seconds, never earlier than in the call before."""
-        if now < self._due - EARLY:
+        if now < self._due - DUE_TOLERANCE:
             return False
         period = 1.0 / self.rate
         self._due = self._due + period if self._due + period > now else now + period
         return True
 
 
-Measure: TypeAlias = Callable[[Sequence[float]], Sequence[float]]
-"""Distances along rays, given as angles in the plane of the lidar's link: metres, inf where nothing is."""
-
-SLACK: Final = 1e-6
-"""Radians by which a ray may be outside of the angles that are set: they come rounded."""
-
-
-def sees_nothing(angles: Sequence[float]) -> list[float]:
+def no_obstacles(angles: Sequence[float]) -> list[float]:
     """The `Measure` of a world without obstacles."""
     return [math.inf] * len(angles)
 
 
 class Scanner:
-    """A `RangeFinder`; `step` lets it live."""
+    """A `RangeFinder` that scans in `step`."""
 
-    def __init__(self, setup: LidarSetup, measure: Measure = sees_nothing) -> None:
+    def __init__(self, setup: LidarSetup, measure: Measure = no_obstacles) -> None:
         self._setup = setup
         self._measure = measure
         self._settings = setup.settings()
@@ -142,12 +140,12 @@ class Scanner:
 
     @property
     def setup(self) -> LidarSetup:
-        """What it can do."""
+        """Link, number of rays and limits."""
         return self._setup
 
     @property
     def settings(self) -> ScanSettings:
-        """What it was told to do."""
+        """The present settings."""
         return self._settings
 
     @property
@@ -161,7 +159,7 @@ class Scanner:
         return self._now - self._scan.time if self._scan else 0.0
 
     def configure(self, settings: ScanSettings) -> None:
-        """Measure so from the next scan on, which comes with the next step."""
+        """Apply settings, clamped to the limits of `setup`, and scan with the next step."""
         setup = self._setup
         settings = replace(
             settings,
@@ -170,7 +168,7 @@ class Scanner:
             most=min(setup.most, settings.most),
         )
         self._settings = settings
-        first, last = settings.start - SLACK, settings.stop + SLACK
+        first, last = settings.start - ANGLE_TOLERANCE, settings.stop + ANGLE_TOLERANCE
         self._angles = tuple(angle for angle in setup.angles() if first <= angle <= last)
         self._sampling.rate = settings.rate
         self._sampling.restart(self._now)

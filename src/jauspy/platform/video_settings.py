@@ -1,4 +1,4 @@
-"""How a stream is encoded."""
+"""Settings of video streams (H.264) and of still images."""
 
 from __future__ import annotations
 
@@ -8,8 +8,18 @@ from typing import Final, NamedTuple
 
 from jauspy.errors import ConfigError
 
-BLOCK: Final = 16
+MACROBLOCK_SIZE: Final = 16
 """Pixels of a macroblock's side."""
+
+MIN_BIT_RATE: Final = 64_000
+
+MAX_BIT_RATE: Final = 20_000_000
+
+MAX_RATE: Final = 60
+"""Pictures per second."""
+
+MAX_IMAGE_REPORT: Final = 8 << 20
+"""Bytes of a report with an image; the largest supported frame size fits even without compression."""
 
 
 class Profile(Enum):
@@ -21,7 +31,7 @@ class Profile(Enum):
 
 
 class Preset(Enum):
-    """What is paid with the machine's time: x264's names for how much of it a picture takes."""
+    """Presets of x264: slower ones compress better."""
 
     LOW_LATENCY = "ultrafast"
     SLOW_COMMS = "veryfast"
@@ -29,7 +39,7 @@ class Preset(Enum):
 
 
 class Level(NamedTuple):
-    """What a decoder must be able to do, at most (table A-1)."""
+    """Limits of a stream that a decoder of the level must accept (ITU-T H.264, table A-1)."""
 
     name: str
     macroblocks_per_second: int
@@ -64,40 +74,17 @@ LEVELS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class H264Settings:
-    """How a stream is coded, apart from its size and rates."""
+    """The coding of a stream, apart from its size and rates."""
 
     profile: Profile = Profile.BASELINE
     level: int | None = None
-    """Index in `LEVELS`; None is the lowest that does."""
+    """Index in `LEVELS`; None selects the lowest sufficient one."""
     preset: Preset = Preset.LOW_LATENCY
     gradual: bool = False
-    """Pictures are refreshed column by column, instead of by whole ones that come at once."""
+    """Refresh frames column by column instead of by IDR frames."""
 
 
-def blocks(pixels: int) -> int:
-    """Macroblocks that a row or column of so many pixels takes."""
-    return -(-pixels // BLOCK)
-
-
-def suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int, profile: Profile) -> bool:
-    """True when decoders of that level can take such a stream; size in pixels, rates per second."""
-    across, down = (blocks(pixels) for pixels in size)
-    bits = level.bits_per_second * (5 if profile is Profile.HIGH else 4) // 4
-    return (
-        across * down <= level.macroblocks
-        and max(across, down) ** 2 <= 8 * level.macroblocks
-        and across * down * rate <= level.macroblocks_per_second
-        and bit_rate <= bits
-    )
-
-
-MIN_BIT_RATE: Final = 64_000
-MAX_BIT_RATE: Final = 20_000_000
-
-MAX_RATE: Final = 60
-"""Pictures per second."""
-
-PLAIN: Final = H264Settings()
+DEFAULT_CODING: Final = H264Settings()
 
 
 @dataclass(frozen=True, slots=True)
@@ -112,7 +99,7 @@ class VideoSettings:
     rate: int = 15
     bit_rate: int = 2_000_000
     gop: int = 30
-    coding: H264Settings = PLAIN
+    coding: H264Settings = DEFAULT_CODING
 
     def __post_init__(self) -> None:
         for name, low, high in (
@@ -143,18 +130,31 @@ class VideoSettings:
     @property
     def refresh(self) -> int:
         """Pictures that a gradual refresh takes: each one refreshes a column of macroblocks, or more."""
-        return min(self.gop, blocks(self.width))
+        return min(self.gop, macroblocks(self.width))
 
     def _fits(self, level: Level) -> bool:
-        return suffices(level, (self.width, self.height), self.rate, self.bit_rate, self.coding.profile)
+        return level_suffices(level, (self.width, self.height), self.rate, self.bit_rate, self.coding.profile)
 
 
-MAX_REPORT: Final = 8 << 20
-"""Bytes of a report with an image: the largest that cameras offer fits without any compression."""
+def macroblocks(pixels: int) -> int:
+    """Return the number of macroblocks in a row or column of pixels."""
+    return -(-pixels // MACROBLOCK_SIZE)
+
+
+def level_suffices(level: Level, size: tuple[int, int], rate: int, bit_rate: int, profile: Profile) -> bool:
+    """Return True if decoders of the level accept the stream; size in pixels, rates per second."""
+    across, down = (macroblocks(pixels) for pixels in size)
+    bits = level.bits_per_second * (5 if profile is Profile.HIGH else 4) // 4
+    return (
+        across * down <= level.macroblocks
+        and max(across, down) ** 2 <= 8 * level.macroblocks
+        and across * down * rate <= level.macroblocks_per_second
+        and bit_rate <= bits
+    )
 
 
 class StillFormat(Enum):
-    """Of an image: the ending of its file's name."""
+    """Format of an image; the value is the file name extension."""
 
     JPEG = ".jpg"
     PNG = ".png"
@@ -162,7 +162,7 @@ class StillFormat(Enum):
 
 @dataclass(frozen=True, slots=True)
 class StillSettings:
-    """Size in pixels, and format."""
+    """Size in pixels and format of a still image."""
 
     width: int
     height: int
@@ -171,7 +171,7 @@ class StillSettings:
 
 @dataclass(frozen=True, slots=True)
 class Still:
-    """An image as a file's content; the robot was as it shows `age` seconds ago."""
+    """An image as the content of a file, taken `age` seconds ago."""
 
     content: bytes
     age: float

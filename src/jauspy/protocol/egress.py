@@ -7,9 +7,9 @@ from typing import Final
 
 from jauspy.protocol.address_book import AddressBook
 from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.duplicates import MulticastEchoes
 from jauspy.protocol.legacy import PeerVersions
 

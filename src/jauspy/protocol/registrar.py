@@ -10,8 +10,8 @@ from typing import Final
 from jauspy.ids import JausID
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort, format_port
+from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.egress import EgressQueue
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.sources import TokenBuckets
@@ -19,7 +19,7 @@ from jauspy.protocol.sources import TokenBuckets
 _LOGGER = logging.getLogger(__name__)
 
 MAX_LOGGED_CASES: Final = 256
-"""Cases remembered as logged; when more are made up, the oldest are logged again."""
+"""Cases remembered as logged; when an attacker forges more, the oldest are logged again."""
 LOG_RATE: Final = 0.1
 LOG_BURST: Final = 16.0
 """Lines per second, and at once; further cases are only counted."""

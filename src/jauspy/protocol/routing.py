@@ -16,9 +16,9 @@ from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp, junior
 from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
+from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.compression import Compression, is_compressed
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.directory import ComponentDirectory, ComponentPort
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Broadcast, RawPacket

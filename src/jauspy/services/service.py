@@ -18,7 +18,8 @@ from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.schema.model import Service as Definition
 from jauspy.services.deferred import Deferred, DeferredReplies
-from jauspy.services.messaging import InputDecoder, MessageSender, Outgoing, OutputQueue, Reply, requested_report
+from jauspy.services.messaging import InputDecoder, MessageSender, Outgoing, OutputQueue, Reply
+from jauspy.services.presence_vectors import requested_report
 from jauspy.services.state_machine import (
     ActionErrors,
     CommandCompletion,

@@ -11,7 +11,7 @@ PERCENT_STEP: Final = 200.0 / 65535.0
 """Step of a percentage from -100 to 100 in 16 bits. Zero lies between two steps and so is received half a step off."""
 
 
-def percent(value: float | None) -> float:
+def effort_or_zero(value: float | None) -> float:
     """An effort from a message, -100..100; 0.0 when it is within one step of zero, or left out."""
     return 0.0 if value is None or abs(value) < PERCENT_STEP else value
 

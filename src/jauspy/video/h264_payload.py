@@ -1,4 +1,4 @@
-"""NAL units, the pieces that an H.264 stream is made of (ITU-T H.264, 7.4.1 and annex B)."""
+"""H.264 in RTP payloads (RFC 6184): packetising and reassembly of NAL units (ITU-T H.264, 7.4.1 and annex B)."""
 
 from __future__ import annotations
 
@@ -17,6 +17,20 @@ PPS: Final = 8
 """Types of NAL units: a slice of an IDR picture, and the parameter sets that decoders need first."""
 
 START_CODE: Final = b"\x00\x00\x00\x01"
+
+MAX_PACKET: Final = 1400
+"""Bytes of an RTP packet with its header; with UDP, IP and a tunnel it fits into an Ethernet frame of 1500 bytes."""
+MAX_PAYLOAD: Final = MAX_PACKET - 12
+STAP_A: Final = 24
+FU_A: Final = 28
+"""Types of payloads that are not a single NAL unit: an aggregation packet and a fragmentation unit."""
+FU_START: Final = 0x80
+FU_END: Final = 0x40
+_NRI: Final = 0x60
+MAX_PICTURE_SIZE: Final = 8 << 20
+"""Bytes of one picture; larger ones are dropped."""
+MAX_MISORDER: Final = 100
+"""Packets by which one may be late; one that is further behind is the first after a long gap (RFC 3550, A.1)."""
 
 _STARTS: Final = re.compile(rb"\x00\x00\x01")
 
@@ -37,20 +51,6 @@ def split_nals(stream: bytes) -> list[bytes]:
 def join_nals(nals: Iterable[bytes]) -> bytes:
     """A byte stream (annex B) of NAL units."""
     return b"".join(START_CODE + nal for nal in nals)
-
-
-MAX_PACKET: Final = 1400
-"""Bytes of an RTP packet with its header; with UDP, IP and a tunnel it fits into an Ethernet frame of 1500 bytes."""
-
-MAX_PAYLOAD: Final = MAX_PACKET - 12
-
-STAP_A: Final = 24
-FU_A: Final = 28
-"""Types of payloads that are not a single NAL unit: an aggregation packet and a fragmentation unit."""
-
-FU_START: Final = 0x80
-FU_END: Final = 0x40
-_NRI: Final = 0x60
 
 
 def packetise(nals: Sequence[bytes], limit: int = MAX_PAYLOAD) -> list[bytes]:
@@ -91,13 +91,6 @@ def _fragments(nal: bytes, limit: int) -> Iterator[bytes]:
     for begin in range(1, len(nal), room):
         place = (FU_START if begin == 1 else 0) | (FU_END if begin + room >= len(nal) else 0)
         yield bytes([indicator, place | kind]) + nal[begin : begin + room]
-
-
-MAX_PICTURE_SIZE: Final = 8 << 20
-"""Bytes of one picture; larger ones are dropped."""
-
-MAX_MISORDER: Final = 100
-"""Packets by which one may be late; one that is further behind is the first after a long gap (RFC 3550, A.1)."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from jauspy.cli import demo as processes
 from jauspy.cli.demo import RobotOutput, _whole_tour
 from jauspy.cli.main import app
 from jauspy.errors import ConfigError, RequestError
-from jauspy.services.environment_sensing.video_camera import FrameSize
+from jauspy.platform.frame_sizes import FrameSize
 
 SIZE = FrameSize.VGA_640_X480
 

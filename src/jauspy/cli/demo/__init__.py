@@ -24,7 +24,7 @@ from jauspy.cli.processes import ChildFailed, ChildProcess, run
 from jauspy.errors import ConfigError, RequestError
 from jauspy.modules import robots
 from jauspy.ocu import OCU
-from jauspy.services.environment_sensing.video_camera import OFFERED, FrameSize
+from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, FrameSize
 
 
 def demo(
@@ -73,7 +73,7 @@ def demo(
 
 def _size(text: str) -> FrameSize:
 
-    named = {f"{width}x{height}": size for size, (width, height) in OFFERED.items()}
+    named = {f"{width}x{height}": size for size, (width, height) in SUPPORTED_FRAME_SIZES.items()}
     if text not in named:
         raise typer.BadParameter(f"{text!r} is not one of {', '.join(named)}", param_hint="--size")
     return named[text]

@@ -34,7 +34,7 @@ from jauspy.modules.config import RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
 from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.services.environment_sensing.video_camera import SIZES, FrameSize
+from jauspy.platform.frame_sizes import FRAME_SIZES, FrameSize
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
 
@@ -260,7 +260,7 @@ class FullTour(Tour):
             await self._drive(robot, driving)
             await self._aim(stack, robot)
             frames, eye = RobotFrames(robot, self._model, self._config.movers), self._camera(robot, ARM_CAMERA)
-            grasp = Grasp(arm, frames, self._model, eye, SIZES[self._size])
+            grasp = Grasp(arm, frames, self._model, eye, FRAME_SIZES[self._size])
             self._step("look", "Look for the can with the arm's camera")
             self._add(await grasp.look(self._folder))
             self._step("reach", "Reach for the can")

@@ -16,7 +16,7 @@ from rich.text import Text
 from jauspy.cli import console
 from jauspy.cli.console import print_table
 from jauspy.cli.options import Json
-from jauspy.codec.lint import RULES as PYTHON_RULES
+from jauspy.codec.lint_names import RULES as PYTHON_RULES
 from jauspy.schema import builtin_paths
 from jauspy.schema.lint import RULES, UNREADABLE, LintFinding, LintRule, lint as run
 from jauspy.schema.loader import find_files

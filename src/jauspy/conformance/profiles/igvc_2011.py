@@ -111,7 +111,7 @@ def becomes(command: Resume | Standby | Shutdown, status: ReportStatus.Status) -
 
 
 def in_control(tester: Tester) -> None:
-    """The console takes control, and is told so."""
+    """The console takes control, which is confirmed."""
     accepted = has(response_code=ConfirmControl.ResponseCode.CONTROL_ACCEPTED)
     tester.client(COP).ask(RequestControl(AUTHORITY), ConfirmControl, accepted)
 

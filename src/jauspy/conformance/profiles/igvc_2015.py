@@ -109,14 +109,14 @@ def status(*right: ReportStatus.Status) -> Action:
 
 
 def preempt(tester: Tester) -> None:
-    """Step 29: a client with more authority takes over, and the loser is told."""
+    """Step 29: a client with more authority takes over; the client that loses control is notified."""
     loser = tester.client(C1)
     tester.client(C3).ask(RequestControl(0xE7), ConfirmControl, has(response_code=ACCEPTED))
     loser.expect(RejectControl, has(response_code=RELEASED))
 
 
 def reset(tester: Tester) -> None:
-    """Step 42: control ends with it (AS5710), and the client may be told."""
+    """Step 42: control ends with it (AS5710), and the client may be notified."""
     tester.client(C1).send(Reset())
     tester.client(C1).silence(besides=(RejectControl,))
 
@@ -310,7 +310,7 @@ _TABLE: Final[tuple[tuple[str, Action], ...]] = (
     ("the lower authority holds", ask(C1, QueryAuthority(), ReportAuthority, has(authority_code=0xDB))),
     ("a client with less authority is refused", control(C2, 0xC8, INSUFFICIENT)),
     ("the first client is still in control", ask(C1, QueryControl(), ReportControl, in_control(C1, 0xDB))),
-    ("a client with more authority takes over, and the loser is told", preempt),
+    ("a client with more authority takes over; the client that loses control is notified", preempt),
     ("the new client is in control", ask(C1, QueryControl(), ReportControl, in_control(C3, 0xE7))),
     ("it gives control up", release(C3)),
     ("emergency, by a client not in control", tell(C4, SetEmergency(STOP))),

@@ -1,7 +1,7 @@
 """AS5669A as seen from outside: packing, wildcards, broadcast, ACK, pieces, duplicates, garbage, ports.
 
 Every step sends packets made by hand to one component, with a query that changes nothing. A target is its component and
-its node manager together; what the two do with a packet cannot be told apart from outside.
+its node manager together; what the two do with a packet cannot be distinguished from outside.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def not_acknowledged(sender: RawSender) -> None:
 
 
 def stray(ack: Ack) -> PacketTest:
-    """An ACK or NAK of nothing."""
+    """An ACK or NAK that acknowledges no packet."""
 
     def test(sender: RawSender) -> None:
         sender.send(sender.packet(b"", ack=ack))
@@ -107,8 +107,8 @@ ACKNOWLEDGING: Final = (
     step("ack", "a packet that wants to be acknowledged", with_packets(acknowledged)),
     step("ack-resend", "a packet that is sent again", with_packets(acknowledged_again)),
     step("ack-unasked", "a packet that does not want to be acknowledged", with_packets(not_acknowledged)),
-    step("ack-stray", "an ACK of nothing", with_packets(stray(Ack.ACK))),
-    step("nak-stray", "a NAK of nothing", with_packets(stray(Ack.NAK))),
+    step("ack-stray", "an ACK that acknowledges no packet", with_packets(stray(Ack.ACK))),
+    step("nak-stray", "a NAK that refers to no packet", with_packets(stray(Ack.NAK))),
     step("duplicate", "a packet that comes twice", with_packets(doubled)),
     step("repeat", "a query that is repeated", with_packets(repeated)),
     step("restart", "a client that starts again", with_packets(restarted)),

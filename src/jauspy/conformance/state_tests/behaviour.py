@@ -63,7 +63,7 @@ class Prediction:
     after: Situation
     rule: str = ""
     acts: bool = False
-    """The transition has actions: it does more than swallow the input."""
+    """The transition has actions: it does more than ignore the input."""
 
 
 class MergedTransition(NamedTuple):
@@ -101,9 +101,9 @@ class BehaviourModel:
         self.start = Situation(merged.start().path)
         self._names = _named(self.root)
         self.rules = tuple(self._rules())
-        """Every transition; those of several services that cannot be told apart have one name."""
+        """Every transition; those of several services that cannot be distinguished have one name."""
         self.ignoring = next((each.name for each in self.rules if each.trigger == RECEIVE_TRIGGER), "")
-        """The transition of Transport that swallows what no other one takes."""
+        """The transition of Transport that ignores inputs without another transition."""
 
     def _rules(self) -> Iterator[MergedTransition]:
         for node in self.root.all():

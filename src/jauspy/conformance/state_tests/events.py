@@ -83,7 +83,7 @@ def drop_events(explorer: Explorer, role: str) -> None:
 
 
 def confirmed(explorer: Explorer, role: str) -> list[int]:
-    """The events that this client was told of in this step, in order."""
+    """The events that were reported to this client in this step, in order."""
     return [each.event_id for each in _confirmations(explorer, role)]
 
 
@@ -131,8 +131,8 @@ def _is_gone(then: StimulusResult) -> None:
     )
 
 
-def _changes_are_told(then: StimulusResult) -> None:
-    """The authority changes once; that is told once."""
+def _changes_are_reported(then: StimulusResult) -> None:
+    """The authority changes once; that is reported once."""
     explorer, client = then.explorer, then.explorer.client(then.role)
     if not any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
         return
@@ -144,7 +144,7 @@ def _changes_are_told(then: StimulusResult) -> None:
     new = that("carries the new value", lambda event: _carried(event) == ReportAuthority(lower).encode())
     client.expect(Event, new, where=lambda event: event.event_id == id, source=explorer.component)
     more = client.collect(Event, PAUSE * explorer.tester.timeout, lambda event: event.event_id == id)
-    explorer.tester.check("nothing is told when nothing changes", f"{len(more)} events came" if more else "")
+    explorer.tester.check("nothing is reported when nothing changes", f"{len(more)} events came" if more else "")
     then.took("EventOccurred")
 
 
@@ -229,7 +229,7 @@ EVENTS: Final = (
         "of changes",
         {"eventExists": False},
         after=drop_events,
-        verify=_changes_are_told,
+        verify=_changes_are_reported,
         by_controller=True,
         only_in="Ready",
         also=("EventOccurred",),
@@ -319,8 +319,8 @@ def end_lasting(explorer: Explorer, role: str) -> None:
     explorer.where = None
 
 
-def _end_is_told(then: StimulusResult) -> None:
-    """A command event that was confirmed ends in time, one way or the other, and its client is told."""
+def _end_is_reported(then: StimulusResult) -> None:
+    """A command event that was confirmed ends in time, one way or the other, and that is reported to its client."""
     if any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
         events = confirmed(then.explorer, then.role)
         within = 1.0 + DURATION / then.explorer.tester.timeout
@@ -344,7 +344,7 @@ COMMANDS: Final = (
         "a new one",
         {"eventExists": False},
         after=drop_events,
-        verify=_end_is_told,
+        verify=_end_is_reported,
         also=("CommandCompleted",),
     ),
     Stimulus(
@@ -353,7 +353,7 @@ COMMANDS: Final = (
         "of a command that ends at once",
         {"eventExists": False},
         after=drop_events,
-        verify=_end_is_told,
+        verify=_end_is_reported,
         by_controller=True,
         also=("CommandCompleted",),
     ),

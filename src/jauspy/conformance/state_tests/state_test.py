@@ -56,8 +56,8 @@ class StateTest:
         return self.subject.transition(first.rule)
 
     def _transition(self, prediction: Prediction) -> str:
-        swallowed = self.subject.machine.ignoring if self.stimulus.make else ""
-        rule = prediction.rule or swallowed
+        ignored = self.subject.machine.ignoring if self.stimulus.make else ""
+        rule = prediction.rule or ignored
         return self.subject.transition(rule) if rule else ""
 
     def __call__(self, tester: Tester) -> None:

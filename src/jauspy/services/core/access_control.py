@@ -78,7 +78,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         self.host.fire(self._timeout_event)
 
     def _time_out(self) -> None:
-        # Emergency swallows Timedout: the timer goes on, so that a dead client is dropped after the emergency.
+        # In Emergency the event Timedout is ignored, so the timer is restarted; a dead client is dropped afterwards.
         self.reset_timer()
         self.host.fire(self._timeout_event)
 

@@ -109,9 +109,9 @@ class Transport(Service, urn="urn:jaus:jss:core:Transport", private=True):
         self.host.output(msg)
 
     def broadcast_local_enqueue(self, msg: Outgoing) -> None:
-        """Send to all components of the subsystem."""
+        """Send to matching components at the same node manager: it sends no local broadcast to a network."""
         self.host.output(msg)
 
     def broadcast_global_enqueue(self, msg: Outgoing) -> None:
-        """Send to all components of all subsystems."""
+        """Send to matching components at the same node manager and on its networks."""
         self.host.output(msg)

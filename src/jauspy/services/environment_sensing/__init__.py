@@ -1,28 +1,26 @@
 """Services of the environment sensing set (AS6060)."""
 
-from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery
+from jauspy.services.environment_sensing.digital_resource_discovery import DigitalResourceDiscovery, VideoStreams
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
-from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedGauge
+from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedForceTorqueSensor
 from jauspy.services.environment_sensing.h264_video_encoding import H264VideoEncoding
-from jauspy.services.environment_sensing.mounting import Mounted, OnJoint
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
+from jauspy.services.environment_sensing.sensors import JointMount, MountedLidar
 from jauspy.services.environment_sensing.still_image import StillImage
-from jauspy.services.environment_sensing.video_camera import VideoCamera, VideoSource
-from jauspy.services.environment_sensing.viewers import Viewers
-from jauspy.services.environment_sensing.visual_sensor import VisualSensor
+from jauspy.services.environment_sensing.visual_sensor import VideoCamera, VideoSource, VisualSensor
 
 __all__ = [
     "DigitalResourceDiscovery",
     "DigitalVideo",
     "ForceTorqueSensor",
     "H264VideoEncoding",
-    "Mounted",
-    "MountedGauge",
-    "OnJoint",
+    "JointMount",
+    "MountedForceTorqueSensor",
+    "MountedLidar",
     "RangeSensor",
     "StillImage",
     "VideoCamera",
     "VideoSource",
-    "Viewers",
+    "VideoStreams",
     "VisualSensor",
 ]

@@ -1,4 +1,4 @@
-"""DigitalVideo: size, rates and flow of the cameras' streams (AS6060)."""
+"""DigitalVideo: size, frame rate, bit rate and state of the cameras' streams (AS6060)."""
 
 from __future__ import annotations
 
@@ -23,16 +23,16 @@ from jauspy.messages.environment_sensing.v2_0.digital_video import (
     SetDigitalVideoSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
+from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, frame_size, supported_frame_sizes
 from jauspy.platform.video_settings import MAX_BIT_RATE, MAX_RATE, MIN_BIT_RATE, VideoSettings
-from jauspy.services.environment_sensing.video_camera import OFFERED, number_of, offered
-from jauspy.services.environment_sensing.viewers import Flow, Viewers
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.digital_resource_discovery import StreamState, VideoStreams
+from jauspy.services.environment_sensing.sensors import requested_sensors
 from jauspy.services.service import Service
 
 _Capabilities = ReportDigitalVideoSensorCapabilitiesExt.DigitalVideoSensorCapabilitiesRec
 _Configuration = ReportDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec
 _Status = ReportDigitalVideoSensorStatus.DigitalVideoSensorStatusRec
-_Wanted = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec
+_RequestedSettings = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec
 _Code = DigitalVideoSensorErrorRec.DigitalVideoErrorCode
 
 H264: Final = ReportDigitalVideoSensorConfiguration.DigitalFormat.MPEG_4_AVC
@@ -40,71 +40,73 @@ KILO: Final = 1000
 
 
 class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
-    """Streams in H.264. There is one bit rate: the least and the largest that are reported are the same.
+    """H.264 streams. The encoder has one bit rate, which is reported as both the minimum and the maximum.
 
-    A client plays, pauses and stops its own end points (`DigitalResourceDiscovery`); others see what they saw.
+    A client plays, pauses and stops its own end points (`DigitalResourceDiscovery`); other clients are unaffected.
     """
 
     omits = frozenset({"update_digital_video_sensor_recording_state"})
 
-    def __init__(self, viewers: Viewers) -> None:
-        self._viewers, self._cameras = viewers, viewers.cameras
+    def __init__(self, streams: VideoStreams) -> None:
+        self._streams, self._cameras = streams, streams.cameras
 
     def is_supported(self) -> bool:
-        """The cameras do not record."""
+        """Return False: the cameras do not record."""
         return False
 
     def send_report_digital_video_sensor_capabilities_ext(
         self, query: QueryDigitalVideoSensorCapabilitiesExt
     ) -> ReportDigitalVideoSensorCapabilitiesExt:
-        """What each stream can be."""
-        wanted = chosen(query.query_digital_video_sensor_capabilities_list, self._cameras, known_only=True)
-        return ReportDigitalVideoSensorCapabilitiesExt([_capabilities(sensor) for sensor, _ in wanted])
+        """Return the sizes, frame rates and bit rates that each camera supports."""
+        requested = requested_sensors(
+            query.query_digital_video_sensor_capabilities_list, self._cameras, known_only=True
+        )
+        return ReportDigitalVideoSensorCapabilitiesExt([_capabilities(sensor) for sensor, _ in requested])
 
     def send_report_digital_video_sensor_configuration(
         self, query: QueryDigitalVideoSensorConfiguration
     ) -> ReportDigitalVideoSensorConfiguration:
-        """What each stream is."""
-        wanted = chosen(query.query_digital_video_configuration_list, self._cameras, known_only=True)
-        return ReportDigitalVideoSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
+        """Return the size, frame rate and bit rate of each stream."""
+        requested = requested_sensors(query.query_digital_video_configuration_list, self._cameras, known_only=True)
+        return ReportDigitalVideoSensorConfiguration([self._configuration(sensor) for sensor, _ in requested])
 
     def send_report_digital_video_sensor_status(
         self, query: QueryDigitalVideoSensorStatus
     ) -> ReportDigitalVideoSensorStatus:
-        """Whether each stream plays for anybody."""
-        wanted = chosen(query.sensor_id_list, self._cameras, known_only=True)
+        """Return for each stream PLAY if any end point plays it; it is never recorded."""
+        requested = requested_sensors(query.sensor_id_list, self._cameras, known_only=True)
         idle = ReportDigitalVideoSensorStatus.RecordingState.NOT_RECORDING
         states = ReportDigitalVideoSensorStatus.StreamingState
         return ReportDigitalVideoSensorStatus(
-            [_Status(sensor, states(self._viewers.flow(sensor).value), idle) for sensor, _ in wanted]
+            [_Status(sensor, states(self._streams.state(sensor).value), idle) for sensor, _ in requested]
         )
 
     def send_confirm_sensor_configuration(self, msg: SetDigitalVideoSensorConfiguration) -> ConfirmSensorConfiguration:
-        """For each camera that it is set, or why not."""
+        """Return for each camera its sensor id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = chosen(msg.digital_video_sensor_list, self._cameras)
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
+        requested = requested_sensors(msg.digital_video_sensor_list, self._cameras)
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
 
     def update_digital_video_sensor_configuration(self, msg: SetDigitalVideoSensorConfiguration) -> None:
-        """Set what can be set, from the next picture on; a setting that is left out stays."""
-        for sensor, record in chosen(msg.digital_video_sensor_list, self._cameras, known_only=True):
+        """Apply valid settings from the next frame on; omitted settings keep their values."""
+        for sensor, record in requested_sensors(msg.digital_video_sensor_list, self._cameras, known_only=True):
             if self._refusal(sensor, record) is None:
                 source = self._cameras[sensor].source
-                source.settings = _settings(record, source.settings)
+                source.settings = _apply_settings(record, source.settings)
 
     def modify_digital_video_sensor_stream(self, msg: ControlDigitalVideoSensorStream, source: JausID) -> None:
-        """Play, pause or stop what the client has entered; a new PLAY begins with a whole picture."""
+        """Play, pause or stop the client's end points; PLAY starts with an IDR frame."""
         try:
-            found = self._viewers.control(source, msg.sensor_id, Flow(msg.stream_state))
+            count = self._streams.control(source, msg.sensor_id, StreamState(msg.stream_state))
         except ConfigError as error:
             self.host.count("stream_refused", f"{source}: {error}")
             return
-        if not found:
+        if not count:
             self.host.count("stream_unknown", f"{source} has no end point of sensor {msg.sensor_id}")
 
     def client_lost(self, client: JausID) -> None:
-        """Its streams end."""
-        self._viewers.forget(client)
+        """Remove the end points of the client."""
+        self._streams.remove_client(client)
 
     def _configuration(self, sensor: int) -> _Configuration:
         settings = self._cameras[sensor].source.settings
@@ -113,53 +115,55 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
             minimum_bit_rate=settings.bit_rate // KILO,
             maximum_bit_rate=settings.bit_rate // KILO,
             frame_rate=settings.rate,
-            frame_size=number_of(settings.width, settings.height),
+            frame_size=frame_size(settings.width, settings.height),
             digital_format=H264,
         )
 
-    def _refusal(self, sensor: int, wanted: _Wanted) -> DigitalVideoSensorErrorRec | None:
+    def _refusal(self, sensor: int, requested: _RequestedSettings) -> DigitalVideoSensorErrorRec | None:
         if sensor not in self._cameras:
             return DigitalVideoSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
-        wrong = _problems(wanted) or _beyond_level(wanted, self._cameras[sensor].source.settings)
-        if not wrong:
+        problems = _find_problems(requested) or _level_problems(requested, self._cameras[sensor].source.settings)
+        if not problems:
             return None
-        code = wrong[0][0] if len(wrong) == 1 else _Code.MULTIPLE_INVALID_PARAMETERS
-        return DigitalVideoSensorErrorRec(sensor, code, "; ".join(text for _, text in wrong)[:255])
+        code = problems[0][0] if len(problems) == 1 else _Code.MULTIPLE_INVALID_PARAMETERS
+        return DigitalVideoSensorErrorRec(sensor, code, "; ".join(text for _, text in problems)[:255])
 
 
-def _settings(wanted: _Wanted, present: VideoSettings) -> VideoSettings:
-    width, height = OFFERED.get(wanted.frame_size, (present.width, present.height))  # type: ignore[call-overload]
-    rate = present.rate if wanted.frame_rate is None else wanted.frame_rate
-    kilobits = wanted.maximum_bit_rate if wanted.maximum_bit_rate is not None else wanted.minimum_bit_rate
+def _apply_settings(requested: _RequestedSettings, present: VideoSettings) -> VideoSettings:
+    width, height = SUPPORTED_FRAME_SIZES.get(requested.frame_size, (present.width, present.height))  # type: ignore[call-overload]
+    rate = present.rate if requested.frame_rate is None else requested.frame_rate
+    kilobits = requested.maximum_bit_rate if requested.maximum_bit_rate is not None else requested.minimum_bit_rate
     bit_rate = present.bit_rate if kilobits is None else kilobits * KILO
     return replace(present, width=width, height=height, rate=rate, bit_rate=bit_rate)
 
 
-def _beyond_level(wanted: _Wanted, present: VideoSettings) -> list[tuple[_Code, str]]:
+def _level_problems(requested: _RequestedSettings, present: VideoSettings) -> list[tuple[_Code, str]]:
     try:
-        _settings(wanted, present)
+        _apply_settings(requested, present)
     except ConfigError as error:
         return [(_Code.INVALID_FRAME_SIZE, str(error))]
     return []
 
 
-def _problems(wanted: _Wanted) -> list[tuple[_Code, str]]:
+def _find_problems(requested: _RequestedSettings) -> list[tuple[_Code, str]]:
     low, high = MIN_BIT_RATE // KILO, MAX_BIT_RATE // KILO
-    wrong = []
-    least, most = wanted.minimum_bit_rate, wanted.maximum_bit_rate
-    if least is not None and not (least if most is None else 0) <= least <= (high if most is None else most):
-        wrong.append((_Code.INVALID_MINIMUM_BIT_RATE, f"the least bit rate is at most the largest, and {high} kbit/s"))
-    if (rate := least if most is None else most) is not None and not low <= rate <= high:
-        wrong.append((_Code.INVALID_MAXIMUM_BIT_RATE, f"bit rates are {low}..{high} kbit/s"))
-    if wanted.frame_rate == 0:
-        wrong.append((_Code.FRAME_RATE_TOO_LOW, f"frame rates are 1..{MAX_RATE} a second"))
-    if wanted.frame_rate is not None and wanted.frame_rate > MAX_RATE:
-        wrong.append((_Code.FRAME_RATE_TOO_HIGH, f"frame rates are 1..{MAX_RATE} a second"))
-    if wanted.frame_size is not None and wanted.frame_size not in OFFERED:
-        wrong.append((_Code.INVALID_FRAME_SIZE, "the camera does not have this size"))
-    if wanted.digital_format not in {None, H264}:
-        wrong.append((_Code.INVALID_FORMAT, "the camera codes H.264 only"))
-    return wrong
+    problems = []
+    minimum, maximum = requested.minimum_bit_rate, requested.maximum_bit_rate
+    if minimum is not None and minimum > (high if maximum is None else maximum):
+        problems.append(
+            (_Code.INVALID_MINIMUM_BIT_RATE, f"the least bit rate is at most the largest, and {high} kbit/s")
+        )
+    if (bit_rate := minimum if maximum is None else maximum) is not None and not low <= bit_rate <= high:
+        problems.append((_Code.INVALID_MAXIMUM_BIT_RATE, f"bit rates are {low}..{high} kbit/s"))
+    if requested.frame_rate == 0:
+        problems.append((_Code.FRAME_RATE_TOO_LOW, f"frame rates are 1..{MAX_RATE} a second"))
+    if requested.frame_rate is not None and requested.frame_rate > MAX_RATE:
+        problems.append((_Code.FRAME_RATE_TOO_HIGH, f"frame rates are 1..{MAX_RATE} a second"))
+    if requested.frame_size is not None and requested.frame_size not in SUPPORTED_FRAME_SIZES:
+        problems.append((_Code.INVALID_FRAME_SIZE, "the camera does not have this size"))
+    if requested.digital_format not in {None, H264}:
+        problems.append((_Code.INVALID_FORMAT, "the camera codes H.264 only"))
+    return problems
 
 
 def _capabilities(sensor: int) -> _Capabilities:
@@ -169,7 +173,7 @@ def _capabilities(sensor: int) -> _Capabilities:
         maximum_bit_rate=MAX_BIT_RATE // KILO,
         minimum_frame_rate=1,
         maximum_frame_rate=MAX_RATE,
-        supported_frame_sizes=offered(),
+        supported_frame_sizes=supported_frame_sizes(),
         supported_digital_formats=SupportedDigitalFormats(0, 0, 0, 0, 0, 0, 1),
         recording_supported=ReportDigitalVideoSensorCapabilitiesExt.RecordingSupported.UNSUPPORTED,
     )

@@ -1,4 +1,4 @@
-"""H264VideoEncoding: how the cameras' streams are coded (AS6060)."""
+"""H264VideoEncoding: profile, level, preset and refreshes of the cameras' streams (AS6060)."""
 
 from __future__ import annotations
 
@@ -16,16 +16,23 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
     SetH264VideoEncodingConfiguration,
 )
 from jauspy.platform.video_settings import LEVELS, Preset, Profile, VideoSettings
-from jauspy.services.environment_sensing.video_camera import Cameras
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.sensors import requested_sensors
+from jauspy.services.environment_sensing.visual_sensor import Cameras
 from jauspy.services.service import Service
 
-Wanted: TypeAlias = SetH264VideoEncodingConfiguration.H264ConfigurationSequence
+RequestedSettings: TypeAlias = SetH264VideoEncodingConfiguration.H264ConfigurationSequence
+
 Code: TypeAlias = H264VideoEncodingErrorRec.H264VideoEncodingErrorCode
+
 Problem: TypeAlias = tuple[Code, str]
 
 _Profile = ReportH264VideoEncodingConfiguration.Profile
+
 _Preset = ReportH264VideoEncodingConfiguration.Preset
+
+_Capabilities = ReportH264VideoEncodingCapabilities
+
+_Report = ReportH264VideoEncodingConfiguration
 
 PROFILES: Final = {
     _Profile.CONSTRAINED_BASELINE: Profile.BASELINE,
@@ -33,18 +40,85 @@ PROFILES: Final = {
     _Profile.MAIN: Profile.MAIN,
     _Profile.HIGH: Profile.HIGH,
 }
-"""By JAUS's numbers; the first of two names is the one that is reported."""
+"""By JAUS's numbers. Of two numbers for one profile, the first is reported."""
+
+PROFILE_OF: Final = {profile: number for number, profile in reversed(PROFILES.items())}
+
 PRESETS: Final = {
     _Preset.LOW_LATENCY: Preset.LOW_LATENCY,
     _Preset.SLOW_COMMS: Preset.SLOW_COMMS,
     _Preset.BEST_QUALITY: Preset.BEST_QUALITY,
 }
+
+PRESET_OF: Final = {preset: number for number, preset in PRESETS.items()}
+
 MAX_GOP: Final = 255
 
 
-def changed(wanted: Wanted, present: VideoSettings) -> VideoSettings:
-    """The settings with what is wanted; what is left out stays. `ConfigError` when the level is too low for them."""
-    record, refresh, coding = wanted.h264_configuration_rec, wanted.gradual_decoder_refresh_params, present.coding
+class H264VideoEncoding(Service, urn="urn:jaus:jss:environmentSensing:H264VideoEncoding"):
+    """One encoder per camera, shared by all end points: settings take effect for all of them from the next frame on."""
+
+    def __init__(self, cameras: Cameras) -> None:
+        self._cameras = cameras
+
+    def send_report_h264_video_encoding_capabilities(
+        self, query: QueryH264VideoEncodingCapabilities
+    ) -> ReportH264VideoEncodingCapabilities:
+        """Return the profiles, levels and presets of each encoder."""
+        requested = requested_sensors(query.query_h264_video_encoding_capabilities_list, self._cameras, known_only=True)
+        return ReportH264VideoEncodingCapabilities([_capabilities(sensor) for sensor, _ in requested])
+
+    def send_report_h264_video_encoding_configuration(
+        self, query: QueryH264VideoEncodingConfiguration
+    ) -> ReportH264VideoEncodingConfiguration:
+        """Return the settings of each encoder; the level is that of the stream even if none was set."""
+        requested = requested_sensors(
+            query.query_h264_video_encoding_configuration_list, self._cameras, known_only=True
+        )
+        return ReportH264VideoEncodingConfiguration(
+            [_configuration(sensor, self._cameras[sensor].source.settings) for sensor, _ in requested]
+        )
+
+    def set_h264_video_encoding_config(self, msg: SetH264VideoEncodingConfiguration) -> None:
+        """Apply valid settings; omitted settings keep their values."""
+        for sensor, requested in _requested_settings(msg, self._cameras).items():
+            if sensor in self._cameras and self._refusal(sensor, requested) is None:
+                source = self._cameras[sensor].source
+                source.settings = apply_settings(requested, source.settings)
+
+    def send_confirm_sensor_configuration(self, msg: SetH264VideoEncodingConfiguration) -> ConfirmSensorConfiguration:
+        """Return for each encoder its sensor id, or an error record with the reason."""
+        request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
+        requested = _requested_settings(msg, self._cameras).items()
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
+
+    def _refusal(self, sensor: int, requested: RequestedSettings) -> H264VideoEncodingErrorRec | None:
+        if sensor not in self._cameras:
+            return H264VideoEncodingErrorRec(sensor, Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
+        problems = find_problems(requested, self._cameras[sensor].source.settings)
+        if not problems:
+            return None
+        code = problems[0][0] if len(problems) == 1 else Code.UNKNOWN_ERROR
+        return H264VideoEncodingErrorRec(sensor, code, "; ".join(text for _, text in problems)[:255])
+
+
+@dataclass(frozen=True, slots=True)
+class _ConfigurationRecord:
+    settings: RequestedSettings
+
+    @property
+    def sensor_id(self) -> int:
+        return self.settings.h264_configuration_rec.sensor_id
+
+
+def _requested_settings(msg: SetH264VideoEncodingConfiguration, cameras: Cameras) -> dict[int, RequestedSettings]:
+    records = [_ConfigurationRecord(each) for each in msg.h264_configuration_list]
+    return {sensor: record.settings for sensor, record in requested_sensors(records, cameras)}
+
+
+def apply_settings(requested: RequestedSettings, present: VideoSettings) -> VideoSettings:
+    """Return the present settings with the requested changes; raises `ConfigError` if the level is too low for them."""
+    record, refresh, coding = requested.h264_configuration_rec, requested.gradual_decoder_refresh_params, present.coding
     if record.profile is not None:
         coding = replace(coding, profile=PROFILES[_Profile(record.profile)])
     if record.level is not None:
@@ -57,27 +131,27 @@ def changed(wanted: Wanted, present: VideoSettings) -> VideoSettings:
     return replace(present, coding=coding, gop=gop if refresh is None else refresh.gdr_interval)
 
 
-def problems(wanted: Wanted, present: VideoSettings) -> list[Problem]:
-    """Why not; empty when it can be set."""
-    record = wanted.h264_configuration_rec
-    wrong: list[Problem] = []
+def find_problems(requested: RequestedSettings, present: VideoSettings) -> list[Problem]:
+    """Return error codes and texts; empty if the settings are valid."""
+    record = requested.h264_configuration_rec
+    problems: list[Problem] = []
     if record.profile is not None and record.profile not in PROFILES:
-        wrong.append((Code.INVALID_PROFILE, "profiles are baseline, constrained baseline, main and high"))
+        problems.append((Code.INVALID_PROFILE, "profiles are baseline, constrained baseline, main and high"))
     if record.preset is not None and record.preset not in PRESETS:
-        wrong.append((Code.INVALID_PRESET, "presets are low latency, slow comms and best quality"))
+        problems.append((Code.INVALID_PRESET, "presets are low latency, slow comms and best quality"))
     if record.level is not None and record.level >= len(LEVELS):
-        wrong.append((Code.UNKNOWN_ERROR, "there is no such level"))
+        problems.append((Code.UNKNOWN_ERROR, "there is no such level"))
     if record.group_of_pictures == 0:
-        wrong.append((Code.INVALID_GROUP_OF_PICTURES, f"there are 1..{MAX_GOP} pictures in a group"))
-    if record.region_of_interest_on_off or wanted.region_of_interest_params is not None:
-        wrong.append((Code.INVALID_REGION_OF_INTEREST, "the encoder treats all of the picture alike"))
+        problems.append((Code.INVALID_GROUP_OF_PICTURES, f"there are 1..{MAX_GOP} pictures in a group"))
+    if record.region_of_interest_on_off or requested.region_of_interest_params is not None:
+        problems.append((Code.INVALID_REGION_OF_INTEREST, "the encoder treats all of the picture alike"))
     if record.intra_macro_refresh:
-        wrong.append((Code.INVALID_INTRA_MACRO_REFRESH, "blocks are refreshed by columns only: set gradual refresh"))
-    return wrong or _refresh_problems(wanted, present) or _level_problems(wanted, present)
+        problems.append((Code.INVALID_INTRA_MACRO_REFRESH, "blocks are refreshed by columns only: set gradual refresh"))
+    return problems or _refresh_problems(requested, present) or _level_problems(requested, present)
 
 
-def _refresh_problems(wanted: Wanted, present: VideoSettings) -> list[Problem]:
-    refresh = wanted.gradual_decoder_refresh_params
+def _refresh_problems(requested: RequestedSettings, present: VideoSettings) -> list[Problem]:
+    refresh = requested.gradual_decoder_refresh_params
     if refresh is None:
         return []
     if not 1 <= refresh.gdr_interval <= MAX_GOP:
@@ -88,78 +162,12 @@ def _refresh_problems(wanted: Wanted, present: VideoSettings) -> list[Problem]:
     return []
 
 
-def _level_problems(wanted: Wanted, present: VideoSettings) -> list[Problem]:
+def _level_problems(requested: RequestedSettings, present: VideoSettings) -> list[Problem]:
     try:
-        changed(wanted, present)
+        apply_settings(requested, present)
     except ConfigError as error:
         return [(Code.UNKNOWN_ERROR, str(error))]
     return []
-
-
-_Capabilities = ReportH264VideoEncodingCapabilities
-_Report = ReportH264VideoEncodingConfiguration
-
-PROFILE_OF: Final = {profile: number for number, profile in reversed(PROFILES.items())}
-PRESET_OF: Final = {preset: number for number, preset in PRESETS.items()}
-
-
-class H264VideoEncoding(Service, urn="urn:jaus:jss:environmentSensing:H264VideoEncoding"):
-    """One encoder for each camera, which all who watch share: what is set counts for all, from the next picture on."""
-
-    def __init__(self, cameras: Cameras) -> None:
-        self._cameras = cameras
-
-    def send_report_h264_video_encoding_capabilities(
-        self, query: QueryH264VideoEncodingCapabilities
-    ) -> ReportH264VideoEncodingCapabilities:
-        """What each encoder can do."""
-        wanted = chosen(query.query_h264_video_encoding_capabilities_list, self._cameras, known_only=True)
-        return ReportH264VideoEncodingCapabilities([_capabilities(sensor) for sensor, _ in wanted])
-
-    def send_report_h264_video_encoding_configuration(
-        self, query: QueryH264VideoEncodingConfiguration
-    ) -> ReportH264VideoEncodingConfiguration:
-        """How each encoder is set; the level is the one that the stream has, whether it was set or not."""
-        wanted = chosen(query.query_h264_video_encoding_configuration_list, self._cameras, known_only=True)
-        return ReportH264VideoEncodingConfiguration(
-            [_configuration(sensor, self._cameras[sensor].source.settings) for sensor, _ in wanted]
-        )
-
-    def set_h264_video_encoding_config(self, msg: SetH264VideoEncodingConfiguration) -> None:
-        """Set what can be set; a setting that is left out stays."""
-        for sensor, wanted in _wanted(msg, self._cameras).items():
-            if sensor in self._cameras and self._refusal(sensor, wanted) is None:
-                source = self._cameras[sensor].source
-                source.settings = changed(wanted, source.settings)
-
-    def send_confirm_sensor_configuration(self, msg: SetH264VideoEncodingConfiguration) -> ConfirmSensorConfiguration:
-        """For each encoder that it is set, or why not; that can be told afterwards, too."""
-        request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = _wanted(msg, self._cameras).items()
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
-
-    def _refusal(self, sensor: int, wanted: Wanted) -> H264VideoEncodingErrorRec | None:
-        if sensor not in self._cameras:
-            return H264VideoEncodingErrorRec(sensor, Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
-        wrong = problems(wanted, self._cameras[sensor].source.settings)
-        if not wrong:
-            return None
-        code = wrong[0][0] if len(wrong) == 1 else Code.UNKNOWN_ERROR
-        return H264VideoEncodingErrorRec(sensor, code, "; ".join(text for _, text in wrong)[:255])
-
-
-@dataclass(frozen=True, slots=True)
-class _Entry:
-    wanted: Wanted
-
-    @property
-    def sensor_id(self) -> int:
-        return self.wanted.h264_configuration_rec.sensor_id
-
-
-def _wanted(msg: SetH264VideoEncodingConfiguration, cameras: Cameras) -> dict[int, Wanted]:
-    entries = chosen([_Entry(each) for each in msg.h264_configuration_list], cameras)
-    return {sensor: entry.wanted for sensor, entry in entries}
 
 
 def _configuration(sensor: int, settings: VideoSettings) -> _Report.H264ConfigurationSequence:

@@ -1,4 +1,4 @@
-"""StillImage: pictures on query and as events, and their size and format (AS6060)."""
+"""StillImage: images on query and as events, and their size and format (AS6060)."""
 
 from __future__ import annotations
 
@@ -24,93 +24,40 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
     SetStillImageSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
+from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, frame_size, supported_frame_sizes
 from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
-from jauspy.services.environment_sensing.video_camera import OFFERED, Cameras, number_of, offered
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.services.environment_sensing.sensors import requested_sensors
+from jauspy.services.environment_sensing.visual_sensor import Cameras
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
 
 Record: TypeAlias = ReportStillImageDataExt.StillImageDataRec
 
-NATIVE: Final = ReportStillImageDataExt.ReportCoordinateSystem.NATIVE
-
-
-class Album:
-    """Fulfils `answer` when nothing is missing; a camera without a picture is reported without one."""
-
-    def __init__(
-        self, sensors: Iterable[int], answer: Callable[[Callable[[], ReportStillImageDataExt]], Deferred]
-    ) -> None:
-        self._records = {sensor: Record(sensor, NATIVE) for sensor in sensors}
-        self._missing = set(self._records)
-        self.answer = answer(self.report)
-        self._look()
-
-    def report(self) -> ReportStillImageDataExt:
-        """What is there."""
-        return ReportStillImageDataExt(list(self._records.values()))
-
-    def add(self, sensor: int, develop: Callable[[Still], Record], still: Still | None) -> None:
-        """A camera is done."""
-        if still is not None:
-            self._records[sensor] = develop(still)
-        self._missing.discard(sensor)
-        self._look()
-
-    def _look(self) -> None:
-        if not self._missing:
-            self.answer.set_result(self.report())
-
-
-Then: TypeAlias = Callable[[Still | None], None]
-
-
-class Exposures:
-    """Has the cameras take pictures. Those that come to nothing are counted: `still_refused`, `still_lost`."""
-
-    def __init__(self, cameras: Cameras, count: Callable[[str, str], None]) -> None:
-        self._cameras, self._count = cameras, count
-        self._waiting: dict[tuple[int, StillSettings], list[Then]] = {}
-
-    def take(self, sensor: int, settings: StillSettings, then: Then) -> None:
-        """Call `then` with the picture, or with None when there is none, now or later."""
-        under_way = self._waiting.get((sensor, settings))
-        if under_way is not None:
-            under_way.append(then)
-            return
-        self._waiting[sensor, settings] = [then]
-        try:
-            self._cameras[sensor].source.take(settings, partial(self._taken, sensor, settings))
-        except ConfigError as error:
-            self._count("still_refused", f"sensor {sensor}: {error}")
-            self._hand_out(sensor, settings, None)
-
-    def _taken(self, sensor: int, settings: StillSettings, still: Still | None) -> None:
-        if still is None:
-            self._count("still_lost", f"sensor {sensor}: its process ended before the picture was taken")
-        self._hand_out(sensor, settings, still)
-
-    def _hand_out(self, sensor: int, settings: StillSettings, still: Still | None) -> None:
-        for then in self._waiting.pop((sensor, settings), []):
-            then(still)
-
-
 _Capabilities = ReportStillImageSensorCapabilities.StillImageSensorCapabilitiesRec
+
 _Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec
-_Wanted = SetStillImageSensorConfiguration.StillImageSensorConfigurationRec
+
+_RequestedSettings = SetStillImageSensorConfiguration.StillImageSensorConfigurationRec
+
 _Code = StillImageSensorErrorRec.StillImageErrorCode
+
 _Number = ReportStillImageDataExt.ImageFrameFormat
+
+OnImage: TypeAlias = Callable[[Still | None], None]
+
+NATIVE: Final = ReportStillImageDataExt.ReportCoordinateSystem.NATIVE
 
 FORMATS: Final = {_Number.JPEG: StillFormat.JPEG, _Number.PNG: StillFormat.PNG}
 """By JAUS's numbers."""
-NUMBERS: Final = {format: number for number, format in FORMATS.items()}
+
+FORMAT_NUMBERS: Final = {format: number for number, format in FORMATS.items()}
 
 
 class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
-    """JPEG and PNG; at first JPEG of the size that the stream has at first. Each query has pictures taken.
+    """Takes images on query, as JPEG or PNG; by default JPEG of the stream's initial size.
 
-    A camera that has no picture to give is reported without one. Images have no coordinates to be transformed.
+    A camera that fails is reported without an image. Coordinates are not transformed.
     """
 
     omits = frozenset({"send_report_still_image_data_ext_in_requested_coordinate_system"})
@@ -121,91 +68,150 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
         self._settings = {
             sensor: StillSettings(stream.width, stream.height, StillFormat.JPEG) for sensor, stream in streams.items()
         }
-        self._answer: Deferred | None = None
+        self._reply: Deferred | None = None
 
     def attached(self) -> None:
-        """Pictures that come to nothing are counted by the component."""
-        self._exposures = Exposures(self._cameras, self.host.count)
+        """Failed images are counted by the component."""
+        self._image_requests = ImageRequests(self._cameras, self.host.count)
 
     def is_coordinate_transform_supported(self) -> bool:
-        """An image stays as the camera sees it."""
+        """Return False: images are not transformed."""
         return False
 
-    # --- pictures
-
     def capture_still_image(self, msg: QueryStillImageDataExt) -> None:
-        """Take a picture with each camera that is asked for."""
-        wanted = chosen(msg.query_still_image_data_list, self._cameras, known_only=True)
-        album = Album([sensor for sensor, _ in wanted], self.host.defer)
-        for sensor, _ in wanted:
+        """Take an image with each requested camera."""
+        requested = requested_sensors(msg.query_still_image_data_list, self._cameras, known_only=True)
+        pending = PendingReport([sensor for sensor, _ in requested], self.host.defer)
+        for sensor, _ in requested:
             settings = self._settings[sensor]
-            develop = partial(self._developed, sensor, settings.format)
-            self._exposures.take(sensor, settings, partial(album.add, sensor, develop))
-        self._answer = album.answer
+            make_record = partial(self._image_record, sensor, settings.format)
+            self._image_requests.take(sensor, settings, partial(pending.add, sensor, make_record))
+        self._reply = pending.reply
 
     def send_report_still_image_data_ext_in_native_coordinate_system(self) -> Deferred | None:
-        """The pictures that were just asked for, when all are there."""
-        answer, self._answer = self._answer, None
-        return answer
+        """Return the deferred reply to the query that was just received."""
+        reply, self._reply = self._reply, None
+        return reply
 
-    def _developed(self, sensor: int, format: StillFormat, still: Still) -> Record:
+    def _image_record(self, sensor: int, format: StillFormat, still: Still) -> Record:
         at = time_stamp(self.host.utc_time - timedelta(seconds=still.age))
-        image = ReportStillImageDataExt.ImageFrame(NUMBERS[format], still.content)
+        image = ReportStillImageDataExt.ImageFrame(FORMAT_NUMBERS[format], still.content)
         return Record(sensor, NATIVE, at, image)
-
-    # --- what they are, and how they are set
 
     def send_report_still_image_sensor_capabilities(
         self, query: QueryStillImageSensorCapabilities
     ) -> ReportStillImageSensorCapabilities:
-        """Sizes and formats of each camera."""
-        wanted = chosen(query.query_still_image_sensor_capabilities_list, self._cameras, known_only=True)
+        """Return the sizes and formats that each camera supports."""
+        requested = requested_sensors(query.query_still_image_sensor_capabilities_list, self._cameras, known_only=True)
         formats = SupportedImageFormats(*(int(number in FORMATS) for number in _Number))
-        return ReportStillImageSensorCapabilities([_Capabilities(sensor, offered(), formats) for sensor, _ in wanted])
+        return ReportStillImageSensorCapabilities(
+            [_Capabilities(sensor, supported_frame_sizes(), formats) for sensor, _ in requested]
+        )
 
     def send_report_still_image_sensor_configuration(
         self, query: QueryStillImageSensorConfiguration
     ) -> ReportStillImageSensorConfiguration:
-        """How each camera is set."""
-        wanted = chosen(query.query_still_image_sensor_configuration_list, self._cameras, known_only=True)
-        return ReportStillImageSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
+        """Return the size and format of each camera's images."""
+        requested = requested_sensors(query.query_still_image_sensor_configuration_list, self._cameras, known_only=True)
+        return ReportStillImageSensorConfiguration([self._configuration(sensor) for sensor, _ in requested])
 
     def _configuration(self, sensor: int) -> _Configuration:
-        now = self._settings[sensor]
-        return _Configuration(sensor, number_of(now.width, now.height), NUMBERS[now.format])
-
-    # --- settings
+        settings = self._settings[sensor]
+        return _Configuration(sensor, frame_size(settings.width, settings.height), FORMAT_NUMBERS[settings.format])
 
     def send_confirm_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> ConfirmSensorConfiguration:
-        """For each camera that it is set, or why not."""
+        """Return for each camera its sensor id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = chosen(msg.still_image_sensor_list, self._cameras)
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
+        requested = requested_sensors(msg.still_image_sensor_list, self._cameras)
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
 
     def update_still_image_sensor_configuration(self, msg: SetStillImageSensorConfiguration) -> None:
-        """Set what can be set, for the next picture; a setting that is left out stays."""
-        for sensor, record in chosen(msg.still_image_sensor_list, self._cameras, known_only=True):
+        """Apply valid settings to later images; omitted settings keep their values."""
+        for sensor, record in requested_sensors(msg.still_image_sensor_list, self._cameras, known_only=True):
             if self._refusal(sensor, record) is None:
-                self._settings[sensor] = _changed(self._settings[sensor], record)
+                self._settings[sensor] = _apply_settings(self._settings[sensor], record)
 
-    def _refusal(self, sensor: int, wanted: _Wanted) -> StillImageSensorErrorRec | None:
+    def _refusal(self, sensor: int, requested: _RequestedSettings) -> StillImageSensorErrorRec | None:
         if sensor not in self._cameras:
             return StillImageSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
-        wrong = []
-        if wanted.frame_size is not None and wanted.frame_size not in OFFERED:
-            wrong.append((_Code.INVALID_FRAME_SIZE, "the camera does not have this size"))
-        if wanted.still_image_format is not None and wanted.still_image_format not in FORMATS:
-            wrong.append((_Code.INVALID_FORMAT, "the camera writes JPEG and PNG only"))
-        if not wrong:
+        problems = []
+        if requested.frame_size is not None and requested.frame_size not in SUPPORTED_FRAME_SIZES:
+            problems.append((_Code.INVALID_FRAME_SIZE, "the camera does not have this size"))
+        if requested.still_image_format is not None and requested.still_image_format not in FORMATS:
+            problems.append((_Code.INVALID_FORMAT, "the camera writes JPEG and PNG only"))
+        if not problems:
             return None
-        code = wrong[0][0] if len(wrong) == 1 else _Code.MULTIPLE_INVALID_PARAMETERS
-        return StillImageSensorErrorRec(sensor, code, "; ".join(text for _, text in wrong))
+        code = problems[0][0] if len(problems) == 1 else _Code.MULTIPLE_INVALID_PARAMETERS
+        return StillImageSensorErrorRec(sensor, code, "; ".join(text for _, text in problems))
 
 
-def _changed(present: StillSettings, wanted: _Wanted) -> StillSettings:
-    if wanted.frame_size is not None:
-        width, height = OFFERED[wanted.frame_size]  # type: ignore[index]  # an IntEnum is as good as its number
+def _apply_settings(present: StillSettings, requested: _RequestedSettings) -> StillSettings:
+    if requested.frame_size is not None:
+        width, height = SUPPORTED_FRAME_SIZES[requested.frame_size]  # type: ignore[index]  # an IntEnum is as good as its number
         present = replace(present, width=width, height=height)
-    if wanted.still_image_format is not None:
-        present = replace(present, format=FORMATS[wanted.still_image_format])  # type: ignore[index]
+    if requested.still_image_format is not None:
+        present = replace(present, format=FORMATS[requested.still_image_format])  # type: ignore[index]
     return present
+
+
+class ImageRequests:
+    """Takes images with cameras; equal requests share one image.
+
+    Failures are counted as `still_refused` and `still_lost`.
+    """
+
+    def __init__(self, cameras: Cameras, count: Callable[[str, str], None]) -> None:
+        self._cameras, self._count = cameras, count
+        self._waiting: dict[tuple[int, StillSettings], list[OnImage]] = {}
+
+    def take(self, sensor: int, settings: StillSettings, on_image: OnImage) -> None:
+        """Call `on_image` with the image, or with None on failure, now or later."""
+        under_way = self._waiting.get((sensor, settings))
+        if under_way is not None:
+            under_way.append(on_image)
+            return
+        self._waiting[sensor, settings] = [on_image]
+        try:
+            self._cameras[sensor].source.take(settings, partial(self._taken, sensor, settings))
+        except ConfigError as error:
+            self._count("still_refused", f"sensor {sensor}: {error}")
+            self._deliver(sensor, settings, None)
+
+    def _taken(self, sensor: int, settings: StillSettings, still: Still | None) -> None:
+        if still is None:
+            self._count("still_lost", f"sensor {sensor}: its process ended before the picture was taken")
+        self._deliver(sensor, settings, still)
+
+    def _deliver(self, sensor: int, settings: StillSettings, still: Still | None) -> None:
+        for on_image in self._waiting.pop((sensor, settings), []):
+            on_image(still)
+
+
+class PendingReport:
+    """A report whose deferred `reply` is completed when every camera has delivered its image or failed.
+
+    Cameras that failed are reported without an image.
+    """
+
+    def __init__(
+        self, sensors: Iterable[int], defer: Callable[[Callable[[], ReportStillImageDataExt]], Deferred]
+    ) -> None:
+        self._records = {sensor: Record(sensor, NATIVE) for sensor in sensors}
+        self._missing = set(self._records)
+        self.reply = defer(self.report)
+        self._reply_if_complete()
+
+    def report(self) -> ReportStillImageDataExt:
+        """Return the report with the images delivered so far."""
+        return ReportStillImageDataExt(list(self._records.values()))
+
+    def add(self, sensor: int, make_record: Callable[[Still], Record], still: Still | None) -> None:
+        """Add the image of a camera; None if the camera failed."""
+        if still is not None:
+            self._records[sensor] = make_record(still)
+        self._missing.discard(sensor)
+        self._reply_if_complete()
+
+    def _reply_if_complete(self) -> None:
+        if not self._missing:
+            self.reply.set_result(self.report())

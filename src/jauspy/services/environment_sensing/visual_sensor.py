@@ -1,12 +1,17 @@
-"""VisualSensor: what cameras have in common; these have a fixed lens (AS6060)."""
+"""VisualSensor: cameras with a fixed lens, and their mounting (AS6060)."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import fields
-from typing import Final
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, fields
+from typing import Final, Protocol, TypeAlias
 
-from jauspy.messages.environment_sensing.v1_0.types import SensorIdRec, SupportedStates, VisualSensorErrorRec
+from jauspy.messages.environment_sensing.v1_0.types import (
+    SensorIdRec,
+    SupportedStates,
+    VisualSensorErrorRec,
+)
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     ConfirmSensorConfiguration,
     QuerySensorGeometricProperties,
@@ -19,18 +24,66 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     ReportVisualSensorConfiguration,
     SetVisualSensorConfiguration,
 )
-from jauspy.services.environment_sensing.mounting import geometric_properties
-from jauspy.services.environment_sensing.video_camera import Cameras, VideoCamera
-from jauspy.services.environment_sensing.wanted import chosen
+from jauspy.platform.camera import CameraSetup
+from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
+from jauspy.services.environment_sensing.sensors import MountedSensor, geometric_properties, requested_sensors
 from jauspy.services.service import Service
 
+Address: TypeAlias = tuple[str, int]
+
 _Ext = ReportVisualSensorCapabilitiesExt.VisualSensorCapabilitiesRec
+
 _Capabilities = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec
+
 _Configuration = ReportVisualSensorConfiguration.VisualSensorConfigurationRec
-_Wanted = SetVisualSensorConfiguration.VisualSensorConfigurationRec
+
+_RequestedSettings = SetVisualSensorConfiguration.VisualSensorConfigurationRec
+
 _Code = VisualSensorErrorRec.VisualSensorErrorCode
 
-_SETTINGS: Final = tuple(each.name for each in fields(_Wanted) if each.name not in {"sensor_id", "reserved_presence"})
+_SETTINGS: Final = tuple(
+    each.name for each in fields(_RequestedSettings) if each.name not in {"sensor_id", "reserved_presence"}
+)
+
+
+class VideoSource(Protocol):
+    """Encodes a camera's images, sends them to all watching addresses, and takes still images. No method blocks."""
+
+    @property
+    def setup(self) -> CameraSetup:
+        """Name, link and field of view of the camera."""
+        ...
+
+    @property
+    def settings(self) -> VideoSettings:
+        """Size, rates and coding of the stream."""
+        ...
+
+    @settings.setter
+    def settings(self, settings: VideoSettings) -> None: ...
+
+    def watch(self, address: Address, *, playing: bool = True) -> None:
+        """Send the stream to an address, or pause it; raises `ConfigError` if there are too many."""
+        ...
+
+    def leave(self, address: Address) -> None:
+        """Stop sending to an address."""
+        ...
+
+    def take(self, settings: StillSettings, then: Callable[[Still | None], None]) -> None:
+        """Take a still image and pass it to `then` later, or None on failure; raises `ConfigError` if it is refused."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class VideoCamera(MountedSensor):
+    """A camera of the vehicle."""
+
+    source: VideoSource = field(kw_only=True)
+
+
+Cameras: TypeAlias = Mapping[int, VideoCamera]
+"""The cameras of a component by sensor id, from 1."""
 
 
 class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
@@ -42,84 +95,84 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
     def send_report_visual_sensor_capabilities(
         self, query: QueryVisualSensorCapabilities
     ) -> ReportVisualSensorCapabilities:
-        """What each camera can do."""
-        wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
+        """Return name and supported states of each camera."""
+        requested = requested_sensors(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
         return ReportVisualSensorCapabilities(
             [
                 _Capabilities(sensor, self._name(sensor), supported_states=SupportedStates(1, 0, 0))
-                for sensor, _ in wanted
+                for sensor, _ in requested
             ]
         )
 
     def send_report_visual_sensor_capabilities_ext(
         self, query: QueryVisualSensorCapabilitiesExt
     ) -> ReportVisualSensorCapabilitiesExt:
-        """What each camera can do, and its field of view."""
-        wanted = chosen(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
-        return ReportVisualSensorCapabilitiesExt([self._extended(sensor) for sensor, _ in wanted])
+        """Return name, supported states and field of view (radians) of each camera."""
+        requested = requested_sensors(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
+        return ReportVisualSensorCapabilitiesExt([self._extended(sensor) for sensor, _ in requested])
 
     def send_report_visual_sensor_configuration(
         self, query: QueryVisualSensorConfiguration
     ) -> ReportVisualSensorConfiguration:
-        """How each camera is set."""
-        wanted = chosen(query.query_visual_sensor_configuration_list, self._cameras, known_only=True)
-        return ReportVisualSensorConfiguration([self._configuration(sensor) for sensor, _ in wanted])
+        """Return state, field of view and imaging mode of each camera."""
+        requested = requested_sensors(query.query_visual_sensor_configuration_list, self._cameras, known_only=True)
+        return ReportVisualSensorConfiguration([self._configuration(sensor) for sensor, _ in requested])
 
     def send_report_sensor_geometric_properties(
         self, query: QuerySensorGeometricProperties
     ) -> ReportSensorGeometricProperties:
-        """Where each camera is on the vehicle."""
-        wanted = chosen(query.sensor_id_list, self._cameras, known_only=True)
+        """Return the mounting of each camera."""
+        requested = requested_sensors(query.sensor_id_list, self._cameras, known_only=True)
         return ReportSensorGeometricProperties(
-            [geometric_properties(sensor, self._cameras[sensor]) for sensor, _ in wanted]
+            [geometric_properties(sensor, self._cameras[sensor]) for sensor, _ in requested]
         )
 
     def send_confirm_sensor_configuration(self, msg: SetVisualSensorConfiguration) -> ConfirmSensorConfiguration:
-        """That nothing is to be changed, or that it cannot be."""
+        """Return for each camera its id if the settings equal the present ones, otherwise an error record."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
-        wanted = chosen(msg.visual_sensor_configuration_list, self._cameras)
-        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in wanted])
+        requested = requested_sensors(msg.visual_sensor_configuration_list, self._cameras)
+        return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
 
     def update_visual_sensor_configuration(self) -> None:
-        """There is nothing to set."""
+        """Do nothing: no setting can be changed."""
 
-    def _refusal(self, sensor: int, wanted: _Wanted) -> VisualSensorErrorRec | None:
+    def _refusal(self, sensor: int, requested: _RequestedSettings) -> VisualSensorErrorRec | None:
         if sensor not in self._cameras:
             return VisualSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
         present = self._configuration(sensor)
-        wrong = [name for name in _SETTINGS if getattr(wanted, name) not in {None, getattr(present, name)}]
-        if not wrong:
+        problems = [name for name in _SETTINGS if getattr(requested, name) not in {None, getattr(present, name)}]
+        if not problems:
             return None
-        text = f"these cannot be set on this camera: {', '.join(wrong)}"
+        text = f"these cannot be set on this camera: {', '.join(problems)}"
         return VisualSensorErrorRec(sensor, _Code.MULTIPLE_INVALID_PARAMETERS, text[:255])
 
     def _name(self, sensor: int) -> str:
         return self._cameras[sensor].source.setup.name
 
     def _extended(self, sensor: int) -> _Ext:
-        across, down = _fields_of_view(self._cameras[sensor])
+        horizontal, vertical = _fields_of_view(self._cameras[sensor])
         return _Ext(
             sensor,
             self._name(sensor),
             supported_states=SupportedStates(1, 0, 0),
-            minimum_horizontal_field_of_view=across,
-            maximum_horizontal_field_of_view=across,
-            minimum_vertical_field_of_view=down,
-            maximum_vertical_field_of_view=down,
+            minimum_horizontal_field_of_view=horizontal,
+            maximum_horizontal_field_of_view=horizontal,
+            minimum_vertical_field_of_view=vertical,
+            maximum_vertical_field_of_view=vertical,
         )
 
     def _configuration(self, sensor: int) -> _Configuration:
-        across, down = _fields_of_view(self._cameras[sensor])
+        horizontal, vertical = _fields_of_view(self._cameras[sensor])
         return _Configuration(
             sensor,
             sensor_state=ReportVisualSensorConfiguration.SensorState.ACTIVE,
-            horizontal_field_of_view=across,
-            vertical_field_of_view=down,
+            horizontal_field_of_view=horizontal,
+            vertical_field_of_view=vertical,
             imaging_mode=ReportVisualSensorConfiguration.ImagingMode.COLOR,
         )
 
 
 def _fields_of_view(camera: VideoCamera) -> tuple[float, float]:
-    """From left to right and from top to bottom, radians; the latter follows from the size of the pictures."""
-    across, size = camera.source.setup.fov, camera.source.settings
-    return across, 2.0 * math.atan(math.tan(across / 2.0) * size.height / size.width)
+    """Horizontal and vertical angle, radians; the vertical one follows from the aspect ratio of the images."""
+    horizontal, size = camera.source.setup.fov, camera.source.settings
+    return horizontal, 2.0 * math.atan(math.tan(horizontal / 2.0) * size.height / size.width)

@@ -29,7 +29,7 @@ from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
-from jauspy.services.units import percent
+from jauspy.services.units import effort_or_zero
 
 STEPS_PER_TURN: Final = 10
 """Steps of inverse kinematics at once: about two milliseconds for five joints."""
@@ -255,7 +255,7 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
 
     def set_end_effector_effort(self, msg: SetEndEffectorEffort) -> None:
         """Apply the effort until the next command; the joints of the fingers count from closed to open."""
-        self._effort = percent(msg.end_effector_effort)
+        self._effort = effort_or_zero(msg.end_effector_effort)
         if not self._effort:
             self._gripper.hold()
             return

@@ -31,7 +31,7 @@ from jauspy.platform.joints import ControlMode, Target
 from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
-from jauspy.services.units import percent
+from jauspy.services.units import effort_or_zero
 
 CHECK_PERIOD: Final = 0.05
 """Seconds between two checks whether commanded positions are reached."""
@@ -183,7 +183,7 @@ class EffortDriver(ArmDriver):
 
     def apply(self, efforts: Sequence[float]) -> None:
         """Apply efforts, in percent."""
-        shares = [percent(effort) for effort in efforts]
+        shares = [effort_or_zero(effort) for effort in efforts]
         rows = zip(shares, self.arm.joints.joints, self.arm.state().positions, strict=True)
         self.arm.move(self, [_effort_target(share, joint.effort, position) for share, joint, position in rows])
         self.efforts = shares

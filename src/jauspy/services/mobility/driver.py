@@ -8,7 +8,7 @@ from jauspy.messages.mobility import ReportWrenchEffort, SetWrenchEffort
 from jauspy.services.mobility.field_ranges import ground_speed
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
-from jauspy.services.units import percent
+from jauspy.services.units import effort_or_zero
 
 
 class Driver(Service):
@@ -68,8 +68,8 @@ class PrimitiveDriver(Driver, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
 
     def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
         """Drive with these efforts until the next command; positive z turns right."""
-        self._linear_x = percent(msg.propulsive_linear_effort_x)
-        self._rotational_z = percent(msg.propulsive_rotational_effort_z)
+        self._linear_x = effort_or_zero(msg.propulsive_linear_effort_x)
+        self._rotational_z = effort_or_zero(msg.propulsive_rotational_effort_z)
         self.vehicle.pilot.set_effort(self, forward=self._linear_x / 100.0, right=self._rotational_z / 100.0)
 
     def on_preempted(self) -> None:

@@ -9,7 +9,7 @@ from jauspy.platform.chassis import Chassis
 from jauspy.services.mobility.driver import Driver
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
-from jauspy.services.units import percent
+from jauspy.services.units import effort_or_zero
 
 
 class PlatformSpecifications(Service, urn="urn:jaus:jss:ugv:PlatformSpecifications"):
@@ -67,8 +67,8 @@ class SkidSteerDriver(Driver, urn="urn:jaus:jss:ugv:SkidSteerDriver"):
 
     def set_skid_steer_effort(self, msg: SetSkidSteerEffort) -> None:
         """Reached only in Ready, from the controlling client."""
-        self._left = percent(msg.left_side_propulsive_effort)
-        self._right = percent(msg.right_side_propulsive_effort)
+        self._left = effort_or_zero(msg.left_side_propulsive_effort)
+        self._right = effort_or_zero(msg.right_side_propulsive_effort)
         forward, right = (self._left + self._right) / 200.0, (self._left - self._right) / 200.0
         self.vehicle.pilot.set_effort(self, forward=forward, right=right)
 

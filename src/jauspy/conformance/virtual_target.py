@@ -21,7 +21,7 @@ from jauspy.protocol.routing import Router
 from jauspy.services.host import Host
 from jauspy.services.messaging import Outgoing
 
-ROOT: Final = "/bench"
+ROOT: Final = "/virtual-target"
 USUAL_PORT: Final = UdpPort("192.0.2.42", judp.PORT)
 OTHER_PORT: Final = UdpPort("192.0.2.42", 49152)
 """Where the tester speaks from: documentation addresses (RFC 5737)."""
@@ -31,7 +31,7 @@ Tick = Callable[[float], None]
 """Lets so many seconds pass for something outside of the components, such as a robot."""
 
 
-class Part:
+class TargetComponent:
     """One component: its services and its endpoint. A subclass may change what it receives and sends."""
 
     def __init__(self, host: Host, intercept: Intercept = lambda _: False) -> None:
@@ -39,7 +39,7 @@ class Part:
         self.intercept = intercept
         """Sees every packet first; what it returns true for does not reach the services."""
         self.endpoint = Endpoint(host.id, first_sequence=1)
-        self._told: dict[int, Callable[[bool], None]] = {}
+        self._callbacks: dict[int, Callable[[bool], None]] = {}
 
     def hear(self, payload: bytes, source: JausID, now: float) -> None:
         """A message came in."""
@@ -56,7 +56,7 @@ class Part:
             ack=Ack.NONE if outgoing.on_acknowledged is None else Ack.REQUIRED,
         )
         if outgoing.on_acknowledged is not None and ticket is not None:
-            self._told[ticket] = outgoing.on_acknowledged
+            self._callbacks[ticket] = outgoing.on_acknowledged
 
     def handle(self, datagram: bytes, now: float) -> None:
         """A datagram from the node manager."""
@@ -72,8 +72,8 @@ class Part:
         for outgoing in self.host.poll_output(now):
             self.say(outgoing, now)
         while (outcome := self.endpoint.next_outcome()) is not None:
-            if (told := self._told.pop(outcome.ticket, None)) is not None:
-                told(outcome.delivered)
+            if (callback := self._callbacks.pop(outcome.ticket, None)) is not None:
+                callback(outcome.delivered)
         return self.endpoint.poll_output()
 
     def next_timeout(self) -> float | None:
@@ -82,39 +82,39 @@ class Part:
         return min(due, default=None)
 
 
-class Bench:
+class VirtualTarget:
     """A `Wire` to components in this process.
 
-    `delay`: seconds that a datagram travels. `tick` is told of the time that passes, at most `step` seconds at once.
-    A subclass may mangle datagrams: `inbound` and `outbound` say what becomes of one.
+    `delay`: seconds that a datagram travels. `tick` is called with the time that passes, at most `step` seconds at a
+    time. A subclass may mangle datagrams: `inbound` and `outbound` say what becomes of one.
     """
 
     features: Collection[str] = (RAW, PORTS)
 
     def __init__(
         self,
-        parts: Iterable[Part],
+        components: Iterable[TargetComponent],
         *,
         delay: float = 0.001,
         tick: Tick | None = None,
         step: float = 0.02,
         now: float = 0.0,
     ) -> None:
-        self.parts = {each.host.id: each for each in parts}
+        self.components = {each.host.id: each for each in components}
         self.node = Router(ROOT)
         self._delay = delay
         self._tick = tick
         self._step = step
         self._now = now
         self._order = count()
-        self._air: list[tuple[float, int, bytes, UdpPort]] = []
+        self._in_flight: list[tuple[float, int, bytes, UdpPort]] = []
         self._arrived: deque[Arrival] = deque()
         self._listening: set[UdpPort] = {USUAL_PORT}
-        for id, part in self.parts.items():
+        for id, component in self.components.items():
             self.node.components.register(int(id), LocalPort(f"{ROOT}/{int(id)}"))
-            self._transmit(part)
+            self._transmit(component)
 
-    # --- to be mangled ----------------------------------------------------------------------------------------------
+    # --- to be overridden -------------------------------------------------------------------------------------------
 
     def inbound(self, datagram: bytes) -> Iterable[bytes]:
         """What reaches the node manager when the tester sends this."""
@@ -142,7 +142,7 @@ class Bench:
         port = OTHER_PORT if other_port else USUAL_PORT
         self._listening.add(port)
         for each in self.inbound(datagram):
-            heapq.heappush(self._air, (self._now + self._delay, next(self._order), each, port))
+            heapq.heappush(self._in_flight, (self._now + self._delay, next(self._order), each, port))
 
     def receive(self, until: float) -> Arrival | None:
         """What comes next; time passes until then, or until the time is over."""
@@ -152,14 +152,14 @@ class Bench:
 
     def close(self) -> None:
         """End the components."""
-        for part in self.parts.values():
-            part.host.close(self._now)
+        for component in self.components.values():
+            component.host.close(self._now)
 
     # --- inside -----------------------------------------------------------------------------------------------------
 
     def _next_event(self) -> float:
-        times = [part.next_timeout() for part in self.parts.values()]
-        times += [self.node.next_timeout(), self._air[0][0] if self._air else None]
+        times = [component.next_timeout() for component in self.components.values()]
+        times += [self.node.next_timeout(), self._in_flight[0][0] if self._in_flight else None]
         return max(self._now, min((at for at in times if at is not None), default=float("inf")))
 
     def _advance(self, to: float) -> None:
@@ -168,18 +168,18 @@ class Bench:
             self._tick(span)
             self._now = to if span < self._step else self._now + span
         self._now = max(self._now, to)
-        while self._air and self._air[0][0] <= self._now:
-            _, _, datagram, port = heapq.heappop(self._air)
+        while self._in_flight and self._in_flight[0][0] <= self._now:
+            _, _, datagram, port = heapq.heappop(self._in_flight)
             self.node.receive(datagram, port, self._now)
             self._route()
         self.node.handle_timeout(self._now)
         self._route()
-        for part in self.parts.values():
-            self._transmit(part)
+        for component in self.components.values():
+            self._transmit(component)
 
-    def _transmit(self, part: Part) -> None:
-        for datagram in part.work(self._now):
-            self.node.receive(datagram, LocalPort(f"{ROOT}/{int(part.host.id)}"), self._now)
+    def _transmit(self, component: TargetComponent) -> None:
+        for datagram in component.work(self._now):
+            self.node.receive(datagram, LocalPort(f"{ROOT}/{int(component.host.id)}"), self._now)
         self._route()
 
     def _route(self) -> None:
@@ -189,9 +189,9 @@ class Bench:
 
     def _deliver(self, port: Port, datagram: bytes) -> None:
         if isinstance(port, LocalPort):
-            part = self.parts[JausID.from_int(int(port.path.rpartition("/")[2]))]
-            part.handle(datagram, self._now)
-            self._transmit(part)
+            component = self.components[JausID.from_int(int(port.path.rpartition("/")[2]))]
+            component.handle(datagram, self._now)
+            self._transmit(component)
         elif isinstance(port, GroupPort | UdpPort):
             back = self.way_back(port) if isinstance(port, UdpPort) else USUAL_PORT
             if back in self._listening:

@@ -13,7 +13,7 @@ SOCKET: Final = "NOTIFY_SOCKET"
 WATCHDOG: Final = "WATCHDOG_USEC"
 
 
-class ServiceManager:
+class SystemdNotifier:
     """Within its context the service is ready, and the event loop feeds the watchdog, so that a hang is detected.
 
     Does nothing if the process was not started by systemd with notifications.
