@@ -127,7 +127,7 @@ def test_a_file_that_cannot_be_written_is_told_before_the_run(kind, tmp_path, fr
     where = ("igvc-2015", "--target", "1.1.1", "--connect", f"udp://127.0.0.1:{free_port}")
     missing = invoke(*where, f"--{kind}", tmp_path / "none" / "x")
     assert missing.exit_code == 2
-    assert f"there is not a directory {tmp_path / 'none'}" in missing.stderr
+    assert f"there is no directory {tmp_path / 'none'}" in missing.stderr
     assert missing.stdout == ""
     assert "it is a directory" in invoke(*where, f"--{kind}", tmp_path).stderr
 

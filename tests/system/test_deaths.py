@@ -29,6 +29,7 @@ async def silence(poses: Subscription[Any]) -> None:
 
 
 @pytest.mark.parametrize("connect", ["local:{root}", "udp://127.0.0.1:{port}"], ids=["local", "udp"])
+@pytest.mark.slow
 async def test_a_killed_node_manager_comes_back_and_a_subscription_goes_on(
     root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]], connect: str
 ) -> None:
@@ -51,6 +52,7 @@ async def test_a_killed_node_manager_comes_back_and_a_subscription_goes_on(
         await sensor.query(QueryStatus())
 
 
+@pytest.mark.slow
 async def test_a_robot_outlives_the_other_robot_that_started_the_node_manager(
     root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]]
 ) -> None:

@@ -78,6 +78,7 @@ def with_environment(name: str, value: str) -> list[psutil.Process]:
     return found
 
 
+@pytest.mark.slow
 async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
     """The stages after the drive; the robot is put before the table, not quite where the plan has it."""
     model, state = robot_model(INC1), DemoState()

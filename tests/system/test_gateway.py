@@ -119,6 +119,7 @@ async def test_an_ocu_finds_and_drives_both_parts(folders: dict[str, Path]) -> N
     assert counters["relayed"] > 10
 
 
+@pytest.mark.slow
 def test_an_ocu_sees_what_both_parts_see(
     folders: dict[str, Path], hosts: dict[str, str], root: Path, start: Callable[..., object]
 ) -> None:
@@ -149,6 +150,7 @@ def test_an_ocu_sees_what_both_parts_see(
         assert seen.stdout == "a whole picture, then others\n", seen.stderr
 
 
+@pytest.mark.slow
 async def test_an_ocu_without_a_rule_finds_nothing(folders: dict[str, Path]) -> None:
     async with OCU("43.1.1", connect=f"local:{folders['ocu']}") as ocu:
         with pytest.raises(RequestError):
@@ -180,6 +182,7 @@ def component(folder: Path, id: JausID) -> Iterator[Callable[[Packet | None], Pa
         yield talk
 
 
+@pytest.mark.slow
 def test_a_broadcast_arrives_once_on_the_other_side_and_goes_round_no_loop(folders: dict[str, Path]) -> None:
     """Both ways; heard by a component of this test's own on each side."""
     ids = JausID.parse("42.1.9"), JausID.parse("101.2.9")
@@ -197,6 +200,7 @@ def test_a_broadcast_arrives_once_on_the_other_side_and_goes_round_no_loop(folde
             assert heard == [*range(20), 100]
 
 
+@pytest.mark.slow
 async def test_what_a_rule_keeps_in_the_vehicle_is_counted(folders: dict[str, Path]) -> None:
     ocu, module = JausID.parse("42.1.9"), JausID.parse("101.2.9")
     with component(folders["ocu"], ocu) as outside, component(folders["behind"], module) as inside:
