@@ -64,14 +64,14 @@ def pathological() -> Iterator[tuple[type[Message], bytes]]:
     seen = set()
     for seed in made.seeds:
         cls = made.targets[seed.target].cls
-        for spot in seed.spots:
-            key = id(spot.item) if spot.item else (cls, spot.at)
-            if spot.kind not in ("count", "tag") or key in seen:
+        for offset in seed.offsets:
+            key = id(offset.item) if offset.item else (cls, offset.at)
+            if offset.kind not in ("count", "tag") or key in seen:
                 continue
             seen.add(key)
-            number = b"\xff" * spot.size if spot.kind == "count" else seed.data[spot.at : spot.at + spot.size]
+            number = b"\xff" * offset.size if offset.kind == "count" else seed.data[offset.at : offset.at + offset.size]
             for fill in FILLS:
-                yield cls, (seed.data[: spot.at] + number + fill * SIZE)[:SIZE]
+                yield cls, (seed.data[: offset.at] + number + fill * SIZE)[:SIZE]
 
 
 @pytest.fixture(scope="module")

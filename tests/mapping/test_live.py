@@ -39,7 +39,7 @@ def walled(monkeypatch: pytest.MonkeyPatch) -> None:
             return [(WALL - y) / s if (s := math.sin(angle + pose.yaw)) > 1e-9 else math.inf for angle in angles]
 
         self._lidars = {name: Scanner(lidar.setup, measure) for name, lidar in self._lidars.items()}
-        self._look()
+        self._measure()
 
     monkeypatch.setattr(kinematic.KinematicRobot, "__init__", init)
 

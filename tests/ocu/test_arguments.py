@@ -139,5 +139,5 @@ async def test_what_needs_async_says_so(ocu_and_robot, call, words):
 
 
 async def test_where_to_connect_to_is_said_with_all_forms():
-    with pytest.raises(jauspy.ConfigError, match=r"connect=5 is not understood; use 'udp://HOST"):
+    with pytest.raises(jauspy.ConfigError, match=r"connect=5 is not supported; use 'udp://HOST"):
         await jauspy.OCU(connect=5).open()

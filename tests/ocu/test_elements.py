@@ -290,7 +290,7 @@ async def test_a_change_behind_ones_back_is_said(robot, client, ocu):
 
 async def test_without_control_it_says_so(robot, ocu):
     waypoints = (await ocu.discover(101)).service("LocalWaypointListDriver").waypoints
-    with pytest.raises(ResponseTimeout, match="only the client in control"):
+    with pytest.raises(ResponseTimeout, match="only from the client in control"):
         await waypoints.append(at(1)[0])
 
 

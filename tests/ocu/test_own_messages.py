@@ -35,7 +35,11 @@ async def lamp(own: Registry, world: Any) -> Any:
             return own.by_name("ReportLamp")(self.brightness)
 
     schema = load_files([LAMP, *builtin_paths()])
-    return await world.component(jauspy.JausID(101, 1, 7), [Lamp(), Discovery()], schema=schema, registry=own)
+    return await world.component(
+        jauspy.JausID(101, 1, 7),
+        [Lamp(), Discovery()],
+        options=jauspy.component.ComponentOptions(schema=schema, registry=own),
+    )
 
 
 def test_queries_are_told_by_the_definition(own: Registry) -> None:
