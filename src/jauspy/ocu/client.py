@@ -64,7 +64,7 @@ class OCU:
         check_text(name, "an OCU's name")
         if registry is not None and not isinstance(registry, Registry):
             raise TypeError(f"registry is what `jauspy.load` returns, not {described(registry)}")
-        self._connection = Connection(registry or _builtin(), RetryPolicy(timeout, retries))
+        self._connection = Connection(self.id, registry or _builtin(), RetryPolicy(timeout, retries))
         self._component: Component | None = None
 
     def __repr__(self) -> str:

@@ -203,9 +203,10 @@ class EventUsers:
 
 
 class Connection:
-    """Sends messages and finds the answer to each query; `registry` holds the known messages."""
+    """Sends messages and finds the answer to each query; `id` is the client's, `registry` holds the known messages."""
 
-    def __init__(self, registry: Registry, retry: RetryPolicy) -> None:
+    def __init__(self, id: JausID, registry: Registry, retry: RetryPolicy) -> None:
+        self.id = id
         self.registry = registry
         self.retry = retry
         self.stats = StatsRecorder()
@@ -245,11 +246,6 @@ class Connection:
         """End every wait with `TransportError`: the OCU is closed."""
         self._component = None
         self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
-
-    @property
-    def id(self) -> JausID:
-        """The client's id."""
-        return self._opened().id
 
     def message_class(self, urn: str, version: str | None, name: str) -> type[Any]:
         """The message class of this JAUS name in a service, in this version of it when that is known.

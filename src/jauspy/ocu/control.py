@@ -306,14 +306,13 @@ class Control:
             return
         if asyncio.get_running_loop().time() - self._granted_at > STALE_REPLY_TIME:
             self._taken, self.lost = True, self.lost or why
-        query = self._query_holder(why, self._connection.id)
-        self._holder_query = asyncio.create_task(query, name=f"who controls {self.id}")
+        self._holder_query = asyncio.create_task(self._query_holder(why), name=f"who controls {self.id}")
 
-    async def _query_holder(self, why: str, own_id: JausID) -> None:
-        """A stale reply does not count. `own_id` is passed in, since the OCU may be closed before the answer."""
+    async def _query_holder(self, why: str) -> None:
+        """A stale reply does not count."""
         control = await self._status.query(QueryControl(), STATUS_RETRY)
         if isinstance(control, ReportControl):
-            if not self._taken and controller(control) == own_id:
+            if not self._taken and controller(control) == self._connection.id:
                 return
             if self._status.is_held_by_other(control):
                 why = f"{self.id} took it back, and {self._status.held_by()}; you had {self.authority}"
