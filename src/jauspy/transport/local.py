@@ -191,13 +191,13 @@ class LocalTransport:
 class LocalSender:
     """Sends on one socket to any path, with a bounded queue per path.
 
-    `gone(path)` is called when nobody listens on a path.
+    `on_unbound(path)` is called when nobody listens on a path.
     """
 
-    def __init__(self, sock: socket.socket, counters: Counters, gone: Callable[[str], None]) -> None:
+    def __init__(self, sock: socket.socket, counters: Counters, on_unbound: Callable[[str], None]) -> None:
         self._socket = sock
         self._counters = counters
-        self._gone = gone
+        self._on_unbound = on_unbound
         self._queues: dict[str, SendQueue] = {}
         self._retry: asyncio.TimerHandle | None = None
 
@@ -234,7 +234,7 @@ class LocalSender:
         except OSError as error:
             self._counters.drop("nobody_listens" if error.errno in _NO_LISTENER else "not_sent", f"{path}: {error}")
             if error.errno in _NO_LISTENER:
-                self._gone(path)
+                self._on_unbound(path)
         return True
 
     def _retry_later(self) -> None:
