@@ -6,10 +6,9 @@ import asyncio
 import errno
 import socket
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Final
 
-from jauspy.node.liveness import remove_socket
+from jauspy.node.liveness import ComponentSockets
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.component_ports import ComponentPort
@@ -167,8 +166,8 @@ class ComponentSenders:
     A sender is made when it is first needed, and closed when its component has ended.
     """
 
-    def __init__(self, root: Path, router: Router) -> None:
-        self._root = root
+    def __init__(self, sockets: ComponentSockets, router: Router) -> None:
+        self._sockets = sockets
         self._router = router
         self._senders: dict[str, ComponentSender] = {}
 
@@ -207,7 +206,7 @@ class ComponentSenders:
     def _on_unbound(self, path: str) -> None:
         self._senders.pop(path, None)
         self._router.remove_dead(LocalPort(path))
-        remove_socket(self._root, path)
+        self._sockets.remove(path)
 
     def _remove_cancelled(self) -> None:
         alive = {port.path for _, port in self._router.components if isinstance(port, LocalPort)}
