@@ -307,8 +307,8 @@ def apply_settings(requested: RequestedSettings, present: ScanSettings) -> ScanS
         "start": None if stop is None else -stop,
         "stop": None if start is None else -start,
         "rate": requested.update_rate,
-        "least": requested.minimum_range,
-        "most": requested.maximum_range,
+        "min_range": requested.minimum_range,
+        "max_range": requested.maximum_range,
         "active": None if requested.sensor_state is None else requested.sensor_state == State.ACTIVE,
     }
     return replace(present, **{name: value for name, value in given.items() if value is not None})
