@@ -14,6 +14,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.hosts import Announcement, host_of
+from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robots import robot_model
 from jauspy.platform import backends
@@ -26,6 +27,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
+from jauspy.services.service import Service
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
 
@@ -112,9 +114,11 @@ class RobotRunner:
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             videos = await self._open_cameras(stack, realtime)
             components = []
-            hosts = [_host(self.config, module, model, realtime, videos) for module in self.config.modules]
+            seals = command_seals(self.config, None)
+            modules = self.config.modules
+            hosts = [_host(self.config, each, model, realtime, videos, more=seals()) for each in modules]
             _share_discovery(hosts)
-            for host, module in zip(hosts, self.config.modules, strict=True):
+            for host, module in zip(hosts, modules, strict=True):
                 delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
                 component = Component.of_host(
                     host,
@@ -169,7 +173,13 @@ class RobotRunner:
 
 
 def _host(
-    config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RealTime, videos: Mapping[str, CameraProcess]
+    config: RobotConfig,
+    module: ModuleConfig,
+    model: RobotModel,
+    robot: RealTime,
+    videos: Mapping[str, CameraProcess],
+    *,
+    more: Sequence[Service],
 ) -> Host:
     identities = {
         SYSTEM: Identity(config.name, _VEHICLE),
@@ -186,6 +196,7 @@ def _host(
         videos=videos,
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
+        more=more,
     )
 
 

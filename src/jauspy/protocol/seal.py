@@ -62,9 +62,10 @@ class OperatorKey:
         """The content of a key file (PKCS 8)."""
         from cryptography.hazmat.primitives import serialization  # noqa: PLC0415 - an extra
 
-        return self._key.private_bytes(
+        pem: bytes = self._key.private_bytes(
             serialization.Encoding.PEM, serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
         )
+        return pem
 
     def seal(
         self,

@@ -15,7 +15,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, CreateCommandEvent, CreateEvent, RegisterServices, UpdateEvent
 from jauspy.messages.operators import RejectCommand, ReportSealChallenge, SealedCommand
-from jauspy.protocol.authentication import ReplayWindow
+from jauspy.protocol.duplicates import ReplayWindow
 from jauspy.protocol.seal import Operator
 from jauspy.services.core.access_control import STOPS
 from jauspy.services.core.command_events import encoded
@@ -146,7 +146,7 @@ class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
     def _decide(self, received: _Received, reason: Reason | None) -> Message | None:
         if reason is None:
             self.host.operator = received.operator
-        elif not _is_stop(received.command):
+        elif not is_stop(received.command):
             self._refuse(received, reason)
             return None
         else:
@@ -251,7 +251,7 @@ def _is_open(message: Message) -> bool:
     return message.IS_QUERY or message.CODE in _REPORT_CODES or message.NAME.startswith(_REPORT_NAMES)
 
 
-def _is_stop(message: Message) -> bool:
+def is_stop(message: Message) -> bool:
     """True for a stop, and for a command event with one."""
     if isinstance(message, CreateCommandEvent):
         return int.from_bytes(encoded(message.command_message)[:2], "little") in STOPS
@@ -259,5 +259,5 @@ def _is_stop(message: Message) -> bool:
 
 
 def needs_seal(message: Message) -> bool:
-    """True for a message that an operator's program seals."""
+    """True for a message that the program of an operator seals: commands, except of subscriptions."""
     return not _is_open(message)
