@@ -19,6 +19,7 @@ from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetu
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.environment_sensing.digital_resource_discovery import Network
 
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 
@@ -296,6 +297,12 @@ def _check_latin1(name: str) -> str:
     return name
 
 
+def _check_target(network: Network) -> Network:
+    if network.is_multicast or network.is_unspecified:
+        raise ValueError(f"video_targets: {network}: video is sent to one machine, so give networks of machines")
+    return network
+
+
 class RobotConfig(StrictConfig):
     """One robot: a JAUS node with its capability modules, on a backend."""
 
@@ -316,6 +323,8 @@ class RobotConfig(StrictConfig):
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
+    video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
+    """Networks and addresses into which any client may have video sent, beside its own machine."""
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:
