@@ -417,12 +417,14 @@ def _parse(data: bytes, path: Path) -> Element:
         raise SchemaError(f"not well-formed XML: {error.msg}", file=path, line=error.lineno) from error
 
 
-_TOO_DEEP: Final = etree.XPath("/" + "/".join("*" * (MAX_DEPTH + 1)))
+_TOO_DEEP: Final = "/".join("*" * MAX_DEPTH)
+"""The path from a root to what is one level too deep."""
 
 
 def _refuse_deep(root: Element) -> None:
     """Everything that reads elements calls itself for those inside."""
-    for element in _TOO_DEEP(root):
+    element = root.find(_TOO_DEEP)
+    if element is not None:
         raise wrong(element, f"more than {MAX_DEPTH} elements one inside the other; flatten them")
 
 
@@ -436,7 +438,8 @@ def _strip_namespace(element: Element) -> None:
 
 def _normalize_attributes(element: Element) -> None:
     """Line breaks become blanks, as XML does with those that are not escaped; nothing else may be invisible."""
-    for key, text in element.items():
+    for key in map(str, element.keys()):
+        text = element.get(key, "")
         if key == "interpretation":
             continue
         if len(text) > MAX_ATTRIBUTE:
