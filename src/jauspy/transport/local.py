@@ -16,9 +16,11 @@ from typing import Final, Self
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport import base
 from jauspy.transport.base import Receiver, SendQueue, ignore
+from jauspy.transport.node_status import Locator, this_machine
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -55,6 +57,7 @@ class LocalTransport:
         self._socket: socket.socket | None = None
         self._sender: LocalSender | None = None
         self._keep_alive: asyncio.Task[None] | None = None
+        self._locator = Locator(self._root)
         self._accepted = asyncio.Event()
         self._loss = asyncio.Event()
         self._unanswered = 0
@@ -95,6 +98,7 @@ class LocalTransport:
 
     async def close(self) -> None:
         """Send Cancel, and remove the component's socket."""
+        self._locator.close()
         sock, sender, keep_alive = self._socket, self._sender, self._keep_alive
         self._socket = self._sender = self._keep_alive = None
         if sock is None or sender is None or keep_alive is None:
@@ -125,6 +129,13 @@ class LocalTransport:
             return
         self._counters["sent"] += 1
         self._sender.send(self._node, datagram)
+
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        """Call `found`, now or later, with the machine of a component, as far as the node manager says it."""
+        if is_alive(self._path(id)):
+            found(this_machine())
+        else:
+            self._locator.locate(id, found)
 
     def _path(self, id: JausID) -> Path:
         return self._root / str(int(id))
@@ -197,13 +208,13 @@ class LocalTransport:
 class LocalSender:
     """Sends on one socket to any path, with a bounded queue per path.
 
-    `gone(path)` is called when nobody listens on a path.
+    `on_unbound(path)` is called when nobody listens on a path.
     """
 
-    def __init__(self, sock: socket.socket, counters: Counters, gone: Callable[[str], None]) -> None:
+    def __init__(self, sock: socket.socket, counters: Counters, on_unbound: Callable[[str], None]) -> None:
         self._socket = sock
         self._counters = counters
-        self._gone = gone
+        self._on_unbound = on_unbound
         self._queues: dict[str, SendQueue] = {}
         self._retry: asyncio.TimerHandle | None = None
 
@@ -240,7 +251,7 @@ class LocalSender:
         except OSError as error:
             self._counters.drop("nobody_listens" if error.errno in _NO_LISTENER else "not_sent", f"{path}: {error}")
             if error.errno in _NO_LISTENER:
-                self._gone(path)
+                self._on_unbound(path)
         return True
 
     def _retry_later(self) -> None:
