@@ -127,6 +127,7 @@ def up(
         options = ["--config", str(gateway)]
     else:
         options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
+        options += ["--own-ids", f"{config.subsystem}.{config.node}.*"]
         for each in interface or ():
             options += ["--interface", each]
     options += ["--verbose"] * verbose
