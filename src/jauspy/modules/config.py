@@ -19,6 +19,7 @@ from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetu
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.transport.age import MAX_AGE
 
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 
@@ -307,6 +308,8 @@ class RobotConfig(StrictConfig):
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
+    max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
+    """Seconds for which a message may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
     """Without one the module has no services on the globe."""
     modules: tuple[ModuleConfig, ...]

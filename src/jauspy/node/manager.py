@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import socket
 from collections.abc import Mapping
 from contextlib import AsyncExitStack
@@ -26,6 +27,7 @@ from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, T
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast
+from jauspy.transport.age import DatagramReader
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
@@ -47,6 +49,7 @@ class NodeManager:
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
+        self._max_age = self.config.max_message_age or math.inf
         dead = partial(liveness.is_dead, self.config.local_root)
         self._router = Router(
             str(self.config.local_root),
@@ -54,6 +57,7 @@ class NodeManager:
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
             compression=self.config.header_compression,
+            max_message_age=self._max_age,
             is_dead=dead,
             networks=[network.name for network in self.config.all_networks],
             gateway=make_gateway(self.config),
@@ -64,11 +68,13 @@ class NodeManager:
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._component_senders = ComponentSenders(self.config.local_root, self._router)
+        self._component_senders = ComponentSenders(self.config.local_root, self._router, self._max_age)
         self._local_ports: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirror_source: Port = LocalPort("")
-        self._links = Links(self._router.counters, self.config.name, self._receive, self._router.disconnected)
+        self._links = Links(
+            self._router.counters, self.config.name, self._receive, self._router.disconnected, self._max_age
+        )
         self._timer: asyncio.TimerHandle | None = None
         self._membership_timer: asyncio.TimerHandle | None = None
         self._liveness = LivenessCheck(self._router.components, dead, self._component_senders.remove_dead)
@@ -142,9 +148,11 @@ class NodeManager:
             await self.close()
             raise
         self._closed.clear()
-        base.start_reading(self._loop, self._local, self._from_component, self._socket_error)
+        counters = self._router.counters
+        reader = DatagramReader(self._local, counters, self._max_age)
+        base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
         authenticated = any(network.authenticator for network in self._networks.values())
-        self._ingress = Ingress(self._from_network if authenticated else self._receive, self._router.counters)
+        self._ingress = Ingress(self._from_network if authenticated else self._receive, counters, self._max_age)
         for name, network in self._networks.items():
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)

@@ -79,7 +79,7 @@ class Registrar:
             self._counters["components.lost"] += 1
             _LOGGER.info("component %s is gone", JausID.from_int(id))
 
-    def register(self, id: int, port: ComponentPort, reply: bytes | None = None) -> bool:
+    def register(self, id: int, port: ComponentPort, now: float, reply: bytes | None = None) -> bool:
         """Register a component and send it `reply`; false when there are too many components."""
         is_new = id not in self._components
         if not self._components.register(id, port):
@@ -88,7 +88,7 @@ class Registrar:
         if reply is not None:
             self._egress.send(port, reply)
         if is_new:
-            for datagram in self._pending.pop(id):
+            for datagram in self._pending.pop(id, now):
                 self._egress.deliver(port, datagram)
         return True
 
@@ -112,7 +112,7 @@ class Registrar:
             return
         if known not in (None, own):
             self._duplicate_ids.log_move(id, own, now)
-        if self.register(id, own, junior.accept(name)):
+        if self.register(id, own, now, junior.accept(name)):
             self._counters["connects"] += 1
 
 

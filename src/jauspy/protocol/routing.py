@@ -8,6 +8,7 @@ destination is set, packets that shared a datagram are sent one by one, and lega
 from __future__ import annotations
 
 import logging
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, Literal, TypeAlias
 
@@ -43,6 +44,7 @@ class Router:
         gateway, sources: What is accepted; both may be replaced at run time.
         local_udp: Whether components of this machine may connect by UDP.
         compression: The use of header compression on UDP.
+        max_message_age: Seconds for which a message that is not acknowledged may wait for its destination.
         is_dead: True for the path of a socket where nobody listens any more.
         changed: Called with each id whose `cacheable_route` may have changed, or with None for all ids.
     """
@@ -58,6 +60,7 @@ class Router:
         address_lifetime: float = ADDRESS_LIFETIME,
         local_udp: bool = True,
         compression: CompressionUse = "accept",
+        max_message_age: float = math.inf,
         is_dead: Callable[[str], bool] = lambda _: False,
         changed: Callable[[int | None], None] = lambda _: None,
     ) -> None:
@@ -69,7 +72,7 @@ class Router:
         self.gateway = gateway
         self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
-        self._pending = PendingDestinations(self.counters)
+        self._pending = PendingDestinations(self.counters, max_message_age)
         self._egress = EgressQueue(self.counters, self.components, self.address_book)
         if compression != "off":
             self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
@@ -177,7 +180,7 @@ class Router:
                 self._duplicate_ids.warn_duplicate(raw.source, own, now)
             elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
                 self.counters.drop("rate", JausID.from_int(raw.source))
-            elif self._registrar.register(raw.source, own):
+            elif self._registrar.register(raw.source, own, now):
                 self._route_from_component(raw, datagram, now)
 
     def _route_from_component(self, raw: RawPacket, datagram: bytes, now: float) -> None:
@@ -283,6 +286,6 @@ class Router:
             return
         if self.address_book.learn(id, port, now):
             self._changed(id)
-            for datagram in self._pending.pop(id):
+            for datagram in self._pending.pop(id, now):
                 if port.network in self._probe_networks(judp.first_header(datagram), now):
                     self._egress.forward(port, id, datagram, now)

@@ -17,6 +17,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import junior
 from jauspy.protocol.counters import Counters
 from jauspy.transport import base
+from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, SendQueue, ignore
 
 _LOGGER = logging.getLogger(__name__)
@@ -47,6 +48,7 @@ class LocalTransport:
     def __init__(self, id: JausID, root: Path = Path("/tmp"), *, timeout: float | None = 2.0) -> None:  # noqa: S108
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
         self._root = Path(root)
         self._node = str(self._root / junior.SOCKET_NAME)
         self._timeout = timeout
@@ -134,8 +136,9 @@ class LocalTransport:
 
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
-        sender = self._sender = LocalSender(sock, self._counters, self._lost)
-        base.start_reading(loop, sock, self._take, self._failed)
+        sender = self._sender = LocalSender(sock, self._counters, self._lost, self.max_age)
+        reader = DatagramReader(sock, self._counters, self.max_age)
+        base.start_reading(loop, reader, self._take, self._failed)
         return sender
 
     def _disconnect(self, sock: socket.socket, sender: LocalSender) -> None:
@@ -194,8 +197,11 @@ class LocalSender:
     `gone(path)` is called when nobody listens on a path.
     """
 
-    def __init__(self, sock: socket.socket, counters: Counters, gone: Callable[[str], None]) -> None:
+    def __init__(
+        self, sock: socket.socket, counters: Counters, gone: Callable[[str], None], max_age: float = MAX_AGE
+    ) -> None:
         self._socket = sock
+        self._max_age = max_age
         self._counters = counters
         self._gone = gone
         self._queues: dict[str, SendQueue] = {}
@@ -207,7 +213,7 @@ class LocalSender:
         if queue is None:
             if self._try(path, datagram):
                 return
-            queue = self._queues[path] = SendQueue()
+            queue = self._queues[path] = SendQueue(max_age=self._max_age)
         for _ in range(queue.push(datagram)):
             self._counters.drop("queue_full", path)
         self._retry_later()
@@ -244,6 +250,8 @@ class LocalSender:
     def _retry_all(self) -> None:
         self._retry = None
         for path, queue in list(self._queues.items()):
+            for _ in range(queue.drop_stale()):
+                self._counters.drop("stale", path)
             while len(queue) and self._try(path, queue.peek()):
                 queue.pop()
             if not len(queue):
