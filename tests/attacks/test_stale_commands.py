@@ -62,12 +62,12 @@ async def test_a_robot_that_was_stopped_does_not_drive_off_afterwards() -> None:
                 await ocu.send(driver.id, Resume())
                 await ocu.send(driver.id, SetWrenchEffort(propulsive_linear_effort_x=60.0))
                 await asyncio.sleep(0.01)
-            network.cut(ocu.id)
+            network.disconnect(ocu.id)
             await asyncio.sleep(10.0)
             assert robot.snapshot is not None
             assert abs(robot.snapshot.pose.x) < 0.01
             assert robot.counters[f"{driver.id}.transport.dropped.stale"] >= 40
-            network.mend(ocu.id)
+            network.reconnect(ocu.id)
 
 
 @pytest.mark.parametrize("kind", ["local", "udp"])

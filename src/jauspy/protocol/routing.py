@@ -17,7 +17,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp, junior
 from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
-from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
+from jauspy.protocol.component_ports import MAX_COMPONENTS, ComponentDirectory, ComponentPort
 from jauspy.protocol.compression import Compression, is_compressed
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
@@ -46,6 +46,7 @@ class Router:
         compression: The use of header compression on UDP.
         max_message_age: Seconds for which a message that is not acknowledged may wait for its destination.
         is_dead: True for the path of a socket where nobody listens any more.
+        max_sockets: The number of local sockets that components may have.
         changed: Called with each id whose `cacheable_route` may have changed, or with None for all ids.
     """
 
@@ -62,11 +63,12 @@ class Router:
         compression: CompressionUse = "accept",
         max_message_age: float = math.inf,
         is_dead: Callable[[str], bool] = lambda _: False,
+        max_sockets: int = MAX_COMPONENTS,
         changed: Callable[[int | None], None] = lambda _: None,
     ) -> None:
         self.counters = Counters(_LOGGER)
         self._changed = changed
-        self.components = ComponentDirectory(changed)
+        self.components = ComponentDirectory(changed, max_sockets=max_sockets)
         static = {int(id): ports for id, ports in (addresses or {}).items()}
         self.address_book = AddressBook(static, lifetime=address_lifetime)
         self.gateway = gateway
