@@ -1,4 +1,4 @@
-"""Attackers use the same sockets as the tests of the node manager."""
+"""Components and network peers as bytes, as in the tests of the node manager."""
 
 from tests.node.conftest import daemon, introduce, stack, udp
 

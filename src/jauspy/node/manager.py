@@ -14,15 +14,17 @@ from typing import TYPE_CHECKING, Final, Self
 from jauspy.ids import JausID
 from jauspy.node import descriptors, liveness, status
 from jauspy.node.component_senders import ComponentSenders
-from jauspy.node.config import NodeConfig, load_key, make_gateway, source_limits
+from jauspy.node.config import NodeConfig, load_key, make_gateway, parse_pattern, source_limits
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
 from jauspy.node.liveness import ComponentSockets, LivenessCheck
+from jauspy.node.local_users import LocalUsers, users_of
 from jauspy.node.network import Network
 from jauspy.node.routing_cache import RoutingCache, Send
 from jauspy.node.status import NodeState, StatusServer
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast
@@ -50,11 +52,15 @@ class NodeManager:
         self._known = self.config.known_addresses()
         self._max_age = self.config.max_message_age or math.inf
         self._component_sockets = ComponentSockets(self.config.local_root)
+        self._local_users: LocalUsers | None = None
         self._router = Router(
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
+            may_connect=lambda port: self._local_users is not None and self._local_users.may_connect(port),
+            is_abandoned=lambda port: self._local_users is not None and self._local_users.is_abandoned(port),
+            own_ids=[parse_pattern(text) for text in self.config.own_ids],
             compression=self.config.header_compression,
             max_message_age=self._max_age,
             is_dead=self._component_sockets.is_dead,
@@ -77,9 +83,7 @@ class NodeManager:
         )
         self._timer: asyncio.TimerHandle | None = None
         self._membership_timer: asyncio.TimerHandle | None = None
-        self._liveness = LivenessCheck(
-            self._router.components, self._component_sockets.is_dead, self._component_senders.remove_dead
-        )
+        self._liveness = LivenessCheck(self._router.components, self._is_dead, self._component_senders.remove_dead)
         self._liveness_timer: asyncio.TimerHandle | None = None
         self._services = AsyncExitStack()
         self._closed = asyncio.Event()
@@ -140,6 +144,7 @@ class NodeManager:
         try:
             self._component_sockets.open()
             local.give_to_group(self.path, config.local_group)
+            self._local_users = LocalUsers(users_of(self.path))
             for each in config.all_networks:
                 authenticator = load_key(each.key_file)
                 self._networks[each.name] = Network(
@@ -297,6 +302,11 @@ class NodeManager:
         self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
         for network in self._networks.values():
             network.refresh_memberships()
+
+    def _is_dead(self, port: ComponentPort) -> bool:
+        if isinstance(port, LocalPort):
+            return self._component_sockets.is_dead(port.path)
+        return self._local_users is not None and self._local_users.has_left(port)
 
     def _check_liveness(self) -> None:
         self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)

@@ -63,10 +63,10 @@ class VirtualNetwork(TestEnvironment):
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
-        from jauspy.modules import robots  # noqa: PLC0415 - needs the extra `robot`
+        from jauspy.modules import robot_files  # noqa: PLC0415 - needs the extra `robot`
         from jauspy.modules.robot import RobotRunner  # noqa: PLC0415
 
-        return RobotRunner(robots.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
+        return RobotRunner(robot_files.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
 
     def now(self) -> float:
         """Seconds of the event loop's clock."""

@@ -163,6 +163,11 @@ class LocalTransport:
         """Why the node manager may not have answered, and what to do."""
         if (why := refusal(Path(self._node))) is not None:
             return why
+        if is_alive(Path(self._node)):
+            return (
+                f"the node manager on {self._node} does not accept {self.id}: another host uses this id, or it has no "
+                f"room for more components; its log and 'jauspy node-manager --status --local-root {self._root}' tell"
+            )
         return (
             f"no node manager answers on {self._node}; start one with 'jauspy node-manager --local-root {self._root}', "
             "or name the directory with the local sockets of the one that runs"
