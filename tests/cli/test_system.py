@@ -11,7 +11,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.protocol.junior import SOCKET_NAME
 from jauspy.transport.local import is_alive
 

@@ -10,9 +10,9 @@ import pytest
 
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v2_0 import force_torque_sensor as m
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.joints import ControlMode, Target
 
@@ -32,7 +32,7 @@ class Wrist:
     """A kinematic inc1, whose sensor is exact, and its sensor module."""
 
     def __init__(self, sensors: int = 1) -> None:
-        config = robots.load("inc1")
+        config = robot_files.load("inc1")
         model = robot_model(config)
         (wrist,) = model.force_torque
         model = replace(model, force_torque=tuple(replace(wrist, name=f"wrist{n}") for n in range(1, sensors + 1)))

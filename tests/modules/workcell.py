@@ -14,10 +14,10 @@ from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import CommandEvent, RequestControl, Resume
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform.backends import find
 
 CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
@@ -29,7 +29,7 @@ class Workcell:
     """A robot, and the component of one of its modules."""
 
     def __init__(self, backend: str, robot: str, component: int) -> None:
-        config = robots.load(robot)
+        config = robot_files.load(robot)
         self.model = model = robot_model(config)
         self.robot = find(backend).open(model, "empty")
         self.now = 0.0

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.geometry.poses import Transform
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.kinematic import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 
