@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from typing import Final
@@ -40,10 +40,15 @@ class FrameTree:
         self.root = description.root()
         self.joints = _parents_first(description)
 
-    def poses(self, positions: Mapping[str, float] = ZERO_POSITIONS) -> dict[str, Transform]:
-        """Every link's frame in the root link's. Joints without a position are at zero; mimic joints follow."""
+    def poses(
+        self, positions: Mapping[str, float] = ZERO_POSITIONS, joints: Iterable[Joint] | None = None
+    ) -> dict[str, Transform]:
+        """Every link's frame in the root link's. Joints without a position are at zero; mimic joints follow.
+
+        With `joints`, parents first, only their child links' frames are computed.
+        """
         found = {self.root: Transform()}
-        for joint in self.joints:
+        for joint in self.joints if joints is None else joints:
             position = positions.get(joint.mimics or joint.name, 0.0)
             found[joint.child] = found[joint.parent] @ joint_frame(joint, position)
         return found
@@ -115,9 +120,11 @@ def gravity_wrench(
     tree = FrameTree(description)
     carried = _carried(tree, link)
     bodies = [body for body in inertials(description.urdf) if body.link in carried]
+    carriers = {joint.child for joint in description.chain(tree.root, link)}
+    joints = [joint for joint in tree.joints if joint.child in carriers | carried]
 
     def weigh() -> tuple[Vector, Vector]:
-        frames = tree.poses(positions())
+        frames = tree.poses(positions(), joints)
         back = frames[link].inverse()
         down = back.rotate(GRAVITY)
         force = torque = (0.0, 0.0, 0.0)
