@@ -9,10 +9,10 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
-from importlib.util import find_spec
 
 import pytest
 from tests.helpers.robot import described
+from tests.modules.workcell import BACKENDS
 
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
@@ -107,12 +107,7 @@ def end(request: pytest.FixtureRequest) -> Callable[[Cell], None]:
     return ENDS[request.param]
 
 
-@pytest.fixture(
-    params=[
-        "kinematic",
-        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
-    ]
-)
+@pytest.fixture(params=BACKENDS)
 def backend(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 

@@ -84,10 +84,13 @@ def _service(payload: bytes) -> str | None:
     return newest[0].SERVICE if newest else None
 
 
+_HAS_MUJOCO = find_spec("mujoco") is not None
+
 BACKENDS = [
-    "kinematic",
-    pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+    pytest.param("kinematic", marks=[pytest.mark.slow] if _HAS_MUJOCO else []),
+    pytest.param("sim", marks=pytest.mark.skipif(not _HAS_MUJOCO, reason="MuJoCo is not installed")),
 ]
+"""Modules are tested on the simulator, and in the slow tests on the kinematic backend too."""
 
 
 def told(cell: Workcell, *messages: Message) -> list[int]:

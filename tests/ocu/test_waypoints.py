@@ -25,7 +25,7 @@ async def drive(robot, driver) -> list[tuple[float, float]]:
     return [*reached[1:], place()]
 
 
-@pytest.mark.parametrize("loss", [0.0, 0.1])
+@pytest.mark.parametrize("loss", [0.0, pytest.param(0.1, marks=pytest.mark.slow)])
 async def test_four_local_waypoints_in_order(virtual_network, robot, ocu, loss):
     virtual_network.loss = loss
     virtual_network.delay = 0.05
