@@ -27,8 +27,8 @@ MODULES = {
     "manipulator-2.0": ("inc1 101.1.104", "inc1 101.1.105", "inc1 101.1.103", "inc1 101.1.107", "inc1_pprm 102.1.107"),
     "sensing-2.0": ("inc1 101.1.106", "inc1 101.1.107", "inc1 101.1.108"),
 }
-INSIDE = "comes from inside of the component"
-SHADOWED = "an inner state takes it first"
+INSIDE = "is raised by the component itself"
+SHADOWED = "an inner state handles it first"
 UNKNOWN = "of which this holds"
 OTHERWISE = "it depends on what only the target knows"
 READY = "Receiving.Ready"

@@ -69,7 +69,7 @@ def main() -> None:
     robot = backends.find(options.backend).open(robot_model(config), "demo")
     robot.groups["arm"].command([Target(ControlMode.POSITION, value) for value in LOOKING_DOWN])
     robot.advance(5.0)
-    settings = DepthSettings(rate=options.rate, least=0.01)
+    settings = DepthSettings(rate=options.rate, min_distance=0.01)
     print("address clouds  lost    points clouds/s  median ms    95 % skipped steps of the robot")
     for address in ADDRESS:
         print(asyncio.run(measure(robot, address, settings, options.seconds)))

@@ -5,13 +5,12 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-import resource
 import signal
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated, Any, Final
+from typing import Annotated, Any
 
 import typer
 
@@ -19,11 +18,8 @@ from jauspy.cli import console
 from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent, file_mode
 from jauspy.cli.processes import end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
-from jauspy.node import NodeConfig, NodeManager, config_file, status
+from jauspy.node import NodeConfig, NodeManager, config_file, descriptors, status
 from jauspy.node.systemd import SystemdNotifier
-
-MAX_OPEN_FILES: Final = 4096
-"""Limit of open files: a socket for each of up to 1024 components, TCP connections, logs and captures."""
 
 
 def node_manager(
@@ -157,7 +153,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
     On SIGHUP the configuration that `read` returns replaces `config`.
     """
     console.log_to_stderr(config.log_level.upper(), JsonLines() if config.log == "json" else None)
-    raise_file_limit()
+    descriptors.raise_limit()
     async with NodeManager(config) as manager, SystemdNotifier() as services:
         loop = asyncio.get_running_loop()
         loop.add_signal_handler(signal.SIGUSR1, console.print_counters, manager.counters)
@@ -170,14 +166,6 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
         finally:
             if not quiet:
                 console.print_counters(manager.counters)
-
-
-def raise_file_limit() -> None:
-    """Raise the soft limit of open files, which is 1024 on many systems."""
-    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-    enough = MAX_OPEN_FILES if hard == resource.RLIM_INFINITY else min(MAX_OPEN_FILES, hard)
-    if soft != resource.RLIM_INFINITY and soft < enough:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (enough, hard))
 
 
 def reload(manager: NodeManager, read: Callable[[], NodeConfig], services: SystemdNotifier) -> None:

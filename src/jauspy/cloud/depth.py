@@ -25,8 +25,8 @@ class DepthSettings:
     """Pixels that are measured: each one with something in range becomes a point."""
     rate: float = 10.0
     """Clouds per second."""
-    least: float = 0.2
-    most: float = 10.0
+    min_distance: float = 0.2
+    max_distance: float = 10.0
     """Range of distances along the camera's x axis, in metres."""
 
 

@@ -22,6 +22,7 @@ from jauspy.component.acknowledgements import Acknowledgements
 from jauspy.component.event_loop import ErrorGuard, LoopTimer
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id
+from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
@@ -31,6 +32,7 @@ from jauspy.services.host import Host
 from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
+from jauspy.transport.base import LocatingTransport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
 S = TypeVar("S", bound=Service)
@@ -149,6 +151,7 @@ class Component:
         self._clock = options.clock
         self._transport = transport
         host.on_timer_change = self._on_timer_change
+        host.locate = self._locate
         self._errors: Counter[str] = Counter()
         self._guard = ErrorGuard(f"component {host.id}", self._errors)
         self._timer = LoopTimer(self._on_timeout, self._clock)
@@ -418,6 +421,12 @@ class Component:
             services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
             at = services if delivery is None or (services is not None and services < delivery) else delivery
             self._timer.set(self._loop, at)
+
+    def _locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        if isinstance(self._transport, LocatingTransport):
+            self._transport.locate(id, found)
+        else:
+            found(UNKNOWN_LOCATION)
 
     def _on_timer_change(self) -> None:
         self._set_timer()

@@ -19,6 +19,7 @@ from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetu
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.environment_sensing.digital_resource_discovery import Network
 
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 
@@ -114,7 +115,7 @@ class LidarConfig(StrictConfig):
     rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
     """Scans per second."""
     range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
-    """The least and the largest distance that it measures, in metres."""
+    """Minimal and maximal measured distance, in metres."""
     noise: Annotated[float, Field(ge=0.0, le=1.0)] = 0.01
     """Standard deviation of a distance in a simulation, in metres."""
     seed: Annotated[int, Field(ge=0)] = 0
@@ -123,7 +124,7 @@ class LidarConfig(StrictConfig):
     @model_validator(mode="after")
     def _check_range(self) -> Self:
         if self.range[0] >= self.range[1]:
-            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+            raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
         return self
 
     def setup(self) -> LidarSetup:
@@ -160,12 +161,12 @@ class DepthConfig(StrictConfig):
     rate: Annotated[float, Field(gt=0.0, le=60.0)] = 10.0
     """Clouds per second."""
     range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.2, 10.0)
-    """The least and the largest distance along the camera's axis that it measures, in metres."""
+    """Minimal and maximal distance along the camera's axis, in metres."""
 
     @model_validator(mode="after")
     def _check_size(self) -> Self:
         if self.range[0] >= self.range[1]:
-            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+            raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
         if self.size[0] * self.size[1] > MAX_POINTS:
             raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MAX_POINTS}")
         return self
@@ -296,6 +297,12 @@ def _check_latin1(name: str) -> str:
     return name
 
 
+def _check_target(network: Network) -> Network:
+    if network.is_multicast or network.is_unspecified:
+        raise ValueError(f"video_targets: {network}: video is sent to one machine, so give networks of machines")
+    return network
+
+
 class RobotConfig(StrictConfig):
     """One robot: a JAUS node with its capability modules, on a backend."""
 
@@ -316,6 +323,8 @@ class RobotConfig(StrictConfig):
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
+    video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
+    """Networks and addresses into which any client may have video sent, beside its own machine."""
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:

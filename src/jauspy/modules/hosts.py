@@ -101,7 +101,9 @@ def _context(
         )
     if module.camera is not None:
         camera = mounted_camera(config, model, videos[module.camera], robot)
-        return catalogue.VisionContext(robot, VideoStreams({1: camera}), _pan_tilt(module, model, robot))
+        return catalogue.VisionContext(
+            robot, VideoStreams({1: camera}, config.video_targets), _pan_tilt(module, model, robot)
+        )
     if module.moves is None:
         return catalogue.MobilityContext(robot, vehicle_of(config, model, robot.drive))
     joints = robot.groups[module.moves]

@@ -25,6 +25,7 @@ from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
@@ -114,6 +115,7 @@ class RobotRunner:
             components = []
             hosts = [_host(self.config, module, model, realtime, videos) for module in self.config.modules]
             _share_discovery(hosts)
+            _share_operators(hosts)
             for host, module in zip(hosts, self.config.modules, strict=True):
                 delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
                 component = Component.of_host(
@@ -194,6 +196,13 @@ def _share_discovery(hosts: Sequence[Host]) -> None:
     for host in hosts:
         if (discovery := host.service(Discovery)) is not None:
             discovery.add_local(each for each in hosts if each is not host)
+
+
+def _share_operators(hosts: Sequence[Host]) -> None:
+    """Whoever controls a module of the robot comes first among those who watch."""
+    for host in hosts:
+        if (video := host.service(DigitalResourceDiscovery)) is not None:
+            video.operators = lambda: [each.controller for each in hosts]
 
 
 def announcement(host: Host, module: ModuleConfig) -> Intercept | None:

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import asyncio
 import errno
 import logging
 import os
+import socket
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
@@ -13,6 +13,7 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.node.config import NodeConfig
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
+from jauspy.transport.listener import Listener
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
 
@@ -39,36 +40,36 @@ class TcpPeers:
         self._network = network
         self._received = received
         self._disconnected = disconnected
-        self._server: asyncio.Server | None = None
+        self._listeners: list[Listener] = []
         self._links: dict[TcpPort, StreamLink] = {}
         self._dialers: dict[TcpPort, Dialer] = {}
 
     @property
     def port(self) -> int | None:
         """The TCP port in use; if the configuration says 0, that of the first address."""
-        return self._server.sockets[0].getsockname()[1] if self._server and self._server.sockets else None
+        return self._listeners[0].port if self._listeners else None
 
-    async def open(self, hosts: Sequence[str], number: int, peers: Iterable[TcpPort]) -> None:
+    def open(self, hosts: Sequence[str], number: int, peers: Iterable[TcpPort]) -> None:
         """Listen on these addresses, and start connecting to `peers`; raises `TransportError`."""
-        if hosts:
+        for host in hosts:
+            family = socket.AF_INET6 if ":" in host else socket.AF_INET
             try:
-                self._server = await asyncio.get_running_loop().create_server(self._make_link, hosts, number)
+                sock = socket.create_server((host, number), family=family)
             except OSError as error:
                 if error.errno == errno.EADDRINUSE:
                     why = "another process uses it"
                 else:
                     why = os.strerror(error.errno) if error.errno else str(error)
-                raise TransportError(
-                    f"cannot listen on TCP {hosts[0]}:{number}: {why}; choose another tcp_port"
-                ) from error
+                raise TransportError(f"cannot listen on TCP {host}:{number}: {why}; choose another tcp_port") from error
+            self._listeners.append(Listener(sock, self._make_link, self._counters))
         for port in peers:
             self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receiver_for(port))
 
     async def close(self) -> None:
         """Close all connections; a second call does nothing."""
-        server, self._server = self._server, None
-        if server is not None:
-            server.close()
+        listeners, self._listeners = self._listeners, []
+        for listener in listeners:
+            listener.close()
         for link in list(self._links.values()):
             link.close()
         dialers, self._dialers = list(self._dialers.values()), {}
@@ -164,7 +165,7 @@ class Links:
         try:
             for serial in config.serial:
                 self._open_line(serial.line)
-            await self._tcp.open(hosts, udp_port if config.tcp_port is None else config.tcp_port, peers)
+            self._tcp.open(hosts, udp_port if config.tcp_port is None else config.tcp_port, peers)
         except BaseException:
             await self.close()
             raise

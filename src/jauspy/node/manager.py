@@ -6,18 +6,17 @@ import asyncio
 import socket
 from collections.abc import Mapping
 from contextlib import AsyncExitStack
-from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
-from jauspy.node import liveness, status
+from jauspy.node import descriptors, liveness, status
 from jauspy.node.component_senders import ComponentSenders
 from jauspy.node.config import NodeConfig, load_key, make_gateway, source_limits
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
-from jauspy.node.liveness import LivenessCheck
+from jauspy.node.liveness import ComponentSockets, LivenessCheck
 from jauspy.node.network import Network
 from jauspy.node.routing_cache import RoutingCache, Send
 from jauspy.node.status import NodeState, StatusServer
@@ -47,14 +46,15 @@ class NodeManager:
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
-        dead = partial(liveness.is_dead, self.config.local_root)
+        self._component_sockets = ComponentSockets(self.config.local_root)
         self._router = Router(
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
             compression=self.config.header_compression,
-            is_dead=dead,
+            is_dead=self._component_sockets.is_dead,
+            max_sockets=descriptors.max_component_sockets(),
             networks=[network.name for network in self.config.all_networks],
             gateway=make_gateway(self.config),
             sources=SourceChecks(source_limits(self.config)),
@@ -64,14 +64,16 @@ class NodeManager:
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._component_senders = ComponentSenders(self.config.local_root, self._router)
+        self._component_senders = ComponentSenders(self._component_sockets, self._router)
         self._local_ports: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirror_source: Port = LocalPort("")
         self._links = Links(self._router.counters, self.config.name, self._receive, self._router.disconnected)
         self._timer: asyncio.TimerHandle | None = None
         self._membership_timer: asyncio.TimerHandle | None = None
-        self._liveness = LivenessCheck(self._router.components, dead, self._component_senders.remove_dead)
+        self._liveness = LivenessCheck(
+            self._router.components, self._component_sockets.is_dead, self._component_senders.remove_dead
+        )
         self._liveness_timer: asyncio.TimerHandle | None = None
         self._services = AsyncExitStack()
         self._closed = asyncio.Event()
@@ -130,6 +132,7 @@ class NodeManager:
         config = self.config
         self._local = local.bind(self.path, owner="a node manager", mode=config.local_mode)
         try:
+            self._component_sockets.open()
             local.give_to_group(self.path, config.local_group)
             for each in config.all_networks:
                 authenticator = load_key(each.key_file)
@@ -188,6 +191,7 @@ class NodeManager:
             self._ingress.close()
         await self._links.close()
         self._component_senders.close()
+        self._component_sockets.close()
         self._cache.clear()
         for network in self._networks.values():
             network.close()

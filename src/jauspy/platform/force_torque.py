@@ -33,7 +33,7 @@ class ForceTorqueSetup:
 
 @dataclass(frozen=True, slots=True)
 class Wrench:
-    """What the link, with all that it carries and touches, does to the sensor: in the link's frame, about its origin.
+    """The force and torque of the link, with all that it carries and touches, on the sensor; in the link's frame.
 
     The weight of the tool is in it, and pulls down. Nothing is tared.
     """
@@ -76,6 +76,6 @@ class SampledForceTorque:
             self.wrench = Wrench(now, _limited(force, self.setup.force), _limited(torque, self.setup.torque))
 
 
-def _limited(values: Vector, most: float) -> Vector:
-    x, y, z = (min(most, max(-most, value)) for value in values)
+def _limited(values: Vector, limit: float) -> Vector:
+    x, y, z = (min(limit, max(-limit, value)) for value in values)
     return x, y, z

@@ -16,7 +16,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp, junior
 from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
-from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
+from jauspy.protocol.component_ports import MAX_COMPONENTS, ComponentDirectory, ComponentPort
 from jauspy.protocol.compression import Compression, is_compressed
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
@@ -44,6 +44,7 @@ class Router:
         local_udp: Whether components of this machine may connect by UDP.
         compression: The use of header compression on UDP.
         is_dead: True for the path of a socket where nobody listens any more.
+        max_sockets: The number of local sockets that components may have.
         changed: Called with each id whose `cacheable_route` may have changed, or with None for all ids.
     """
 
@@ -59,11 +60,12 @@ class Router:
         local_udp: bool = True,
         compression: CompressionUse = "accept",
         is_dead: Callable[[str], bool] = lambda _: False,
+        max_sockets: int = MAX_COMPONENTS,
         changed: Callable[[int | None], None] = lambda _: None,
     ) -> None:
         self.counters = Counters(_LOGGER)
         self._changed = changed
-        self.components = ComponentDirectory(changed)
+        self.components = ComponentDirectory(changed, max_sockets=max_sockets)
         static = {int(id): ports for id, ports in (addresses or {}).items()}
         self.address_book = AddressBook(static, lifetime=address_lifetime)
         self.gateway = gateway

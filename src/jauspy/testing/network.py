@@ -52,7 +52,7 @@ class VirtualNetwork(TestEnvironment):
         self.log: deque[Packet] = deque(maxlen=MAX_LOG)
         self.keeps: Callable[[Packet], bool] = lambda _: True
         """Packets for which it returns false are lost, in addition to random loss."""
-        self._cut: set[JausID] = set()
+        self._disconnected: set[JausID] = set()
         self._random = random.Random(seed)  # noqa: S311 - repeatable, not secret
         self._hub = _Hub(self)
 
@@ -99,13 +99,13 @@ class VirtualNetwork(TestEnvironment):
 
         self.keeps = keeps
 
-    def cut(self, id: str | JausID) -> None:
+    def disconnect(self, id: str | JausID) -> None:
         """Lose all that this component sends and all that is sent to it, as if its cable were unplugged."""
-        self._cut.add(JausID.of(id))
+        self._disconnected.add(JausID.of(id))
 
-    def mend(self, id: str | JausID) -> None:
-        """Undo `cut`."""
-        self._cut.discard(JausID.of(id))
+    def reconnect(self, id: str | JausID) -> None:
+        """Undo `disconnect`."""
+        self._disconnected.discard(JausID.of(id))
 
     # --- traffic --------------------------------------------------------------------------------------------------
 
@@ -118,7 +118,7 @@ class VirtualNetwork(TestEnvironment):
         """How long this datagram takes, once for each time that it arrives; logs it."""
         packets, _ = unpack_all(datagram)
         self.log += packets
-        if any(each.source in self._cut or each.destination in self._cut for each in packets):
+        if any(each.source in self._disconnected or each.destination in self._disconnected for each in packets):
             return []
         if not all(map(self.keeps, packets)) or self._happens(self.loss):
             return []

@@ -6,10 +6,11 @@ import asyncio
 import socket
 from collections import deque
 from collections.abc import Callable, Mapping
-from typing import Any, Final, Protocol, TypeAlias
+from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import Location
 
 Receiver: TypeAlias = Callable[[bytes], None]
 
@@ -59,6 +60,14 @@ class Transport(Protocol):
     @property
     def counters(self) -> Mapping[str, int]:
         """Counters of sent, received and dropped datagrams, by reason."""
+
+
+@runtime_checkable
+class LocatingTransport(Transport, Protocol):
+    """A transport that knows where other components are."""
+
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        """Call `found`, now or later, with the machine of a component, which may be unknown."""
 
 
 def ignore(datagram: bytes) -> None:

@@ -9,6 +9,7 @@ from collections.abc import Callable, Mapping
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp
+from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport.base import Receiver, ignore
 
@@ -85,6 +86,10 @@ class LoopbackTransport:
             self._counters.drop(f"malformed.{error.reason}", error)
         else:
             self._counters["sent"] += 1
+
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        """Call `found`: whoever is on the hub is in this process."""
+        found(Location(is_here=int(id) in self._hub.members))
 
     def _join(self, id: JausID) -> None:
         if self._hub.members.setdefault(int(id), self) is not self:
