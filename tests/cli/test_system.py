@@ -80,6 +80,7 @@ def test_frames_of_a_running_robot(beside):
     assert "no frame 'nose'; there are: arm_camera_link" in wrong.stderr
 
 
+@pytest.mark.slow
 def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
     pytest.importorskip("pynng", reason="pynng is not installed")
     address, depth = f"ipc://{tmp_path}/cloud", f"ipc://{tmp_path}/depth"
@@ -141,6 +142,7 @@ def test_send_waits_until_the_command_has_been_carried_out(beside):
     )
 
 
+@pytest.mark.slow
 def test_losing_control_while_holding_it_is_a_failure(beside):
     where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=10")
@@ -154,7 +156,9 @@ def test_losing_control_while_holding_it_is_a_failure(beside):
     assert err.startswith("Error: control of 101.1.102 was lost: 101.1.102 took it back")
 
 
-@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 0)])
+@pytest.mark.parametrize(
+    ("number", "status"), [(signal.SIGINT, 130), pytest.param(signal.SIGTERM, 0, marks=pytest.mark.slow)]
+)
 def test_up_stops_in_order_and_leaves_nothing(robot, local_root, number, status):
     assert len(robot.family) == 1
     robot.process.send_signal(number)
@@ -164,6 +168,7 @@ def test_up_stops_in_order_and_leaves_nothing(robot, local_root, number, status)
     assert not list(local_root.iterdir())
 
 
+@pytest.mark.slow
 def test_a_killed_up_leaves_no_process(robot):
     robot.process.kill()
     robot.process.wait()
@@ -195,6 +200,7 @@ def test_up_refuses_a_world_that_the_backend_has_not(local_root):
     assert "has no worlds" in jauspy(*arguments, status=1).stderr
 
 
+@pytest.mark.slow
 def test_up_names_only_what_can_be_done(beside, tmp_path):
     copy = tmp_path / "other.toml"
     module = "[[modules]]\ntype = 'CM-MOB'\ncomponent = 102\nservices = []\n"

@@ -54,15 +54,15 @@ def assert_gone(processes: list[psutil.Process]) -> None:
 
 
 class RunningRobot:
-    """A process `jauspy up inc1`, with its node manager."""
+    """A process `jauspy up`, with its node manager."""
 
-    def __init__(self, port: int, root: Path) -> None:
+    def __init__(self, port: int, root: Path, name: str = "inc1") -> None:
         self.port = port
         self.root = root
         self.local = f"local:{root}"
         self.udp = f"udp://127.0.0.1:{port}"
         where = ("--port", str(port), "--interface", "127.0.0.1", "--local-root", str(root))
-        self.process = start("up", "inc1", "--backend", "kinematic", *where)
+        self.process = start("up", name, "--backend", "kinematic", *where)
         self.family = wait_for(self.process, "stop it")
 
     def close(self) -> None:
@@ -72,10 +72,10 @@ class RunningRobot:
 
 
 @contextmanager
-def shared_robot() -> Iterator[RunningRobot]:
+def shared_robot(name: str = "inc1") -> Iterator[RunningRobot]:
     """A robot for several tests, which leave it as they found it; port and folder are its own."""
     root = Path(tempfile.mkdtemp(prefix="jauspy-"))
-    robot = RunningRobot(unused_port(), root)
+    robot = RunningRobot(unused_port(), root, name)
     try:
         yield robot
     finally:
