@@ -38,6 +38,7 @@ async def test_four_local_waypoints_in_order(virtual_network, robot, ocu, loss):
     assert all(math.dist(*pair) < 0.5 for pair in zip(reached, SQUARE, strict=True)), reached
 
 
+@pytest.mark.slow
 async def test_four_global_waypoints_in_order(virtual_network, robot, ocu):
     found = await ocu.discover(101)
     driver = found.service("GlobalWaypointListDriver")
