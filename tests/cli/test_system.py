@@ -12,7 +12,7 @@ import psutil
 import pytest
 from tests.helpers.command_line import RunningRobot, assert_gone, jauspy, shared_robot, start, wait_for
 
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.protocol.junior import SOCKET_NAME
 from jauspy.transport.local import is_alive
 

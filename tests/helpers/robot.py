@@ -9,7 +9,7 @@ from functools import cache
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.config import RobotConfig
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
@@ -21,8 +21,8 @@ from jauspy.platform.ranging import RangeFinder
 @cache
 def described(name: str) -> tuple[RobotConfig, RobotModel]:
     """A robot that comes with jauspy, read once in a test run."""
-    config = robots.load(name)
-    return config, robots.robot_model(config)
+    config = robot_files.load(name)
+    return config, robot_files.robot_model(config)
 
 
 class FakeDrive:

@@ -16,7 +16,7 @@ from tests.ocu.test_elements import ROBOT, Driver, at, order, services, xs
 from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, TransportError
 from jauspy.messages.core import QueryControl, QueryStatus, ReportStatus
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.ocu import Appeared, SubsystemInfo, Vanished
 from jauspy.sync import OCU
 from jauspy.sync.portal import Portal

@@ -13,7 +13,7 @@ import pytest
 
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetWrenchEffort
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.service import ServiceClient

@@ -13,6 +13,7 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.node.config import NodeConfig
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
+from jauspy.transport.age import MAX_AGE
 from jauspy.transport.listener import Listener
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
@@ -35,7 +36,9 @@ class TcpPeers:
         network: str,
         received: Callable[[bytes, TcpPort], None],
         disconnected: Callable[[TcpPort], None],
+        max_age: float,
     ) -> None:
+        self._max_age = max_age
         self._counters = counters
         self._network = network
         self._received = received
@@ -63,7 +66,9 @@ class TcpPeers:
                 raise TransportError(f"cannot listen on TCP {host}:{number}: {why}; choose another tcp_port") from error
             self._listeners.append(Listener(sock, self._make_link, self._counters))
         for port in peers:
-            self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receiver_for(port))
+            self._dialers[port] = Dialer(
+                (port.host, port.port), self._counters, self._receiver_for(port), max_age=self._max_age
+            )
 
     async def close(self) -> None:
         """Close all connections; a second call does nothing."""
@@ -98,6 +103,7 @@ class TcpPeers:
             lambda link, datagram: self._received(datagram, self._port(link)),
             self._ended,
             self._accepted,
+            max_age=self._max_age,
         )
 
     def _accepted(self, link: StreamLink) -> None:
@@ -141,11 +147,13 @@ class Links:
         network: str,
         received: Callable[[bytes, NetworkPort], None],
         disconnected: Callable[[NetworkPort], None],
+        max_age: float = MAX_AGE,
     ) -> None:
+        self._max_age = max_age
         self._received = received
         self._counters = counters
         self._network = network
-        self._tcp = TcpPeers(counters, network, received, disconnected)
+        self._tcp = TcpPeers(counters, network, received, disconnected, max_age)
         self._serial: dict[SerialPort, SerialLink] = {}
 
     @property
@@ -194,6 +202,6 @@ class Links:
 
     def _open_line(self, line: SerialLine) -> None:
         port = SerialPort(line.device, network=self._network)
-        link = SerialLink(line, self._counters, lambda datagram: self._received(datagram, port))
+        link = SerialLink(line, self._counters, lambda datagram: self._received(datagram, port), max_age=self._max_age)
         link.open()
         self._serial[port] = link

@@ -12,6 +12,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import header, jtcp, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
+from jauspy.transport.age import MAX_AGE, StallDetector
 from jauspy.transport.base import Receiver, SendQueue, ignore
 
 _LOGGER = logging.getLogger(__name__)
@@ -30,7 +31,8 @@ class StreamLink(asyncio.BufferedProtocol):
 
     A stream that has lost the packet boundaries is closed, because nothing restores them. A connection has one version:
     the client sends the version byte of AS5669A; the server, which has the callback `accepted`, sends the version that
-    it has received.
+    it has received. It is closed, too, when the event loop has stood still for more than `max_age` seconds: the packets
+    under way are old, those that wait at the peer as well.
     """
 
     def __init__(
@@ -39,6 +41,8 @@ class StreamLink(asyncio.BufferedProtocol):
         received: Callable[[StreamLink, bytes], None],
         ended: Callable[[StreamLink], None],
         accepted: Callable[[StreamLink], None] | None = None,
+        *,
+        max_age: float = MAX_AGE,
     ) -> None:
         self.peer: Address = ("", 0)
         self.has_received = False
@@ -52,7 +56,8 @@ class StreamLink(asyncio.BufferedProtocol):
         self._sent_version: int | None = None
         self._transport: asyncio.Transport | None = None
         self._paused = False
-        self._waiting = SendQueue()
+        self._waiting = SendQueue(max_age=max_age)
+        self._stall = StallDetector(max_age)
 
     @property
     def waiting(self) -> int:
@@ -97,6 +102,10 @@ class StreamLink(asyncio.BufferedProtocol):
         """Pass on complete packets."""
         if self._transport is None or self._transport.is_closing():
             return
+        if self._stall.has_stalled:
+            self._counters.drop("stale", self.peer)
+            self.close()
+            return
         datagrams, error = self._decoder.feed(bytes(self._buffer[:nbytes]))
         self.has_received = self.has_received or bool(datagrams)
         for datagram in datagrams:
@@ -119,6 +128,8 @@ class StreamLink(asyncio.BufferedProtocol):
     def resume_writing(self) -> None:
         """Send queued packets, those of the highest priority first."""
         self._paused = False
+        for _ in range(self._waiting.drop_stale()):
+            self._counters.drop("stale", self.peer)
         while self._waiting and not self._paused and self._transport is not None:
             datagram = self._waiting.peek()
             self._waiting.pop()
@@ -129,6 +140,7 @@ class StreamLink(asyncio.BufferedProtocol):
         for _ in range(len(self._waiting)):
             self._counters.drop("tcp_closed", self.peer)
         self._transport, self._waiting = None, SendQueue()
+        self._stall.close()
         self._ended(self)
 
 
@@ -138,8 +150,16 @@ class Dialer:
     Packets are dropped while there is none: a command that arrives seconds late is worse than a lost one.
     """
 
-    def __init__(self, address: Address, counters: Counters, received: Callable[[StreamLink, bytes], None]) -> None:
+    def __init__(
+        self,
+        address: Address,
+        counters: Counters,
+        received: Callable[[StreamLink, bytes], None],
+        *,
+        max_age: float = MAX_AGE,
+    ) -> None:
         self.address = address
+        self._max_age = max_age
         self.link: StreamLink | None = None
         self.connected = asyncio.Event()
         self.problem = "it does not answer"
@@ -181,7 +201,7 @@ class Dialer:
         self._lost.clear()
         async with asyncio.timeout(CONNECT_TIMEOUT):
             _, link = await loop.create_connection(
-                lambda: StreamLink(self._counters, self._received, self._ended), *self.address
+                lambda: StreamLink(self._counters, self._received, self._ended, max_age=self._max_age), *self.address
             )
         self.link = link
         self.connected.set()
@@ -214,6 +234,7 @@ class TcpTransport:
     def __init__(self, id: JausID, peer: Address, *, timeout: float | None = 5.0) -> None:
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
         self._peer = peer
         self._timeout = timeout
         self._counters = Counters(_LOGGER)
@@ -236,7 +257,7 @@ class TcpTransport:
 
     async def open(self) -> None:
         """Connect; raises `TransportError` if there is no connection in time."""
-        dialer = self._dialer = Dialer(self._peer, self._counters, self._take)
+        dialer = self._dialer = Dialer(self._peer, self._counters, self._take, max_age=self.max_age)
         if self._timeout is None:
             return
         try:
