@@ -20,6 +20,7 @@ from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
+from jauspy.transport.age import MAX_AGE
 
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 
@@ -314,6 +315,8 @@ class RobotConfig(StrictConfig):
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
+    max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
+    """Seconds for which a message may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
     """Without an origin there are no services with global poses."""
     modules: tuple[ModuleConfig, ...]

@@ -122,7 +122,7 @@ class RobotRunner:
                     host,
                     self._transports(host.id),
                     intercept=announcement(host, module),
-                    options=ComponentOptions(delivery=delivery),
+                    options=ComponentOptions(delivery=delivery, max_message_age=self.config.max_message_age),
                 )
                 components.append(await stack.enter_async_context(component))
             self._realtime, self._components, self._videos = realtime, tuple(components), videos

@@ -12,6 +12,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.codec.message import Message
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
@@ -106,6 +107,16 @@ class VirtualNetwork(TestEnvironment):
     def reconnect(self, id: str | JausID) -> None:
         """Undo `disconnect`."""
         self._disconnected.discard(JausID.of(id))
+
+    def stall(self, id: str | JausID, seconds: float) -> None:
+        """For this time, the component reads nothing, as if its process were stopped; it reads what arrived afterwards.
+
+        Its timers run on. Raises `ConfigError` if no component here has this id.
+        """
+        member = self._hub.members.get(int(JausID.of(id)))
+        if member is None:
+            raise ConfigError(f"no component on this network has the id {id}")
+        member.stall(seconds)
 
     # --- traffic --------------------------------------------------------------------------------------------------
 
