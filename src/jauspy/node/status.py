@@ -20,11 +20,10 @@ from jauspy.protocol.addressing import NetworkPort, format_port
 from jauspy.protocol.routing import Router
 from jauspy.transport import local
 from jauspy.transport.listener import Listener, stream_protocol
+from jauspy.transport.node_status import READ_TIMEOUT, SOCKET_NAME, read
 
-SOCKET_NAME: Final = "JuniorRTE.status"
-"""In the directory of the node manager's own socket."""
-READ_TIMEOUT: Final = 2.0
-"""Seconds for one reader."""
+__all__ = ["SOCKET_NAME", "NodeState", "StatusServer", "read", "with_rates"]
+
 MAX_READERS: Final = 8
 RATE_INTERVAL: Final = 0.5
 """Seconds between two reads for `with_rates`."""
@@ -124,23 +123,6 @@ class StatusServer:
         finally:
             self._readers -= 1
             writer.close()
-
-
-async def read(root: Path) -> dict[str, Any]:
-    """The status of the node manager of a local root; raises `TransportError` if it does not answer."""
-    path = root / SOCKET_NAME
-    try:
-        async with asyncio.timeout(READ_TIMEOUT):
-            reader, writer = await asyncio.open_unix_connection(path)
-            text = await reader.read()
-            writer.close()
-    except (OSError, TimeoutError) as error:
-        raise TransportError(
-            f"no node manager serves its status at {path}: {getattr(error, 'strerror', None) or 'no answer'}; "
-            "is it running, with `status` on, and is this its --local-root?"
-        ) from None
-    status: dict[str, Any] = json.loads(text)
-    return status
 
 
 def with_rates(before: dict[str, Any], after: dict[str, Any]) -> dict[str, Any]:
