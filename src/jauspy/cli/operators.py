@@ -28,9 +28,9 @@ def new(
     ] = None,
     role: Role = "operator",
 ) -> None:
-    """Write a new key, which only its owner may read, and print the line for the robots' operators file.
+    """Write a new key, and print the line for the robots' operators file.
 
-    The file stays with the operator; robots need the printed line only, which is not secret.
+    Only its owner may read the file. It stays with the operator; robots need the printed line only, which is not secret.
 
     Example:
       jauspy keys new alice >> operators.toml
