@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import errno
-import logging
 import os
 import socket
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from jauspy.errors import ConfigError, TransportError
+from jauspy.logs import get_logger
 from jauspy.node.config import NodeConfig
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
@@ -18,7 +18,7 @@ from jauspy.transport.listener import Listener
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 MAX_CONNECTIONS: Final = 64
 """Accepted connections; another one replaces the oldest that never sent a packet, or is closed at once."""
