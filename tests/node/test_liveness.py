@@ -126,9 +126,9 @@ def test_many_components_are_looked_at_a_few_at_a_time() -> None:
     for number in range(3 * liveness.MAX_CHECKS):
         components.register(number + 1, LocalPort(f"/{number}"))
 
-    def is_dead(path: str) -> bool:
-        asked.append(path)
-        return path == "/7"
+    def is_dead(port: ComponentPort) -> bool:
+        asked.append(port)
+        return port == LocalPort("/7")
 
     gone: list[ComponentPort] = []
     looking = liveness.LivenessCheck(components, is_dead, gone.append)

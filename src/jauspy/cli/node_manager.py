@@ -68,6 +68,14 @@ def node_manager(
             help='Interface to join the group on, by address or name, or "all"; may be repeated.',
         ),
     ] = None,
+    own_ids: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--own-ids",
+            metavar="PATTERN",
+            help="Ids of this machine, as in 101.1.*; never accepted from a network; may be repeated.",
+        ),
+    ] = None,
     metrics: Annotated[
         str | None, typer.Option("--metrics", metavar="IP:PORT", help="Serve metrics for Prometheus at this address.")
     ] = None,
@@ -106,6 +114,7 @@ def node_manager(
         "local_root": local_root,
         "multicast_group": multicast_group,
         "multicast_interfaces": tuple(interface) if interface else None,
+        "own_ids": tuple(own_ids) if own_ids else None,
         "metrics": metrics,
         "mirror": mirror,
         "local_mode": None if socket_mode is None else file_mode(socket_mode),

@@ -24,7 +24,15 @@ from jauspy.codec.codegen import keywords_only
 from jauspy.codec.items import ANY, Bit, Bits, Blob, Choice, Count, Formatted, Item, Number, Real, Text, Values, real
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message, Struct
-from jauspy.codec.names import attribute, attributes, class_name, members, set_package, unique, version_package
+from jauspy.codec.names import (
+    attributes,
+    class_name,
+    members,
+    service_module,
+    set_package,
+    unique,
+    version_package,
+)
 from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.codec.wire import CODES, FLOATS, as_sent
 from jauspy.errors import SchemaError
@@ -134,7 +142,7 @@ def _planned(schema: m.Schema) -> list[_Planned]:
 
 
 def _module_name(service: m.Service) -> str:
-    return f"{set_package(service.id)}.{version_package(service.version)}.{attribute(service.name)}"
+    return f"{set_package(service.id)}.{version_package(service.version)}.{service_module(service.name)}"
 
 
 def asks(message: m.Message, service: m.Service) -> bool:

@@ -20,6 +20,7 @@ from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message, Struct
 from jauspy.codec.names import module_alias, version_key
 from jauspy.codec.registry import Registry
+from jauspy.printable import printable
 from jauspy.schema.model import Schema
 
 MAX_WIDTH: Final = 108
@@ -73,7 +74,7 @@ def filled(parts: Iterable[str]) -> list[str]:
 
 def _escaped(line: str) -> str:
     """A line that stays one, and ends no docstring."""
-    plain = "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in line.replace("\\", "\\\\"))
+    plain = printable(line.replace("\\", "\\\\"))
     return plain.replace('"', '\\"') if '"""' in plain or plain.endswith('"') else plain
 
 

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-import errno
-import socket
 from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.transport.local import SocketProbe
 
@@ -20,13 +17,13 @@ MAX_CHECKS: Final = 32
 class LivenessCheck:
     """Checks the ports of all components in turn.
 
-    `is_dead(path)` is true when nobody listens on a local socket; `remove_dead(port)` is called for each dead port.
+    `is_dead(port)` is true when the component has ended; `remove_dead(port)` is called for each dead port.
     """
 
     def __init__(
         self,
         components: ComponentDirectory,
-        is_dead: Callable[[str], bool],
+        is_dead: Callable[[ComponentPort], bool],
         remove_dead: Callable[[ComponentPort], None],
     ) -> None:
         self._components = components
@@ -41,19 +38,8 @@ class LivenessCheck:
         count = len(self._unchecked) if self._components.is_full else MAX_CHECKS
         ports, self._unchecked = self._unchecked[:count], self._unchecked[count:]
         for port in ports:
-            dead = self._is_dead(port.path) if isinstance(port, LocalPort) else is_unbound(port)
-            if dead and self._components.has_port(port):
+            if self._is_dead(port) and self._components.has_port(port):
                 self._remove_dead(port)
-
-
-def is_unbound(port: UdpPort) -> bool:
-    """True when a UDP port of this machine could be bound; the component itself is not asked."""
-    try:
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-            probe.bind((port.host, port.port))
-    except OSError as error:
-        return error.errno == errno.EADDRNOTAVAIL
-    return True
 
 
 class ComponentSockets:
