@@ -283,7 +283,11 @@ with OCU("42.1.1", sys.argv[1]) as ocu:
 
 
 @pytest.mark.parametrize(
-    "wait", ["time.sleep(60)", "list(robot.service('LocalPoseSensor').subscribe(QueryLocalPose(1), rate=5.0))"]
+    "wait",
+    [
+        pytest.param("time.sleep(60)", marks=pytest.mark.slow),
+        "list(robot.service('LocalPoseSensor').subscribe(QueryLocalPose(1), rate=5.0))",
+    ],
 )
 def test_ctrl_c_leaves_the_robot_in_standby(robot, node_manager, ocu, wait):
     ocu.close()  # the program is 42.1.1

@@ -52,6 +52,7 @@ async def x_of(sensor: ServiceClient) -> float:
     return float(report.x)
 
 
+@pytest.mark.slow
 async def test_on_two_loopback_addresses(root: Path, free_port: int) -> None:
     async with AsyncExitStack() as stack:
         for number, subsystem in enumerate(EFFORTS, 1):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import socket
 from collections.abc import Callable, Mapping
 from typing import Final, cast
 
@@ -22,6 +23,10 @@ HIGH_WATER: Final = 64 * 1024
 READ_SIZE: Final = 2048
 """Bytes read per turn of the event loop: about a hundred of the smallest packets, so that a flood delays nobody."""
 CONNECT_TIMEOUT: Final = 5.0
+KEEP_ALIVE_IDLE: Final = 10
+KEEP_ALIVE_INTERVAL: Final = 5
+KEEP_ALIVE_PROBES: Final = 3
+"""The kernel asks an idle peer after so many seconds, and closes the connection if it does not answer these."""
 MIN_RETRY_INTERVAL: Final = 0.1
 MAX_RETRY_INTERVAL: Final = 10.0
 
@@ -47,6 +52,8 @@ class StreamLink(asyncio.BufferedProtocol):
         self.peer: Address = ("", 0)
         self.has_received = False
         """True when a complete packet has arrived."""
+        self.active_at = 0.0
+        """Loop time of the last complete packet, or of the connection."""
         self._counters = counters
         self._received = received
         self._ended = ended
@@ -89,6 +96,8 @@ class StreamLink(asyncio.BufferedProtocol):
         self._transport = cast("asyncio.Transport", transport)
         self.peer = (transport.get_extra_info("peername") or self.peer)[:2]
         self._transport.set_write_buffer_limits(high=HIGH_WATER)
+        self.active_at = asyncio.get_running_loop().time()
+        _detect_dead_peer(self._transport.get_extra_info("socket"))
         if self._accepted is not None:
             self._accepted(self)
         else:
@@ -107,7 +116,8 @@ class StreamLink(asyncio.BufferedProtocol):
             self.close()
             return
         datagrams, error = self._decoder.feed(bytes(self._buffer[:nbytes]))
-        self.has_received = self.has_received or bool(datagrams)
+        if datagrams:
+            self.has_received, self.active_at = True, asyncio.get_running_loop().time()
         for datagram in datagrams:
             self._received(self, datagram)
         if error is not None:
@@ -142,6 +152,14 @@ class StreamLink(asyncio.BufferedProtocol):
         self._transport, self._waiting = None, SendQueue()
         self._stall.close()
         self._ended(self)
+
+
+def _detect_dead_peer(sock: socket.socket) -> None:
+    """Let the kernel close the connection when the peer's host is gone."""
+    sock.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPIDLE, KEEP_ALIVE_IDLE)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPINTVL, KEEP_ALIVE_INTERVAL)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPCNT, KEEP_ALIVE_PROBES)
 
 
 class Dialer:
