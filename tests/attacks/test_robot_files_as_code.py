@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from jauspy.cli.main import app
 from jauspy.errors import ConfigError
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 
 run = CliRunner()
 
@@ -68,7 +68,7 @@ def _assert_refused(urdf: str) -> None:
     Path("it.urdf.xacro").write_text(urdf)
     Path("it.toml").write_text('extends = "inc1"\nurdf = "it.urdf.xacro"\n')
     with pytest.raises(ConfigError) as caught:
-        robots.robot_model(robots.load("./it.toml"))
+        robot_files.robot_model(robot_files.load("./it.toml"))
     assert "xacro cannot expand it" in str(caught.value)
     assert str(caught.value).isprintable()
     assert not Path("written").exists()

@@ -22,7 +22,7 @@ from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.message import XYZ_RGB, Cloud
 from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.testing import until

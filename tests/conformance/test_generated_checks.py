@@ -15,6 +15,7 @@ from tests.conformance.families import FAMILIES, armed
 from tests.conformance.injectors import Injector
 from tests.conformance.simulated import examined, robot
 from tests.conformance.test_faults import checks
+from tests.helpers.sampling import sampled
 
 from jauspy.conformance import Report, Verdict
 from jauspy.ids import JausID
@@ -101,7 +102,10 @@ def kinds(report: Report) -> dict[tuple[str, str], str]:
     return found
 
 
-@pytest.mark.parametrize(("profile", "module"), [(profile, each) for profile in MODULES for each in MODULES[profile]])
+@pytest.mark.parametrize(
+    ("profile", "module"),
+    sampled([(profile, each) for profile in MODULES for each in MODULES[profile]], fast=4, several=True),
+)
 def test_our_robots_pass(profile, module):
     passes(profile, module, run_of(profile, module))
 

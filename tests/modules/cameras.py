@@ -8,10 +8,10 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m, registry
 from jauspy.messages.core import RequestControl, Resume
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.protocol.addressing import Location
@@ -53,7 +53,7 @@ class Module:
     """The CM-VIS of the chassis camera of a kinematic inc1; a `fixed` one is where the lidar is, without a mount."""
 
     def __init__(self, component=107, video=None, *, fixed=False):
-        config = robots.load("inc1")
+        config = robot_files.load("inc1")
         if fixed:
             config = _with_fixed_cameras(config)
         model = robot_model(config)

@@ -8,7 +8,7 @@ import pytest
 import xacro
 
 from jauspy.errors import ConfigError
-from jauspy.modules import robots, xacro_files
+from jauspy.modules import robot_files, xacro_files
 from jauspy.modules.xacro_files import MAX_ELEMENTS, MAX_VALUE_LENGTH, expand
 
 HEAD = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -56,9 +56,9 @@ def test_usual_expressions_have_their_usual_values(tmp_path: Path, written, expr
     assert expand(path) == xacro.process_file(path).toxml()
 
 
-@pytest.mark.parametrize("name", robots.known())
+@pytest.mark.parametrize("name", robot_files.known())
 def test_robots_are_expanded_as_by_xacro(name: str) -> None:
-    urdf = robots.load(name).urdf
+    urdf = robot_files.load(name).urdf
     assert expand(urdf) == xacro.process_file(urdf).toxml()
 
 

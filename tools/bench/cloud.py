@@ -17,7 +17,7 @@ from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.message import Cloud
 from jauspy.cloud.socket import CloudSubscriber
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.contract import Robot
 from jauspy.platform.joints import ControlMode, Target

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import math
 import random
 import signal
 import time
@@ -32,6 +33,7 @@ from jauspy.services.host import Host
 from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
+from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import LocatingTransport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
@@ -67,9 +69,12 @@ class ComponentOptions:
 
     `delivery` has the settings of reliable delivery and large messages. `schema` and `registry` replace the definitions
     and messages that are built in or that services bring. `clock` is monotonic, in seconds; `utc_now` the wall clock.
+    `max_message_age` is the time in seconds for which a received message may wait while the component does not read, as
+    when its process is stopped; an older one is dropped, unless it is acknowledged. 0 is no limit.
     """
 
     delivery: Delivery | None = None
+    max_message_age: float = MAX_AGE
     schema: Schema | None = None
     registry: Registry | None = None
     clock: Callable[[], float] = loop_time
@@ -219,6 +224,7 @@ class Component:
             return
         transport = self._transport = self._given_transport or await self._make_transport()
         transport.received = self._on_datagram
+        transport.max_age = self._options.max_message_age or math.inf
         self._make_endpoint()
         self._loop = asyncio.get_running_loop()
         self._closed.clear()

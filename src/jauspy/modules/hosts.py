@@ -32,7 +32,7 @@ WATCHDOG_PERIOD: Final = 0.1
 """Seconds between two checks."""
 
 MAY_MOVE: Final = ("Controlled", "Available", "Ready")
-"""The states, one within the other, in which a client in control may move something (AS5710)."""
+"""The nested states in which a client in control may cause motion (AS5710)."""
 
 ANNOUNCEMENT_PERIOD: Final = 5.0
 """Seconds between two queries."""
@@ -146,9 +146,9 @@ def may_move(host: Host) -> bool:
 
 
 class Watchdog:
-    """Stops what a component moves whenever the component is not in a state in which it may move.
+    """Stops all motion of a component whenever its state does not allow motion.
 
-    A second line of defence: the services stop by themselves, unless there is a mistake in them.
+    This is redundant: the services stop motion themselves, unless they have a bug.
     """
 
     def __init__(self, host: Host, moving: Stoppable) -> None:
@@ -163,7 +163,7 @@ class Watchdog:
 
 
 class Announcement:
-    """Makes a component known to a console that waits to be asked, as those of the IGVC judges did until 2013.
+    """Makes a component known to a console that waits for a query, as those of the IGVC judges did until 2013.
 
     Queries the identification of `console` every `ANNOUNCEMENT_PERIOD`, until it answers.
     """
@@ -174,7 +174,7 @@ class Announcement:
         self._query()
 
     def intercept(self, packet: Packet) -> bool:
-        """Take the answer; everything else is for the services."""
+        """Handle the answer of the console; all other packets are passed to the services."""
         code = int.from_bytes(packet.payload[:2], "little")
         if packet.source != self._console or code != ReportIdentification.CODE:
             return False

@@ -14,6 +14,7 @@ from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.routing import Router
+from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import SendQueue
 
 SEND_BURST: Final = 64
@@ -33,7 +34,9 @@ class ComponentSender:
     `on_unbound(path)` is called when nobody listens on the socket any more.
     """
 
-    def __init__(self, path: str, counters: Counters, on_unbound: Callable[[str], None]) -> None:
+    def __init__(
+        self, path: str, counters: Counters, on_unbound: Callable[[str], None], max_age: float = MAX_AGE
+    ) -> None:
         self._path = path
         self._counters = counters
         self._on_unbound = on_unbound
@@ -41,7 +44,8 @@ class ComponentSender:
         self._socket: socket.socket | None = None
         self._fast_path: Callable[[bytes], object] | None = None
         """The socket's `send`; only while it is connected and the queue is empty."""
-        self._queue = SendQueue()
+        self._max_age = max_age
+        self._queue = SendQueue(max_age=max_age)
         self._watched = False
         self._since_attempt = 0
 
@@ -69,7 +73,7 @@ class ComponentSender:
         self._disconnect()
         for _ in range(len(self._queue)):
             self._counters.drop("component_gone", self._path)
-        self._queue = SendQueue()
+        self._queue = SendQueue(max_age=self._max_age)
 
     def _slow_path(self, datagram: bytes) -> None:
         if not self._queue:
@@ -84,6 +88,8 @@ class ComponentSender:
 
     def _drain(self) -> None:
         self._since_attempt = 0
+        for _ in range(self._queue.drop_stale()):
+            self._counters.drop("stale", self._path)
         try:
             if self._socket is not None:
                 self._queue.drain(self._socket.send, SEND_BURST)
@@ -166,9 +172,10 @@ class ComponentSenders:
     A sender is made when it is first needed, and closed when its component has ended.
     """
 
-    def __init__(self, sockets: ComponentSockets, router: Router) -> None:
+    def __init__(self, sockets: ComponentSockets, router: Router, max_age: float = MAX_AGE) -> None:
         self._sockets = sockets
         self._router = router
+        self._max_age = max_age
         self._senders: dict[str, ComponentSender] = {}
 
     @property
@@ -188,7 +195,7 @@ class ComponentSenders:
         sender = self._senders.get(path)
         if sender is None:
             self._remove_cancelled()
-            sender = self._senders[path] = ComponentSender(path, self._router.counters, self._on_unbound)
+            sender = self._senders[path] = ComponentSender(path, self._router.counters, self._on_unbound, self._max_age)
         return sender
 
     def remove_dead(self, port: ComponentPort) -> None:

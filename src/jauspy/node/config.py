@@ -27,6 +27,7 @@ from jauspy.protocol.addressing import DEFAULT_NETWORK
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.sources import SourceLimits
+from jauspy.transport.age import MAX_AGE
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
 
@@ -257,6 +258,9 @@ class NodeConfig(NetworkConfig):
     of the same size."""
     rate_burst: float = Field(default=1000.0, ge=1)
     """Messages that a source may send at once under `rate_limit`."""
+    max_message_age: float = Field(default=MAX_AGE, ge=0)
+    """Seconds for which a message may wait in a socket or queue of the node manager. An older one is dropped, unless it
+    is acknowledged: a command of an operator who may be gone. 0 is no limit."""
     local_udp: bool = True
     """Allow components of this machine to connect by UDP, as those of ROS/IOP do, if their user may use the local
     socket."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import socket
 from collections.abc import Mapping
 from contextlib import AsyncExitStack
@@ -27,6 +28,7 @@ from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast
+from jauspy.transport.age import DatagramReader
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
@@ -48,6 +50,7 @@ class NodeManager:
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
+        self._max_age = self.config.max_message_age or math.inf
         self._component_sockets = ComponentSockets(self.config.local_root)
         self._local_users: LocalUsers | None = None
         self._router = Router(
@@ -59,6 +62,7 @@ class NodeManager:
             is_abandoned=lambda port: self._local_users is not None and self._local_users.is_abandoned(port),
             own_ids=[parse_pattern(text) for text in self.config.own_ids],
             compression=self.config.header_compression,
+            max_message_age=self._max_age,
             is_dead=self._component_sockets.is_dead,
             max_sockets=descriptors.max_component_sockets(),
             networks=[network.name for network in self.config.all_networks],
@@ -70,11 +74,13 @@ class NodeManager:
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._component_senders = ComponentSenders(self._component_sockets, self._router)
+        self._component_senders = ComponentSenders(self._component_sockets, self._router, self._max_age)
         self._local_ports: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirror_source: Port = LocalPort("")
-        self._links = Links(self._router.counters, self.config.name, self._receive, self._router.disconnected)
+        self._links = Links(
+            self._router.counters, self.config.name, self._receive, self._router.disconnected, self._max_age
+        )
         self._timer: asyncio.TimerHandle | None = None
         self._membership_timer: asyncio.TimerHandle | None = None
         self._liveness = LivenessCheck(self._router.components, self._is_dead, self._component_senders.remove_dead)
@@ -150,9 +156,11 @@ class NodeManager:
             await self.close()
             raise
         self._closed.clear()
-        base.start_reading(self._loop, self._local, self._from_component, self._socket_error)
+        counters = self._router.counters
+        reader = DatagramReader(self._local, counters, self._max_age)
+        base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
         authenticated = any(network.authenticator for network in self._networks.values())
-        self._ingress = Ingress(self._from_network if authenticated else self._receive, self._router.counters)
+        self._ingress = Ingress(self._from_network if authenticated else self._receive, counters, self._max_age)
         for name, network in self._networks.items():
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)

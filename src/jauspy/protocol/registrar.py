@@ -100,7 +100,7 @@ class Registrar:
         if reply is not None:
             self._egress.send(port, reply)
         if is_new:
-            for datagram in self._pending.pop(id):
+            for datagram in self._pending.pop(id, now):
                 self._egress.deliver(port, datagram)
         return True
 

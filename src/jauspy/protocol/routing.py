@@ -8,6 +8,7 @@ destination is set, packets that shared a datagram are sent one by one, and lega
 from __future__ import annotations
 
 import logging
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, Literal, TypeAlias
 
@@ -46,6 +47,7 @@ class Router:
         is_abandoned: True for an address of this machine that nobody uses any more who could have connected.
         own_ids: Ids of this machine, which may have wildcards; they are not accepted from networks.
         compression: The use of header compression on UDP.
+        max_message_age: Seconds for which a message that is not acknowledged may wait for its destination.
         is_dead: True for the path of a socket where nobody listens any more.
         max_sockets: The number of local sockets that components may have.
         changed: Called with each id whose `cacheable_route` may have changed, or with None for all ids.
@@ -65,6 +67,7 @@ class Router:
         is_abandoned: Callable[[NetworkPort], bool] = lambda _: False,
         own_ids: Sequence[JausID] = (),
         compression: CompressionUse = "accept",
+        max_message_age: float = math.inf,
         is_dead: Callable[[str], bool] = lambda _: False,
         max_sockets: int = MAX_COMPONENTS,
         changed: Callable[[int | None], None] = lambda _: None,
@@ -77,7 +80,7 @@ class Router:
         self.gateway = gateway
         self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
-        self._pending = PendingDestinations(self.counters)
+        self._pending = PendingDestinations(self.counters, max_message_age)
         self._egress = EgressQueue(self.counters, self.components, self.address_book)
         if compression != "off":
             self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
@@ -304,6 +307,6 @@ class Router:
         self.sources.heard(id, port, now)
         if self.address_book.learn(id, port, now):
             self._changed(id)
-            for datagram in self._pending.pop(id):
+            for datagram in self._pending.pop(id, now):
                 if port.network in self._probe_networks(judp.first_header(datagram), now):
                     self._egress.forward(port, id, datagram, now)

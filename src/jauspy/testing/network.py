@@ -12,6 +12,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.codec.message import Message
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
@@ -62,10 +63,10 @@ class VirtualNetwork(TestEnvironment):
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
-        from jauspy.modules import robots  # noqa: PLC0415 - needs the extra `robot`
+        from jauspy.modules import robot_files  # noqa: PLC0415 - needs the extra `robot`
         from jauspy.modules.robot import RobotRunner  # noqa: PLC0415
 
-        return RobotRunner(robots.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
+        return RobotRunner(robot_files.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
 
     def now(self) -> float:
         """Seconds of the event loop's clock."""
@@ -106,6 +107,16 @@ class VirtualNetwork(TestEnvironment):
     def reconnect(self, id: str | JausID) -> None:
         """Undo `disconnect`."""
         self._disconnected.discard(JausID.of(id))
+
+    def stall(self, id: str | JausID, seconds: float) -> None:
+        """For this time, the component reads nothing, as if its process were stopped; it reads what arrived afterwards.
+
+        Its timers run on. Raises `ConfigError` if no component here has this id.
+        """
+        member = self._hub.members.get(int(JausID.of(id)))
+        if member is None:
+            raise ConfigError(f"no component on this network has the id {id}")
+        member.stall(seconds)
 
     # --- traffic --------------------------------------------------------------------------------------------------
 

@@ -19,6 +19,7 @@ from jauspy.protocol import junior
 from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport import base
+from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, SendQueue, ignore
 from jauspy.transport.node_status import Locator, this_machine
 
@@ -50,6 +51,7 @@ class LocalTransport:
     def __init__(self, id: JausID, root: Path = Path("/tmp"), *, timeout: float | None = 2.0) -> None:  # noqa: S108
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
         self._root = Path(root)
         self._node = str(self._root / junior.SOCKET_NAME)
         self._timeout = timeout
@@ -146,8 +148,9 @@ class LocalTransport:
 
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
-        sender = self._sender = LocalSender(sock, self._counters, self._lost)
-        base.start_reading(loop, sock, self._take, self._failed)
+        sender = self._sender = LocalSender(sock, self._counters, self._lost, self.max_age)
+        reader = DatagramReader(sock, self._counters, self.max_age)
+        base.start_reading(loop, reader, self._take, self._failed)
         return sender
 
     def _disconnect(self, sock: socket.socket, sender: LocalSender) -> None:
@@ -211,8 +214,11 @@ class LocalSender:
     `on_unbound(path)` is called when nobody listens on a path.
     """
 
-    def __init__(self, sock: socket.socket, counters: Counters, on_unbound: Callable[[str], None]) -> None:
+    def __init__(
+        self, sock: socket.socket, counters: Counters, on_unbound: Callable[[str], None], max_age: float = MAX_AGE
+    ) -> None:
         self._socket = sock
+        self._max_age = max_age
         self._counters = counters
         self._on_unbound = on_unbound
         self._queues: dict[str, SendQueue] = {}
@@ -224,7 +230,7 @@ class LocalSender:
         if queue is None:
             if self._try(path, datagram):
                 return
-            queue = self._queues[path] = SendQueue()
+            queue = self._queues[path] = SendQueue(max_age=self._max_age)
         for _ in range(queue.push(datagram)):
             self._counters.drop("queue_full", path)
         self._retry_later()
@@ -261,6 +267,8 @@ class LocalSender:
     def _retry_all(self) -> None:
         self._retry = None
         for path, queue in list(self._queues.items()):
+            for _ in range(queue.drop_stale()):
+                self._counters.drop("stale", path)
             while len(queue) and self._try(path, queue.peek()):
                 queue.pop()
             if not len(queue):

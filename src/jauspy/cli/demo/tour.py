@@ -12,7 +12,7 @@ from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetLocalWaypoint, SetTravelSpeed
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.subscription import Subscription
