@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections import Counter, deque
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -25,6 +24,7 @@ from jauspy.errors import (
     TransportError,
 )
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages.core import (
     CancelEvent,
     ClearEmergency,
@@ -41,7 +41,7 @@ from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.protocol.seal import OperatorKey
 from jauspy.services.core.command_seal import explained
 
-_LOG: Final = logging.getLogger("jauspy.ocu")
+_LOG: Final = get_logger("jauspy.ocu")
 
 QUERY_EACH_INTERVAL: Final = 0.5
 """Seconds after which `query_each` sends its query again."""
