@@ -30,7 +30,7 @@ def new(
 ) -> None:
     """Write a new key, and print the line for the robots' operators file.
 
-    Only its owner may read the file. It stays with the operator; robots need the printed line only, which is not secret.
+    Only its owner may read the file. It stays with the operator; robots need the printed line only, which is no secret.
 
     Example:
       jauspy keys new alice >> operators.toml
