@@ -13,6 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, TextIO
 
+from jauspy.logs import LIMIT
 from jauspy.printable import printable, printable_lines
 
 if TYPE_CHECKING:
@@ -124,6 +125,7 @@ def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> Non
     """Log to stderr from `level` on, as text if `formatter` is None."""
     handler = logging.StreamHandler()
     handler.setFormatter(formatter or LogFormatter())
+    handler.addFilter(LIMIT)  # for lines of other packages
     logging.basicConfig(level=level, handlers=[handler])
     logging.getLogger("asyncio").setLevel(logging.WARNING)
 
