@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import logging
 import os
+import select
 import sys
 from collections.abc import Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, TextIO
 
 from jauspy.logs import LIMIT
 
@@ -78,12 +79,40 @@ def print_counters(counters: Mapping[str, int], title: str = "counters:") -> Non
     counted = {name: count for name, count in sorted(counters.items()) if count}
     width = max(map(len, counted), default=0)
     lines = [f"  {name:<{width}}  {count}" for name, count in counted.items()] or ["  nothing was received or sent"]
-    print(title, *lines, sep="\n", file=sys.stderr, flush=True)
+    print_line("\n".join((title, *lines)), sys.stderr)
+
+
+def print_line(line: str, stream: TextIO) -> None:
+    """Print a line of a service, which neither ends nor waits because nobody reads it or the disk is full."""
+    if not _has_room(stream):
+        return
+    try:
+        print(line, file=stream, flush=True)
+    except BrokenPipeError:
+        raise
+    except OSError:
+        _discard(stream)
+
+
+def _has_room(stream: TextIO) -> bool:
+    """False when writing would block; a pipe with room takes at least 4096 bytes."""
+    try:
+        return bool(select.select([], [stream], [], 0)[1])
+    except (OSError, ValueError):  # not a file of the system
+        return True
+
+
+class _NonBlockingHandler(logging.StreamHandler[TextIO]):
+    """Drops lines when nobody reads them."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        if _has_room(self.stream):
+            super().emit(record)
 
 
 def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> None:
     """Log to stderr from `level` on, as text if `formatter` is None."""
-    handler = logging.StreamHandler()
+    handler = _NonBlockingHandler()
     handler.setFormatter(formatter or logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
     handler.addFilter(LIMIT)  # for lines of other packages
     logging.basicConfig(level=level, handlers=[handler])
@@ -92,7 +121,11 @@ def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> Non
 
 def discard_stdout() -> None:
     """Redirect stdout to /dev/null, so that the interpreter does not fail again when it flushes stdout at exit."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    _discard(sys.stdout)
+
+
+def _discard(stream: TextIO) -> None:
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def is_terminal() -> bool:

@@ -169,7 +169,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
         if read is not None:
             loop.add_signal_handler(signal.SIGHUP, reload, manager, read, services)
         where = ", ".join(f"{each.address}:{manager.port_of(each.name)}" for each in config.all_networks)
-        print(f"node manager ready: UDP {where}, local sockets in {config.local_root}", flush=True)
+        console.print_line(f"node manager ready: UDP {where}, local sockets in {config.local_root}", sys.stdout)
         try:
             await manager.run()
         finally:
