@@ -14,7 +14,7 @@ from typing import Any
 
 from jauspy import ConfigError
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.robot import RobotRunner
 from jauspy.platform.chassis import Chassis, SkidSteerDrive, chassis_of
 from jauspy.platform.description import RobotModel
@@ -99,7 +99,7 @@ class TrackedBackend:
 
 
 async def main(connect: str | None) -> None:
-    config = robots.load(Path(__file__).with_name("tracked.toml"))
+    config = robot_files.load(Path(__file__).with_name("tracked.toml"))
     transport = await transport_for(config.id_of(config.modules[0]), connect)
     await RobotRunner(config, lambda _: transport, backend=TrackedBackend()).run()
 

@@ -2,9 +2,7 @@
 
 import contextlib
 import os
-import secrets
 import shutil
-import socket
 import subprocess
 import tempfile
 from collections.abc import Callable, Iterator
@@ -12,6 +10,7 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, settings
+from tests.helpers.ports import unused_port
 from tests.node.hosts.switch import Switch
 
 for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
@@ -31,22 +30,8 @@ def root() -> Iterator[Path]:
 
 @pytest.fixture
 def free_port() -> int:
-    """A port that nobody uses now, for UDP and TCP on any address.
-
-    It is below those that the kernel gives to whoever asks for any, and in a range of this process's own: until the
-    test binds it, nobody else takes it.
-    """
-    worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0")[2:]) % 10
-    while True:
-        port = 20_000 + 1000 * worker + secrets.randbelow(1000)
-        with (
-            contextlib.suppress(OSError),
-            socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as datagrams,
-            socket.socket(socket.AF_INET, socket.SOCK_STREAM) as streams,
-        ):
-            datagrams.bind(("", port))
-            streams.bind(("", port))
-            return port
+    """A port that nobody uses now, for UDP and TCP on any address."""
+    return unused_port()
 
 
 @pytest.fixture

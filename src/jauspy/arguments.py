@@ -1,4 +1,4 @@
-"""Checks of the arguments that users pass, where they pass them, with an error that says what is expected."""
+"""Checks of arguments of public functions; errors say what is expected."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def described(value: object) -> str:
 
 
 def async_only(instead: str) -> Callable[..., NoReturn]:
-    """A method that raises `TypeError`, which says what to write with `async`; to be hidden from type checkers."""
+    """Make a method that raises `TypeError` with the `async` form to use; to be hidden from type checkers."""
 
     def refuse(self: object, *_: object) -> NoReturn:
         raise TypeError(

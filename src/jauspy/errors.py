@@ -1,4 +1,4 @@
-"""Every error jauspy raises at a user, as one tree under `JausError`.
+"""All errors that jauspy raises, as one tree under `JausError`.
 
 JausError
 ├── SchemaError            a JSIDL file is wrong: file, line, what was expected
@@ -11,7 +11,7 @@ JausError
 │   ├── ResponseTimeout    it did not answer in time
 │   ├── ControlRejected    it refused, took back, or never gave access control
 │   ├── EventRejected      it refused a subscription
-│   └── ElementRejected    it refused a change of its list
+│   └── ElementRejected   it refused a change of its list
 └── ConfigError            a configuration file, option or robot name is wrong
 """
 
@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 
 class JausError(Exception):
-    """Base of everything jauspy raises on purpose."""
+    """Base class of all errors that jauspy raises."""
 
 
 class SchemaError(JausError):

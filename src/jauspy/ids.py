@@ -64,11 +64,11 @@ class JausID:
 
     @property
     def is_wildcard(self) -> bool:
-        """True when any part addresses all of its level."""
+        """True if any part is a wildcard."""
         return self.subsystem == ANY_SUBSYSTEM or self.node == ANY_NODE or self.component == ANY_COMPONENT
 
     def matches(self, other: JausID) -> bool:
-        """True when this id, wildcards understood part by part, addresses `other`."""
+        """True if this id addresses `other`; each part may be a wildcard."""
         return (
             self.subsystem in (other.subsystem, ANY_SUBSYSTEM)
             and self.node in (other.node, ANY_NODE)
@@ -91,7 +91,7 @@ def component_id(id: str | JausID) -> JausID:
 
 
 def service_set(urn: str) -> str:
-    """The set of a service or type set: what stands behind `jss` in a URN, as `core` in `urn:jaus:jss:core:Time`.
+    """The set of a service or type set: the part after `jss` in a URN, as `core` in `urn:jaus:jss:core:Time`.
 
     URNs without `jss` have it before the last part, as `vendor` in `urn:example:vendor:Lamp`.
     """
@@ -103,5 +103,5 @@ def service_set(urn: str) -> str:
 
 def is_called(urn: str, name: str) -> bool:
     """True for a whole URN or its end: `mobility:PrimitiveDriver`, `PrimitiveDriver`; case does not matter."""
-    mine, wanted = urn.casefold(), name.casefold()
-    return bool(wanted) and (mine == wanted or mine.endswith(f":{wanted}"))
+    own, wanted = urn.casefold(), name.casefold()
+    return bool(wanted) and (own == wanted or own.endswith(f":{wanted}"))

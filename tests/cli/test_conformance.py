@@ -10,6 +10,7 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
+from tests.helpers.command_line import JAUSPY, shared_robot
 from typer.testing import CliRunner
 
 from jauspy.capture.reader import is_capture
@@ -17,19 +18,15 @@ from jauspy.cli import processes
 from jauspy.cli.main import app
 from jauspy.cli.processes import stoppable
 
-JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 SOME = ("--only", "01", "--only", "02", "--only", "2", "--only", "31")
 """Steps of igvc-2015 that take no time: discovery and access control."""
 
 
-@pytest.fixture
-def robot(free_port, local_root):
-    arguments = ["up", "igvc", "--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root)]
-    process = subprocess.Popen([*JAUSPY, *arguments], stdout=subprocess.PIPE, text=True)
-    assert any("stop it" in line for line in process.stdout)
-    yield local_root, free_port
-    process.terminate()
-    process.communicate(timeout=20)
+@pytest.fixture(scope="module")
+def robot():
+    """Local root and port of a robot."""
+    with shared_robot("igvc") as running:
+        yield running.root, running.port
 
 
 def invoke(*arguments):

@@ -3,43 +3,28 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 
 import pytest
+from tests.helpers.command_line import jauspy, shared_robot
 
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
-JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 
-
-def jauspy(*arguments):
-    return subprocess.run([*JAUSPY, *arguments], capture_output=True, text=True, timeout=120, check=False)
-
-
-@pytest.fixture
-def robot(free_port, local_root):
+@pytest.fixture(scope="module")
+def robot():
     """Where a robot listens."""
-    command = [*JAUSPY, "up", "inc1", "--backend", "kinematic"]
-    where = ["--port", str(free_port), "--local-root", str(local_root)]
-    with subprocess.Popen([*command, *where], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
-        if not any("stop it" in line for line in process.stdout):
-            pytest.fail(process.stderr.read())
-        yield ["--connect", f"local:{local_root}"]
-        process.terminate()
-        process.communicate(timeout=20)
+    with shared_robot() as running:
+        yield ["--connect", running.local]
 
 
 def test_pictures_are_saved_as_their_names_say(robot, tmp_path):
     jpeg, png = tmp_path / "arm.jpg", tmp_path / "front.PNG"
     run = jauspy("still", "101.1.106", "--save", str(jpeg), "--timeout", "100", *robot)
-    assert run.returncode == 0, run.stderr
     assert f"{jpeg}: JPEG by sensor 1 of 101.1.106, " in run.stdout
     assert jpeg.read_bytes().startswith(b"\xff\xd8\xff")
     assert cv2.imread(str(jpeg)).shape == (480, 640, 3)
     run = jauspy("still", "101.1.107", "--save", str(png), "--size", "1280x720", "--timeout", "100", *robot)
-    assert run.returncode == 0, run.stderr
     assert png.read_bytes().startswith(b"\x89PNG")
     assert cv2.imread(str(png)).shape == (720, 1280, 3)
     asked = "query_still_image_sensor_configuration_list=[{sensor_id: 1, query_presence_vector: 255}]"
@@ -49,11 +34,9 @@ def test_pictures_are_saved_as_their_names_say(robot, tmp_path):
 
 
 def test_a_component_without_cameras_and_a_sensor_that_is_not_there(robot, tmp_path):
-    run = jauspy("still", "101.1.102", "--save", str(tmp_path / "x.jpg"), *robot)
-    assert run.returncode == 1
+    run = jauspy("still", "101.1.102", "--save", str(tmp_path / "x.jpg"), *robot, status=1)
     assert "101.1.102 does not offer StillImage; it offers" in " ".join(run.stderr.split())
-    run = jauspy("still", "101.1.106", "--save", str(tmp_path / "x.jpg"), "--sensor", "4", *robot)
-    assert run.returncode == 1
+    run = jauspy("still", "101.1.106", "--save", str(tmp_path / "x.jpg"), "--sensor", "4", *robot, status=1)
     assert "101.1.106 has no sensor 4" in run.stderr
 
 
@@ -67,6 +50,5 @@ def test_a_component_without_cameras_and_a_sensor_that_is_not_there(robot, tmp_p
     ],
 )
 def test_wrong_use(arguments, said):
-    run = jauspy("still", *arguments)
-    assert run.returncode == 1
+    run = jauspy("still", *arguments, status=1)
     assert said in " ".join(run.stderr.split())

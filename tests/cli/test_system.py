@@ -10,53 +10,33 @@ from pathlib import Path
 
 import psutil
 import pytest
+from tests.helpers.command_line import RunningRobot, assert_gone, jauspy, shared_robot, start, wait_for
 
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.protocol.junior import SOCKET_NAME
 from jauspy.transport.local import is_alive
 
 INC1 = load("inc1")
 MODULES = [str(INC1.id_of(module)) for module in INC1.modules]
-JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 
 
-def jauspy(*arguments, status=0):
-    done = subprocess.run([*JAUSPY, *arguments], capture_output=True, text=True, check=False, timeout=60)
-    assert done.returncode == status, done.stderr
-    assert "Traceback" not in done.stderr
-    return done
-
-
-def start(*arguments):
-    return subprocess.Popen([*JAUSPY, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-
-
-def wait_for(process, text):
-    """Read lines until one has `text`; the processes below it that run by then."""
-    for line in process.stdout:
-        if text in line:
-            return psutil.Process(process.pid).children(recursive=True)
-    pytest.fail(f"{text!r} was never printed: {process.stderr.read()}")
-
-
-def assert_gone(processes):
-    _, alive = psutil.wait_procs(processes, timeout=30)
-    assert not alive
+@pytest.fixture(scope="module")
+def beside():
+    """A robot that the verbs of several tests share."""
+    with shared_robot() as robot:
+        yield robot
 
 
 @pytest.fixture
 def robot(free_port, local_root):
-    where = ("--port", str(free_port), "--interface", "127.0.0.1", "--local-root", str(local_root))
-    process = start("up", "inc1", "--backend", "kinematic", *where)
-    process.family = wait_for(process, "stop it")
-    yield process
-    process.kill()
-    process.communicate()
-    assert_gone(process.family)
+    """A robot of the test's own, to end it in one way or the other."""
+    running = RunningRobot(free_port, local_root)
+    yield running
+    running.close()
 
 
-def test_list_query_and_send(robot, local_root, free_port):
-    local, udp = f"local:{local_root}", f"udp://127.0.0.1:{free_port}"
+def test_list_query_and_send(beside):
+    local, udp = beside.local, beside.udp
     [found] = [json.loads(line) for line in jauspy("ls", "--json", "--connect", udp).stdout.splitlines()]
     assert found["subsystem"] == 101
     components = found["nodes"][0]["components"]
@@ -81,8 +61,8 @@ def test_list_query_and_send(robot, local_root, free_port):
     assert "101.1.99 was sent QueryStatus" in nobody.stderr
 
 
-def test_frames_of_a_running_robot(robot, local_root):
-    local = f"local:{local_root}"
+def test_frames_of_a_running_robot(beside):
+    local = beside.local
     asked = jauspy("tf", "base_link", "lidar_link", "--json", "--connect", local)
     (lidar,) = [json.loads(line) for line in asked.stdout.splitlines()]
     assert (lidar["frame"], lidar["in"], lidar["position"]) == ("lidar_link", "base_link", [-0.2, 0.0, 0.44])
@@ -100,6 +80,7 @@ def test_frames_of_a_running_robot(robot, local_root):
     assert "no frame 'nose'; there are: arm_camera_link" in wrong.stderr
 
 
+@pytest.mark.slow
 def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
     pytest.importorskip("pynng", reason="pynng is not installed")
     address, depth = f"ipc://{tmp_path}/cloud", f"ipc://{tmp_path}/depth"
@@ -126,9 +107,9 @@ def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
         process.communicate()
 
 
-def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_root, free_port):
-    for where in (f"local:{local_root}", f"udp://127.0.0.1:{free_port}"):
-        asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "2", "--connect", where) for _ in range(3)]
+def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(beside):
+    for where in (beside.local, beside.udp):
+        asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "2", "--connect", where) for _ in range(2)]
         for each in asked:
             out, err = each.communicate(timeout=60)
             assert err == ""
@@ -136,8 +117,8 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(robot, local_r
             assert sources == set(MODULES)
 
 
-def test_send_says_what_speaks_against_an_effect(robot, local_root):
-    where = ("--connect", f"local:{local_root}")
+def test_send_says_what_speaks_against_an_effect(beside):
+    where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
     assert "its controller, nobody; use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
     assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where).stderr
@@ -148,9 +129,9 @@ def test_send_says_what_speaks_against_an_effect(robot, local_root):
     assert jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], *where).stderr == ""
 
 
-def test_send_waits_until_the_command_has_been_carried_out(robot, local_root):
+def test_send_waits_until_the_command_has_been_carried_out(beside):
     pan = ("send", "101.1.107", "SetPanTiltJointPositions", "joint1_position=0.3", "joint2_position=0.1")
-    where = ("--control", "200", "--connect", f"local:{local_root}")
+    where = ("--control", "200", "--connect", beside.local)
     jauspy(*pan, "--within", "15", *where)
     query = ("query", "101.1.107", "QueryPanTiltJointPositions", "--connect", where[-1])
     assert json.loads(jauspy(*query).stdout)["fields"]["joint1_position"] == pytest.approx(0.3, abs=0.05)
@@ -161,33 +142,36 @@ def test_send_waits_until_the_command_has_been_carried_out(robot, local_root):
     )
 
 
-def test_losing_control_while_holding_it_is_a_failure(robot, local_root):
-    where = ("--connect", f"local:{local_root}")
+@pytest.mark.slow
+def test_losing_control_while_holding_it_is_a_failure(beside):
+    where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=10")
     weak = start("send", "101.1.102", *effort, "--control", "100", "--hold", "30", *where)
-    for _ in range(20):
-        report = json.loads(jauspy("query", "101.1.102", "QueryControl", *where).stdout)
-        if report["fields"]["authority_code"] == 100:
-            break
+    deadline = time.monotonic() + 30
+    while json.loads(jauspy("query", "101.1.102", "QueryControl", *where).stdout)["fields"]["authority_code"] != 100:
+        assert time.monotonic() < deadline
     jauspy("send", "101.1.102", "Resume", "--control", "200", *where)
     _, err = weak.communicate(timeout=60)
     assert weak.returncode == 1
     assert err.startswith("Error: control of 101.1.102 was lost: 101.1.102 took it back")
 
 
-@pytest.mark.parametrize(("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 0)])
+@pytest.mark.parametrize(
+    ("number", "status"), [(signal.SIGINT, 130), pytest.param(signal.SIGTERM, 0, marks=pytest.mark.slow)]
+)
 def test_up_stops_in_order_and_leaves_nothing(robot, local_root, number, status):
     assert len(robot.family) == 1
-    robot.send_signal(number)
-    _, err = robot.communicate(timeout=20)
-    assert (robot.returncode, err) == (status, "")
+    robot.process.send_signal(number)
+    _, err = robot.process.communicate(timeout=20)
+    assert (robot.process.returncode, err) == (status, "")
     assert_gone(robot.family)
     assert not list(local_root.iterdir())
 
 
+@pytest.mark.slow
 def test_a_killed_up_leaves_no_process(robot):
-    robot.kill()
-    robot.wait()
+    robot.process.kill()
+    robot.process.wait()
     assert_gone(robot.family)
 
 
@@ -216,11 +200,12 @@ def test_up_refuses_a_world_that_the_backend_has_not(local_root):
     assert "has no worlds" in jauspy(*arguments, status=1).stderr
 
 
-def test_up_names_only_what_can_be_done(robot, local_root):
-    copy = Path(local_root) / "other.toml"
+@pytest.mark.slow
+def test_up_names_only_what_can_be_done(beside, tmp_path):
+    copy = tmp_path / "other.toml"
     module = "[[modules]]\ntype = 'CM-MOB'\ncomponent = 102\nservices = []\n"
     copy.write_text(f"extends = 'inc1'\nsubsystem = 102\n{module}")
-    process = start("up", str(copy), "--backend", "kinematic", "--local-root", str(local_root))
+    process = start("up", str(copy), "--backend", "kinematic", "--local-root", str(beside.root))
     lines = []
     for line in process.stdout:
         lines.append(line)
@@ -228,30 +213,28 @@ def test_up_names_only_what_can_be_done(robot, local_root):
             break
     process.terminate()
     process.communicate(timeout=20)
-    copy.unlink()
     assert not [line for line in lines if "drive it" in line or "see it" in line]
 
 
-def test_up_uses_the_node_manager_that_runs(robot, local_root):
-    copy = Path(local_root) / "other.toml"
+def test_up_uses_the_node_manager_that_runs(beside, tmp_path):
+    copy = tmp_path / "other.toml"
     copy.write_text("extends = 'inc1'\nsubsystem = 102\n")
-    second = start("up", str(copy), "--backend", "kinematic", "--local-root", str(local_root))
+    second = start("up", str(copy), "--backend", "kinematic", "--local-root", str(beside.root))
     assert wait_for(second, "node manager: was running") == []
     second.terminate()
     second.communicate(timeout=20)
-    copy.unlink()
 
 
 def test_a_dead_node_manager_is_started_again(robot, local_root):
     robot.family[0].kill()
-    assert robot.stderr.readline() == "node manager: ended by signal 9; starting it again\n"
+    assert robot.process.stderr.readline() == "node manager: ended by signal 9; starting it again\n"
     until = time.monotonic() + 60
     while not is_alive(local_root / SOCKET_NAME):
         assert time.monotonic() < until
         time.sleep(0.05)
     found = jauspy("ls", "--connect", f"local:{local_root}", "--timeout", "4", "--json").stdout
     assert json.loads(found)["subsystem"] == 101
-    robot.family += psutil.Process(robot.pid).children()
+    robot.family += psutil.Process(robot.process.pid).children()
 
 
 def test_up_without_a_node_manager_says_what_to_do(local_root):
@@ -283,7 +266,13 @@ def test_the_demo(free_port):
 
 
 @pytest.mark.parametrize(
-    ("number", "status"), [(signal.SIGINT, 130), (signal.SIGTERM, 1), (signal.SIGHUP, 1), (signal.SIGKILL, -9)]
+    ("number", "status"),
+    [
+        (signal.SIGINT, 130),
+        pytest.param(signal.SIGTERM, 1, marks=pytest.mark.slow),
+        pytest.param(signal.SIGHUP, 1, marks=pytest.mark.slow),
+        pytest.param(signal.SIGKILL, -9, marks=pytest.mark.slow),
+    ],
 )
 def test_a_stopped_demo_says_so_and_leaves_nothing(free_port, local_root, monkeypatch, number, status):
     monkeypatch.setenv("TMPDIR", str(local_root))
@@ -304,8 +293,8 @@ def test_the_demo_has_one_default_backend():
     assert "the robot's own" not in text
 
 
-def test_a_taken_port_names_who_has_it(robot, free_port):
-    err = jauspy("demo", "--backend", "kinematic", "--port", str(free_port), status=1).stderr
-    assert f"UDP port {free_port} is used by process {robot.family[0].pid}" in err
-    assert f"make demo PORT={free_port + 1}" in err
+def test_a_taken_port_names_who_has_it(beside):
+    err = jauspy("demo", "--backend", "kinematic", "--port", str(beside.port), status=1).stderr
+    assert f"UDP port {beside.port} is used by process {beside.family[0].pid}" in err
+    assert f"make demo PORT={beside.port + 1}" in err
     assert len(err.splitlines()) == 1

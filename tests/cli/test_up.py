@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.cli.up import print_summary
 from jauspy.modules.config import AccessControlConfig
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 
 
 @pytest.mark.parametrize(("services", "drives"), [(None, True), (("Discovery", "LocalPoseSensor"), False)])

@@ -20,7 +20,7 @@ from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, RequestControl, Resume
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.transport import LoopbackHub, LoopbackTransport
 

@@ -33,7 +33,7 @@ def test_middles_of_pixels_left_and_up_are_positive() -> None:
 
 
 def test_nothing_where_nothing_is_and_out_of_range() -> None:
-    found = points([[math.inf, 0.4, 0.5, 5.0, 5.1, math.inf]], least=0.5, most=5.0)
+    found = points([[math.inf, 0.4, 0.5, 5.0, 5.1, math.inf]], min_distance=0.5, max_distance=5.0)
     assert found[:, 0].tolist() == [0.5, 5.0]
 
 

@@ -22,13 +22,13 @@ from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.message import XYZ_RGB, Cloud
 from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.testing import until
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
-SETTINGS = DepthSettings(80, 60, rate=20.0, least=0.1, most=5.0)
+SETTINGS = DepthSettings(80, 60, rate=20.0, min_distance=0.1, max_distance=5.0)
 TIMEOUT = 100.0
 """Seconds; the process has what other work leaves of the processors, which may be little."""
 

@@ -100,7 +100,7 @@ def test_mutated_builtin_messages(values_of: Any) -> None:
     models = {(s.id, s.version, msg.name): msg for s in load_builtin().services for msg in s.messages}
     entries = st.sampled_from(registry.entries)
 
-    @settings(MORE, max_examples=400)
+    @settings(MORE, max_examples=100)
     @given(st.data())
     def run(more: st.DataObject) -> None:
         cls = more.draw(entries).load()

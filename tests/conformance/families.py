@@ -93,11 +93,11 @@ def talks_back() -> Injector:
     """Those who act are told something that nobody has asked for, before the observer is answered."""
 
     class Chatty(TargetComponent):
-        def say(self, outgoing: Any, now: float) -> None:
+        def send(self, outgoing: Any, now: float) -> None:
             if Moment.now and outgoing.destination == WATCHING:
                 for id in ROLES:
-                    super().say(outgoing._replace(payload=NONSENSE, destination=id), now)
-            super().say(outgoing, now)
+                    super().send(outgoing._replace(payload=NONSENSE, destination=id), now)
+            super().send(outgoing, now)
 
     return lambda: (Chatty, VirtualTarget, [])
 

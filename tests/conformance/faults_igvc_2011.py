@@ -84,9 +84,9 @@ def later_said(kind: type[Message], count: int, make: Callable[[type[Message]], 
         class Later(broken):  # type: ignore[misc, valid-type]
             said = 0
 
-            def say(self, outgoing: Any, now: float) -> None:
+            def send(self, outgoing: Any, now: float) -> None:
                 self.said += outgoing.payload[:2] == code(kind)
-                (super().say if self.said >= count else lambda *args: TargetComponent.say(self, *args))(outgoing, now)
+                (super().send if self.said >= count else lambda *args: TargetComponent.send(self, *args))(outgoing, now)
 
         return Later, virtual_target, patches
 

@@ -38,7 +38,7 @@ def answers_first_port() -> Injector:
     """Whoever was heard from one port is answered there for ever."""
 
     class Stale(VirtualTarget):
-        def way_back(self, port: Any) -> Any:
+        def reply_port(self, port: Any) -> Any:
             return USUAL_PORT
 
     return lambda: (TargetComponent, Stale, [])
@@ -55,7 +55,7 @@ def answers_last_port() -> Injector:
                 self.last = OTHER_PORT
             super().send(datagram, source, other_port=other_port)
 
-        def way_back(self, port: Any) -> Any:
+        def reply_port(self, port: Any) -> Any:
             return self.last
 
     return lambda: (TargetComponent, Mixed, [])
@@ -152,9 +152,9 @@ def every_second() -> Injector:
 
 def acknowledges_all() -> Injector:
     class Eager(TargetComponent):
-        def hear(self, payload: bytes, source: JausID, now: float) -> None:
+        def receive(self, payload: bytes, source: JausID, now: float) -> None:
             self.extra = judp.pack(Packet(self.host.id, source, b"", 1, ack=Ack.ACK))
-            super().hear(payload, source, now)
+            super().receive(payload, source, now)
 
         def work(self, now: float) -> list[bytes]:
             out = super().work(now)
@@ -434,8 +434,8 @@ TRANSPORT: Final = (
     ),
     *(wire(f"{name} ends it", FIRST.get(step, step), hangs_on(_like(step))) for step, name in GARBAGE.items()),
     *(wire(f"{name} is answered", step, echoes_on(_like(step))) for step, name in GARBAGE.items()),
-    wire("bytes too many end it", "long", hangs_on(payload_is(transport_steps.WHO + bytes(3)))),
-    wire("bytes too few end it", "short", hangs_on(payload_is(transport_steps.WHO[:-1]))),
+    wire("bytes too many end it", "long", hangs_on(payload_is(transport_steps.IDENTIFICATION_QUERY + bytes(3)))),
+    wire("bytes too few end it", "short", hangs_on(payload_is(transport_steps.IDENTIFICATION_QUERY[:-1]))),
     wire("everybody is answered at port 3794", "port-other port-back port-neighbour", answers_first_port()),
     wire("a host is answered at one port", "port-back", answers_last_port()),
 )

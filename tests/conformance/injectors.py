@@ -57,10 +57,10 @@ def hears(change: Callable[[bytes, JausID], bytes | None]) -> Injector:
     """Messages that come in are changed, or lost."""
 
     class Deaf(TargetComponent):
-        def hear(self, payload: bytes, source: JausID, now: float) -> None:
+        def receive(self, payload: bytes, source: JausID, now: float) -> None:
             heard = change(payload, source)
             if heard is not None:
-                super().hear(heard, source, now)
+                super().receive(heard, source, now)
 
     return lambda: (Deaf, VirtualTarget, [])
 
@@ -69,9 +69,9 @@ def says(change: Callable[[bytes, JausID], Iterable[bytes]]) -> Injector:
     """Messages that go out are changed, lost or doubled."""
 
     class Liar(TargetComponent):
-        def say(self, outgoing: Any, now: float) -> None:
+        def send(self, outgoing: Any, now: float) -> None:
             for payload in change(outgoing.payload, outgoing.destination):
-                super().say(outgoing._replace(payload=payload), now)
+                super().send(outgoing._replace(payload=payload), now)
 
     return lambda: (Liar, VirtualTarget, [])
 
@@ -176,18 +176,18 @@ def delayed(is_late: Callable[[Any], bool], seconds: float) -> Injector:
     class Slow(TargetComponent):
         late: tuple[tuple[float, Any], ...] = ()
 
-        def say(self, outgoing: Any, now: float) -> None:
+        def send(self, outgoing: Any, now: float) -> None:
             if is_late(outgoing):
                 self.late += ((now + seconds, outgoing),)
             else:
-                super().say(outgoing, now)
+                super().send(outgoing, now)
 
         def work(self, now: float) -> list[bytes]:
             out = super().work(now)
             due = [each for at, each in self.late if at <= now]
             self.late = tuple(each for each in self.late if each[0] > now)
             for each in due:
-                super().say(each, now)
+                super().send(each, now)
             return out + self.endpoint.poll_output()
 
         def next_timeout(self) -> float | None:
@@ -206,14 +206,15 @@ def later(kind: type[Message], count: int, inner: Injector) -> Injector:
         class Later(broken):  # type: ignore[misc, valid-type]
             heard = 0
 
-            def hear(self, payload: bytes, source: JausID, now: float) -> None:
+            def receive(self, payload: bytes, source: JausID, now: float) -> None:
                 self.heard += payload[:2] == code(kind)
-                (super().hear if self.heard >= count else lambda *args: TargetComponent.hear(self, *args))(
+                (super().receive if self.heard >= count else lambda *args: TargetComponent.receive(self, *args))(
                     payload, source, now
                 )
 
-            def say(self, outgoing: Any, now: float) -> None:
-                (super().say if self.heard >= count else lambda *args: TargetComponent.say(self, *args))(outgoing, now)
+            def send(self, outgoing: Any, now: float) -> None:
+                forward = super().send if self.heard >= count else lambda *args: TargetComponent.send(self, *args)
+                forward(outgoing, now)
 
         return Later, virtual_target, patches
 

@@ -64,8 +64,8 @@ def chatty(*kinds: type[Message]) -> Injector:
     codes = {code(each) for each in kinds}
 
     class Chatty(TargetComponent):
-        def hear(self, payload: bytes, source: JausID, now: float) -> None:
-            super().hear(payload, source, now)
+        def receive(self, payload: bytes, source: JausID, now: float) -> None:
+            super().receive(payload, source, now)
             if payload[:2] in codes:
                 self.host.send(source, core.ReportStatus(core.ReportStatus.Status.READY, 0))
 
@@ -143,11 +143,11 @@ def obeys_everybody() -> Injector:
     """A pose is taken from whoever sends it."""
 
     class Obedient(TargetComponent):
-        def hear(self, payload: bytes, source: JausID, now: float) -> None:
+        def receive(self, payload: bytes, source: JausID, now: float) -> None:
             sensor = self.host.service(LocalPoseSensor)
             if payload[:2] == code(mobility.SetLocalPose) and sensor is not None:
                 sensor.update_local_pose(mobility.SetLocalPose.decode(payload))
-            super().hear(payload, source, now)
+            super().receive(payload, source, now)
 
     return lambda: (Obedient, VirtualTarget, [])
 
@@ -195,13 +195,13 @@ def to_winner() -> Injector:
     class Confused(TargetComponent):
         winner: Any = None
 
-        def hear(self, payload: bytes, source: JausID, now: float) -> None:
+        def receive(self, payload: bytes, source: JausID, now: float) -> None:
             self.winner = source if payload[:2] == code(core.RequestControl) else self.winner
-            super().hear(payload, source, now)
+            super().receive(payload, source, now)
 
-        def say(self, outgoing: Any, now: float) -> None:
+        def send(self, outgoing: Any, now: float) -> None:
             astray = self.winner is not None and outgoing.payload[:2] == code(core.RejectControl)
-            super().say(outgoing._replace(destination=self.winner) if astray else outgoing, now)
+            super().send(outgoing._replace(destination=self.winner) if astray else outgoing, now)
 
     return lambda: (Confused, VirtualTarget, [])
 

@@ -11,10 +11,10 @@ from functools import cache
 
 from jauspy.conformance import Profile, Report, Settings, TargetComponent, VirtualTarget, find, run
 from jauspy.ids import JausID
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.hosts import host_of
 from jauspy.modules.robot import announcement
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
 from jauspy.platform.video_settings import Still, StillSettings
@@ -29,7 +29,7 @@ Maker = Callable[..., VirtualTarget]
 @cache
 def _model(name: str) -> RobotModel:
     """The body, which no robot changes; reading it takes longer than most runs."""
-    return robot_model(robots.load(name))
+    return robot_model(robot_files.load(name))
 
 
 class Cameraman(CameraProcess):
@@ -52,7 +52,7 @@ def robot(
 
     `part` and `virtual_target` may be broken ones, `timeout` is that of its access control.
     """
-    config = robots.load(name)
+    config = robot_files.load(name)
     if timeout is not None:
         access = config.modules[0].access_control.model_copy(update={"timeout": timeout})
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)

@@ -118,7 +118,7 @@ def test_what_is_shut_down_fails_once():
     report = examined("core-1.1", virtual_target, COMPONENT, only=only)
     first, *others = report.results
     assert first.verdict is Verdict.FAIL
-    assert first.reason == "105.1.1 is shut down, and nothing leads out of that: start it again before a test"
+    assert first.reason == "105.1.1 is shut down, which it cannot leave: restart it before a test"
     assert {(each.verdict, each.reason) for each in others} == {(Verdict.SKIPPED, first.reason)}
 
 

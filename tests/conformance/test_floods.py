@@ -85,7 +85,7 @@ def test_messages_that_no_step_has_looked_at_are_counted():
         at.wait(0.1)
 
     report = run(steps(quiet), wire, wire.id, began=0.0)
-    assert report.notes == ("476 messages were dropped before a step looked at them: more came than a client holds",)
+    assert report.notes == ("476 messages were dropped before a step read them: more arrived than a client holds",)
 
 
 class Endless(ScriptedWire):

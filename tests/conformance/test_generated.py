@@ -9,6 +9,7 @@ import pytest
 from tests.conformance.injectors import Fault, code, instead, repacked, says, short, slow, without, works
 from tests.conformance.mistakes import elsewhere
 from tests.conformance.simulated import TARGET, examined, robot
+from tests.helpers.sampling import sampled
 
 from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, offers_of
 from jauspy.conformance.offers import Offers
@@ -91,7 +92,10 @@ OPEN = "NotControlled.Available.Standby/CreateCommandEvent/other-client/a-new-on
 """A step with one right outcome, and one whose outcome is up to the target, with what our robot answers."""
 
 
-@pytest.mark.parametrize(("step", "kind"), [KNOWN, OPEN], ids=["known", "open"])
+@pytest.mark.parametrize(
+    ("step", "kind"),
+    [pytest.param(*KNOWN, id="known"), pytest.param(*OPEN, id="open", marks=pytest.mark.slow)],
+)
 @pytest.mark.parametrize(
     ("mistake", "verdict", "reason"),
     [
@@ -122,7 +126,11 @@ def test_a_target_without_such_services_does_not_pass(name):
 
 @pytest.mark.parametrize(
     ("set_name", "version"),
-    [("mobility", "1.1"), ("manipulator", "2.0"), ("environmentSensing", "2.0"), ("ugv", "1.0")],
+    sampled(
+        [("mobility", "1.1"), ("manipulator", "2.0"), ("environmentSensing", "2.0"), ("ugv", "1.0")],
+        fast=1,
+        several=True,
+    ),
 )
 def test_every_service_of_the_sets_can_be_planned(set_name, version):
     keys = {(each.service, each.version) for each in registry.entries}

@@ -41,7 +41,7 @@ def test_core(step):
 
 
 class Mute(TargetComponent):
-    def hear(self, payload, source, now):
+    def receive(self, payload, source, now):
         pass
 
 

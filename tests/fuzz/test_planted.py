@@ -82,6 +82,7 @@ def test_found_minimised_and_replayed(  # noqa: PLR0917 - parameters and fixture
     assert (result.exit_code, result.output) == (0, f"{cause}: not reproduced\n")
 
 
+@pytest.mark.slow
 def test_both_paths_wrong_alike_differ_from_the_reference(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     layout: Any = RegisterServices.layout()
     item = layout.slots[0].item

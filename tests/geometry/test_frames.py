@@ -11,7 +11,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree, joint_frame
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target, joint_positions
 from jauspy.platform.kinematic import KinematicBackend
 

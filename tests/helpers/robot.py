@@ -5,13 +5,24 @@ from __future__ import annotations
 import math
 import threading
 from collections.abc import Callable, Sequence
+from functools import cache
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.modules import robot_files
+from jauspy.modules.config import RobotConfig
 from jauspy.platform.contract import OptionalPart
+from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import RangeFinder
+
+
+@cache
+def described(name: str) -> tuple[RobotConfig, RobotModel]:
+    """A robot that comes with jauspy, read once in a test run."""
+    config = robot_files.load(name)
+    return config, robot_files.robot_model(config)
 
 
 class FakeDrive:

@@ -8,8 +8,14 @@ from typing import Any
 import pytest
 
 
-def sampled(cases: Sequence[Any], fast: int) -> list[Any]:
-    """All cases for `parametrize`; `fast` of them, spread evenly, are fast and the others are marked slow."""
+def sampled(cases: Sequence[Any], fast: int, *, several: bool = False) -> list[Any]:
+    """All cases for `parametrize`; `fast` of them, spread evenly, are fast and the others are marked slow.
+
+    `several` says that a case is a tuple with a value for each of several parameters.
+    """
     step = max(1.0, len(cases) / fast)
     chosen = {int(index * step) for index in range(min(fast, len(cases)))}
-    return [case if index in chosen else pytest.param(case, marks=pytest.mark.slow) for index, case in enumerate(cases)]
+    return [
+        pytest.param(*(case if several else [case]), marks=[] if index in chosen else [pytest.mark.slow])
+        for index, case in enumerate(cases)
+    ]

@@ -20,7 +20,7 @@ from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy_sim.assembly import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 

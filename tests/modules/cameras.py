@@ -8,15 +8,17 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m, registry
 from jauspy.messages.core import RequestControl, Resume
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.protocol.addressing import Location
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP
 
 CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
+HERE = Location(is_here=True, hosts=frozenset({"10.0.0.7", "10.0.0.8"}))
 START = datetime(2026, 1, 1, tzinfo=UTC)
 
 
@@ -51,12 +53,14 @@ class Module:
     """The CM-VIS of the chassis camera of a kinematic inc1; a `fixed` one is where the lidar is, without a mount."""
 
     def __init__(self, component=107, video=None, *, fixed=False):
-        config = robots.load("inc1")
+        config = robot_files.load("inc1")
         if fixed:
             config = _with_fixed_cameras(config)
         model = robot_model(config)
         self.robot = KinematicRobot(model)
         self.now = 0.0
+        self.where = {}
+        """Machines of clients, unless they are on this one."""
         (module,) = (each for each in config.modules if each.component == component)
         module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
         (setup,) = (each for each in model.cameras if each.name == module.camera)
@@ -64,6 +68,7 @@ class Module:
         clock = lambda: START + timedelta(seconds=self.now)  # noqa: E731
         videos = {module.camera: self.video}
         self.host = host_of(config, module, model, self.robot, {}, videos=videos, utc_now=clock, now=0.0)
+        self.host.locate = lambda client, found: found(self.where.get(client, HERE))
 
     def tell(self, *messages, client=CLIENT):
         for message in messages:
@@ -87,7 +92,8 @@ class Module:
     def enter(self, url, client=CLIENT, server=RTP, sensor=1):
         register = m.RegisterDigitalResourceEndpoint
         record = register.DigitalResourceEndpointRec(server, url, None, sensor)
-        answer = self.ask(register(register.RequestIDRec(9), record), client)
+        now = self.tell(register(register.RequestIDRec(9), record), client=client)
+        (answer,) = now or [message for _, message in self.run()]
         assert answer.request_id == 9
         return answer.id
 

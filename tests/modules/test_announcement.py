@@ -9,7 +9,7 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.hosts import ANNOUNCEMENT_PERIOD, Announcement
 from jauspy.protocol.header import Packet
 from jauspy.services.core import Discovery
@@ -54,4 +54,4 @@ def test_a_console_is_one_component(tmp_path, id, problem):
     path = tmp_path / "mine.toml"
     path.write_text(f'extends = "igvc"\n[[modules]]\ntype = "CM-MOB"\ncomponent = 1\nannounce_to = "{id}"\n')
     with pytest.raises(ConfigError, match=problem):
-        robots.load(path)
+        robot_files.load(path)

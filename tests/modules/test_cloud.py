@@ -12,9 +12,9 @@ import pytest
 
 from jauspy.cloud.socket import CloudSubscriber
 from jauspy.errors import ConfigError
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.cloud import Clouds, points, stream
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.ranging import LidarSetup, RangeScan, Scanner
 
@@ -60,13 +60,13 @@ async def test_every_scan_is_published_once() -> None:
 )
 def test_what_cannot_be_published_is_said_before_anything_starts(wanted: list[str], said: str) -> None:
     with pytest.raises(ConfigError, match=said):
-        Clouds(robots.load("inc1"), wanted)
+        Clouds(robot_files.load("inc1"), wanted)
 
 
 @pytest.mark.skipif(not (find_spec("pynng") and find_spec("numpy")), reason="the extra 'cloud' is not installed")
 async def test_scans_and_depth_are_published_each_at_its_address(tmp_path: Path) -> None:
     class Running(KinematicRobot):
-        config = robots.load("inc1")
+        config = robot_files.load("inc1")
 
     robot = Running(robot_model(Running.config))
     scans, depth = f"ipc://{tmp_path}/a=b", f"ipc://{tmp_path}/depth"

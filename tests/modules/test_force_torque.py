@@ -7,12 +7,11 @@ from datetime import UTC, datetime
 from typing import Any
 
 import pytest
+from tests.helpers.robot import described
 
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v2_0 import force_torque_sensor as m
-from jauspy.modules import robots
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.joints import ControlMode, Target
 
@@ -32,8 +31,7 @@ class Wrist:
     """A kinematic inc1, whose sensor is exact, and its sensor module."""
 
     def __init__(self, sensors: int = 1) -> None:
-        config = robots.load("inc1")
-        model = robot_model(config)
+        config, model = described("inc1")
         (wrist,) = model.force_torque
         model = replace(model, force_torque=tuple(replace(wrist, name=f"wrist{n}") for n in range(1, sensors + 1)))
         self.robot = find("kinematic").open(model, "empty")

@@ -3,7 +3,7 @@
 import pytest
 
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
 

@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 from jauspy.cli.main import app
 from jauspy.errors import ConfigError
 from jauspy.messages.ugv import QueryOdometry
-from jauspy.modules import catalogue, robots
+from jauspy.modules import catalogue, robot_files
 from jauspy.modules.robot import RobotRunner
 from jauspy.testing import VirtualNetwork
 from jauspy.testing.environment import VirtualTime
@@ -79,7 +79,7 @@ def write(tmp_path: Path):
 @pytest.mark.parametrize("backend", ["kinematic", "acme"])
 async def test_a_robot_offers_a_service_and_has_a_backend_of_installed_packages(write, backend: str) -> None:
     async with VirtualNetwork() as network:
-        runner = RobotRunner(robots.load(write('"Odometer"', backend)), network.transport, realtime=VirtualTime)
+        runner = RobotRunner(robot_files.load(write('"Odometer"', backend)), network.transport, realtime=VirtualTime)
         async with runner, network.ocu() as ocu:
             report = await ocu.query("101.1.102", QueryOdometry(QueryOdometry.Odom.PLATFORM))
     assert report.odometry == 1000
@@ -102,7 +102,7 @@ def test_a_module_that_lists_no_services_has_none_of_other_packages() -> None:
 )
 def test_what_is_wrong_with_a_service_is_said(write, services: str, said: str) -> None:
     with pytest.raises(ConfigError, match=said):
-        robots.load(write(services))
+        robot_files.load(write(services))
 
 
 @pytest.mark.usefixtures("installed")
@@ -114,7 +114,7 @@ def test_a_service_of_another_type_of_module_is_not_taken(write) -> None:
 @pytest.mark.usefixtures("installed")
 async def test_a_service_says_what_the_robot_must_have(write) -> None:
     async with VirtualNetwork() as network:
-        runner = RobotRunner(robots.load(write('"Horn"')), network.transport, realtime=VirtualTime)
+        runner = RobotRunner(robot_files.load(write('"Horn"')), network.transport, realtime=VirtualTime)
         with pytest.raises(ConfigError, match=r"101\.1\.102: Horn needs a horn"):
             await runner.open()
 

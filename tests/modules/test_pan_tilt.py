@@ -23,8 +23,8 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.messages.environment_sensing import QueryVisualSensorConfiguration
-from jauspy.modules import robots
-from jauspy.modules.robots import robot_model
+from jauspy.modules import robot_files
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform.joints import joint_positions
 
 
@@ -194,7 +194,7 @@ JOINT = "{{ name = '{0}', position = {{ p = 1 }}, velocity = {{ p = 1 }} }}"
 @pytest.mark.parametrize(
     ("tip", "joints", "said"),
     [
-        ("pan_link", ["base_link_to_pan_link"], r"groups.pan_tilt.joints: .* takes two revolute joints"),
+        ("pan_link", ["base_link_to_pan_link"], r"groups.pan_tilt.joints: .* exactly two joints"),
         (
             "arm_link_2",
             ["base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"],
@@ -208,7 +208,7 @@ def test_a_mount_that_is_none_is_said(tmp_path: Path, tip: str, joints: list[str
     module = "[[modules]]\ntype = 'CM-VIS'\ncomponent = 107\ncamera = 'chassis'\ngroup = 'pan_tilt'\n"
     file.write_text(f"extends = 'inc1'\n{module}{text}")
     with pytest.raises(ConfigError, match=said):
-        robot_model(robots.load(file))
+        robot_model(robot_files.load(file))
 
 
 def test_services_without_a_mount_are_an_error(tmp_path: Path) -> None:
@@ -218,4 +218,4 @@ def test_services_without_a_mount_are_an_error(tmp_path: Path) -> None:
         f"extends = 'inc1'\n[[modules]]\ntype = 'CM-VIS'\ncomponent = 107\ncamera = 'chassis'\n{services}\n"
     )
     with pytest.raises(ConfigError, match="group: is missing; PanTiltJointPositionSensor needs"):
-        robots.load(file)
+        robot_files.load(file)

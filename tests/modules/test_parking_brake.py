@@ -15,7 +15,7 @@ from jauspy.messages import registry
 from jauspy.messages.core import RequestControl, Resume, SetEmergency, Standby
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.messages.ugv import QueryParkingBrake, ReportParkingBrake, SetParkingBrake
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.config import ModuleConfig
 from jauspy.modules.hosts import host_of
 from jauspy.modules.realtime import RealTime
@@ -25,7 +25,7 @@ from jauspy.platform.contract import RobotParts
 
 CLIENT = JausID(42, 1, 1)
 FORWARD = SetWrenchEffort(propulsive_linear_effort_x=60.0)
-MODEL = robots.robot_model(robots.load("inc1"))
+MODEL = robot_files.robot_model(robot_files.load("inc1"))
 SERVICES = ("Discovery", "PrimitiveDriver", "ParkingBrakeDriver")
 
 
@@ -36,7 +36,7 @@ class Braked:
         self.robot, self.now = robot, 0.0
         module = ModuleConfig(type="CM-MOB", component=102, services=services, access_control={"timeout": 0})
         self.host = host_of(
-            robots.load("inc1"),
+            robot_files.load("inc1"),
             module,
             MODEL,
             seen or robot,

@@ -6,7 +6,7 @@ import pytest
 from tests.helpers.robot import FakeJoints
 
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicBackend
 from jauspy.platform.ranging import LidarSetup, Scanner, ScanSettings

@@ -30,7 +30,7 @@ from jauspy.messages.mobility import (
     SetWrenchEffort,
 )
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.platform.description import RobotModel
 from jauspy.platform.kinematic import KinematicBackend
 from jauspy.protocol.endpoint import Endpoint

@@ -13,15 +13,14 @@ from importlib.util import find_spec
 from typing import Any, TypeVar
 
 import pytest
+from tests.helpers.robot import described
 
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, Event, RequestControl
 from jauspy.messages.environment_sensing.v1_0.types import ManipulatorGeometricPropertiesRec
 from jauspy.messages.environment_sensing.v2_0 import range_sensor as m
-from jauspy.modules import robots
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.ranging import LidarSetup
 
@@ -42,8 +41,7 @@ class Mast:
     """A robot, and its sensor module."""
 
     def __init__(self, backend: str, world: str = "demo", *more: LidarSetup) -> None:
-        config = robots.load("inc1")
-        model = robot_model(config)
+        config, model = described("inc1")
         model = replace(model, lidars=(*model.lidars, *more))
         self.robot = find(backend).open(model, world)
         self.now = 0.0

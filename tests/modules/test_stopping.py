@@ -9,19 +9,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
-from importlib.util import find_spec
 
 import pytest
+from tests.helpers.robot import described
+from tests.modules.workcell import BACKENDS
 
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import ReleaseControl, RequestControl, Resume, SetEmergency
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.modules import realtime, robots
+from jauspy.modules import realtime
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.hosts import host_of, may_move
-from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.joints import ControlMode, Target
 
@@ -43,8 +43,7 @@ class Cell:
     """A robot on virtual time, and the component of one of its modules with a client in control."""
 
     def __init__(self, backend: str, robot: str, component: int) -> None:
-        config = robots.load(robot)
-        self.model = robot_model(config)
+        config, self.model = described(robot)
         self.robot = find(backend).open(self.model, "empty")
         self.now = 0.0
         (module,) = (each for each in config.modules if each.component == component)
@@ -108,12 +107,7 @@ def end(request: pytest.FixtureRequest) -> Callable[[Cell], None]:
     return ENDS[request.param]
 
 
-@pytest.fixture(
-    params=[
-        "kinematic",
-        pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
-    ]
-)
+@pytest.fixture(params=BACKENDS)
 def backend(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 

@@ -8,6 +8,7 @@ import math
 import pytest
 from tests.modules.cameras import OTHER, Module
 
+from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m
 from jauspy.messages.environment_sensing.v1_0.types import (
     DigitalVideoSensorErrorRec,
@@ -21,6 +22,7 @@ from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.environment_sensing.digital_resource_discovery import (
     END_POINT_TIMEOUT,
     MAX_END_POINTS,
+    MAX_END_POINTS_PER_CLIENT,
     RTP,
     parse_rtp_url,
 )
@@ -111,8 +113,16 @@ def test_a_client_cannot_remove_or_take_over_what_another_entered(module):
     assert module.video.receivers == {("10.0.0.7", 5004): True}
 
 
+def test_one_more_than_a_clients_share_replaces_its_oldest(module):
+    share = MAX_END_POINTS_PER_CLIENT
+    numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * port}") for port in range(share + 1)]
+    assert numbers == [*range(1, share + 2)]
+    assert list(module.video.receivers) == [("10.0.0.7", 5002 + 2 * port) for port in range(share)]
+
+
 def test_there_is_a_limit(module):
-    numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * port}") for port in range(MAX_END_POINTS + 1)]
+    clients = [JausID(50, 1, 1 + number) for number in range(MAX_END_POINTS + 1)]
+    numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * n}", client) for n, client in enumerate(clients)]
     assert numbers == [*range(1, MAX_END_POINTS + 1), 0]
 
 

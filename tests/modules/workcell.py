@@ -8,16 +8,15 @@ from importlib.util import find_spec
 from typing import Any
 
 import pytest
+from tests.helpers.robot import described
 from tests.modules.cameras import FakeVideo
 
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import CommandEvent, RequestControl, Resume
-from jauspy.modules import robots
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.hosts import host_of
-from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 
 CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
@@ -29,8 +28,8 @@ class Workcell:
     """A robot, and the component of one of its modules."""
 
     def __init__(self, backend: str, robot: str, component: int) -> None:
-        config = robots.load(robot)
-        self.model = model = robot_model(config)
+        config, model = described(robot)
+        self.model = model
         self.robot = find(backend).open(model, "empty")
         self.now = 0.0
         (module,) = (each for each in config.modules if each.component == component)
@@ -85,10 +84,13 @@ def _service(payload: bytes) -> str | None:
     return newest[0].SERVICE if newest else None
 
 
+_HAS_MUJOCO = find_spec("mujoco") is not None
+
 BACKENDS = [
-    "kinematic",
-    pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
+    pytest.param("kinematic", marks=[pytest.mark.slow] if _HAS_MUJOCO else []),
+    pytest.param("sim", marks=pytest.mark.skipif(not _HAS_MUJOCO, reason="MuJoCo is not installed")),
 ]
+"""Modules are tested on the simulator, and in the slow tests on the kinematic backend too."""
 
 
 def told(cell: Workcell, *messages: Message) -> list[int]:

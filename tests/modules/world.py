@@ -6,6 +6,8 @@ import math
 from collections.abc import Callable, Iterable
 from datetime import UTC, datetime, timedelta
 
+from tests.helpers.robot import described
+
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -17,11 +19,9 @@ from jauspy.messages.core import (
     SetElement,
 )
 from jauspy.messages.mobility import QueryActiveElement, QueryGlobalPose, QueryLocalPose, QueryVelocityState
-from jauspy.modules import robots
 from jauspy.modules.catalogue import MobilityContext
 from jauspy.modules.config import ModuleConfig
 from jauspy.modules.hosts import module_host
-from jauspy.modules.robots import robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.chassis import chassis_of
 from jauspy.services.mobility import GlobalPose, Vehicle
@@ -37,7 +37,7 @@ class World:
 
     def __init__(self, backend: str, origin: GlobalPose | None = ORIGIN) -> None:
         self.backend = backend
-        model = robot_model(robots.load("inc1"))
+        _, model = described("inc1")
         self.robot = find(backend).open(model, "empty")
         self.now = 0.0
         self.vehicle = Vehicle(self.robot.drive, name="inc1", chassis=chassis_of(model), origin=origin)

@@ -33,7 +33,7 @@ def converse(hosts: list[str], root: Path, count: int, **settings: Any) -> list[
 
 
 @pytest.mark.parametrize("how", ["netem", "relay"])
-@pytest.mark.parametrize("count", [2, 5])
+@pytest.mark.parametrize("count", [2, pytest.param(5, marks=pytest.mark.slow)])
 def test_acknowledged_messages_arrive_once_each(
     switch: Callable[[int], Switch], root: Path, how: str, count: int
 ) -> None:

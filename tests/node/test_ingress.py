@@ -12,6 +12,7 @@ from jauspy.node.ingress import Ingress
 from jauspy.protocol import judp, junior
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Packet, Priority
+from jauspy.transport.age import DatagramReader
 
 HERE, FAR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
 
@@ -46,8 +47,9 @@ async def run(source: Socket, counters: Counters) -> list[bytes]:
     """Wake up until nothing is left; what was routed, in order."""
     routed: list[bytes] = []
     reader = Ingress(lambda data, _: routed.append(data), counters)
+    ages = DatagramReader(source, counters)  # type: ignore[arg-type]
     while source.datagrams or len(reader):
-        reader._wake(source, "lan", 0, {}, lambda error: None)  # type: ignore[arg-type]
+        reader._wake(ages, "lan", {}, lambda error: None)
         await asyncio.sleep(0)
     return routed
 
@@ -84,18 +86,18 @@ async def test_the_kernel_drops_a_flood_until_what_was_read_is_routed(udp, count
     receiver, sender = udp(), udp()
     receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)
     routed: list[bytes] = []
-    reader = Ingress(lambda data, _: routed.append(data), counters)
+    reader, ages = Ingress(lambda data, _: routed.append(data), counters), DatagramReader(receiver, counters)
     low, urgent = packet(1, Priority.LOW), packet(2, Priority.SAFETY_CRITICAL)
     where = receiver.getsockname()
     while not counters["kernel_filter.attached"]:
         for _ in range(ingress.READ_BURST):
             sender.sendto(low, where)
-        reader._wake(receiver, "lan", 0, {}, lambda error: None)
+        reader._wake(ages, "lan", {}, lambda error: None)
     for _ in range(3):
         sender.sendto(low, where)
         sender.sendto(urgent, where)
     waiting = len(reader)
-    reader._wake(receiver, "lan", 0, {}, lambda error: None)
+    reader._wake(ages, "lan", {}, lambda error: None)
     assert len(reader) == waiting + 3
     async with asyncio.timeout(20):
         while len(reader):

@@ -126,9 +126,9 @@ def test_many_components_are_looked_at_a_few_at_a_time() -> None:
     for number in range(3 * liveness.MAX_CHECKS):
         components.register(number + 1, LocalPort(f"/{number}"))
 
-    def is_dead(path: str) -> bool:
-        asked.append(path)
-        return path == "/7"
+    def is_dead(port: ComponentPort) -> bool:
+        asked.append(port)
+        return port == LocalPort("/7")
 
     gone: list[ComponentPort] = []
     looking = liveness.LivenessCheck(components, is_dead, gone.append)
@@ -137,3 +137,15 @@ def test_many_components_are_looked_at_a_few_at_a_time() -> None:
         assert len(asked) == turn * liveness.MAX_CHECKS
     assert len(set(asked)) == len(asked)
     assert gone == [LocalPort("/7")]
+
+
+def test_a_full_directory_is_looked_through_at_once() -> None:
+    components, asked = ComponentDirectory(max_sockets=100), []
+    assert all(components.register(number, LocalPort(f"/{number}")) for number in range(1, 101))
+    assert not components.register(101, LocalPort("/101"))
+    assert components.register(101, LocalPort("/100"))  # another id on the same socket
+    assert components.register(7, LocalPort("/8"))
+    assert components.register(102, LocalPort("/102"))
+    assert components.is_full
+    liveness.LivenessCheck(components, lambda path: bool(asked.append(path)), lambda port: None).check_next()
+    assert len(asked) == 100

@@ -227,10 +227,10 @@ async def test_a_robot_that_vanishes(virtual_network, robot, ocu):
     client = (await ocu.discover(101)).service("Time")
     async with client.control():
         task = await begun(client, robot)
-        virtual_network.cut("101.1.1")
+        virtual_network.disconnect("101.1.1")
         with pytest.raises(ControlRejected, match=r"control of 101\.1\.1 was lost: 101\.1\.1 has not answered for"):
             await asyncio.wait_for(task, 8)
-    virtual_network.mend("101.1.1")
+    virtual_network.reconnect("101.1.1")
 
 
 async def test_an_end_that_is_never_told(virtual_network, robot, client):

@@ -20,7 +20,7 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
 from jauspy.testing import until

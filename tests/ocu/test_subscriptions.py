@@ -377,10 +377,10 @@ async def test_silence_about_changes_is_said_and_may_end(world, monkeypatch):
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
     async with sensor.subscribe(QueryStatus()) as statuses:
         await statuses.get()
-        world.network.cut(robot.id)
+        world.network.disconnect(robot.id)
         with pytest.raises(ResponseTimeout, match="UpdateEvent"):
             await statuses.get()
-        world.network.mend(robot.id)
+        world.network.reconnect(robot.id)
         driver = await sensor_of(await world.ocu("43.1.1"))
         async with driver.control():
             await driver.resume()

@@ -87,7 +87,7 @@ async def test_what_falls_silent_vanishes_parts_first_and_may_come_back(virtual_
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         appeared = kinds(news)
-        virtual_network.cut(ME)
+        virtual_network.disconnect(ME)
         news.clear()
         await asyncio.sleep(4.5)
         assert news == []
@@ -96,7 +96,7 @@ async def test_what_falls_silent_vanishes_parts_first_and_may_come_back(virtual_
         assert news[-1].before.name == "robot"
 
         news.clear()
-        virtual_network.mend(ME)
+        virtual_network.reconnect(ME)
         await asyncio.sleep(4)
         assert kinds(news) == appeared
 

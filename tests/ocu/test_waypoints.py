@@ -25,7 +25,7 @@ async def drive(robot, driver) -> list[tuple[float, float]]:
     return [*reached[1:], place()]
 
 
-@pytest.mark.parametrize("loss", [0.0, 0.1])
+@pytest.mark.parametrize("loss", [0.0, pytest.param(0.1, marks=pytest.mark.slow)])
 async def test_four_local_waypoints_in_order(virtual_network, robot, ocu, loss):
     virtual_network.loss = loss
     virtual_network.delay = 0.05
@@ -38,6 +38,7 @@ async def test_four_local_waypoints_in_order(virtual_network, robot, ocu, loss):
     assert all(math.dist(*pair) < 0.5 for pair in zip(reached, SQUARE, strict=True)), reached
 
 
+@pytest.mark.slow
 async def test_four_global_waypoints_in_order(virtual_network, robot, ocu):
     found = await ocu.discover(101)
     driver = found.service("GlobalWaypointListDriver")

@@ -5,7 +5,7 @@ from importlib.util import find_spec
 
 import pytest
 
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
 

@@ -7,7 +7,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
 

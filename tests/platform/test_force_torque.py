@@ -10,7 +10,7 @@ import pytest
 from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.urdf import parse_urdf
 from jauspy.geometry.vectors import Vector
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.joints import ControlMode, Target

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, track_speed_after
 
 INC1 = robot_model(load("inc1"))

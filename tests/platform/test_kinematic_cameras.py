@@ -10,7 +10,7 @@ pytest.importorskip("numpy", reason="the extra 'video' is not installed")
 
 import numpy as np
 
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import kinematic_camera
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.joints import ControlMode, Target

@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import RobotDescription, parse_urdf
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.chassis import chassis_of, measure
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 

@@ -10,7 +10,7 @@ import pytest
 
 from jauspy.platform.ranging import LidarSetup, Scanner
 
-SETUP = LidarSetup("lidar", "lidar_link", rays=8, rate=10.0, least=0.5, most=4.0)
+SETUP = LidarSetup("lidar", "lidar_link", rays=8, rate=10.0, min_range=0.5, max_range=4.0)
 
 
 def distances(angles: Sequence[float]) -> list[float]:
@@ -53,12 +53,12 @@ def test_after_a_pause_it_does_not_catch_up() -> None:
 def test_settings_act_with_the_next_step() -> None:
     scanner = Scanner(SETUP, distances)
     scanner.step(0.0)
-    scanner.configure(replace(scanner.settings, start=-math.pi / 4, stop=math.pi / 2, most=6.0, least=0.1))
+    scanner.configure(replace(scanner.settings, start=-math.pi / 4, stop=math.pi / 2, max_range=6.0, min_range=0.1))
     scanner.step(0.01)
     assert scanner.scan is not None
     assert scanner.scan.angles == pytest.approx([-math.pi / 4, 0.0, math.pi / 4, math.pi / 2])
     assert scanner.scan.ranges == (3.25, math.inf, math.inf, math.inf)
-    assert (scanner.settings.most, scanner.settings.least) == (4.0, 0.5)
+    assert (scanner.settings.max_range, scanner.settings.min_range) == (4.0, 0.5)
 
 
 def test_slower_but_never_faster() -> None:

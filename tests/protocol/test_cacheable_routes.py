@@ -8,7 +8,7 @@ from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway, GatewayRules
 from jauspy.protocol.header import Packet
 from jauspy.protocol.routing import Router
-from jauspy.protocol.sources import SourceChecks, SourceLimits
+from jauspy.protocol.sources import MOVE_TIMEOUT, SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))
 PEER, OTHER = UdpPort("10.0.0.2", 3794), UdpPort("10.0.0.3", 3794)
@@ -109,5 +109,5 @@ def test_every_change_is_told() -> None:
     assert node.changed == [int(FAR), int(B)]
     node.core.remove_dead(home(A))
     assert node.changed == [int(FAR), int(B), int(A)]
-    node.core.receive(junior.connect(FAR), home(FAR), 3.0)
+    node.core.receive(junior.connect(FAR), home(FAR), 3.0 + MOVE_TIMEOUT)
     assert node.changed[-1] == int(FAR)

@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy_sim import backend
 
 MODEL = robot_model(load("inc1"))
@@ -32,7 +32,7 @@ def test_a_missing_gl_library_is_said_in_one_sentence(monkeypatch, way: str, pac
 def test_a_value_that_mujoco_does_not_know_is_said_in_one_sentence() -> None:
     """In a process of its own: MuJoCo reads it once, when it is imported."""
     code = (
-        "from jauspy.modules.robots import load, robot_model; from jauspy_sim.backend import MujocoBackend;"
+        "from jauspy.modules.robot_files import load, robot_model; from jauspy_sim.backend import MujocoBackend;"
         "MujocoBackend().open(robot_model(load('inc1')), 'empty')"
     )
     environment = {**os.environ, "MUJOCO_GL": "bogus"}

@@ -16,7 +16,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy_sim import cameras
 from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
@@ -140,7 +140,7 @@ def test_each_way_to_gl_paints(way):
     if not has_gl(way):
         pytest.skip(f"{GL_PACKAGES[way]} is not installed")
     code = (
-        "from jauspy.modules.robots import robot_model; from jauspy.modules.robots import load;"
+        "from jauspy.modules.robot_files import robot_model; from jauspy.modules.robot_files import load;"
         "from jauspy_sim.robot import SimulatedRobot;"
         "robot = SimulatedRobot.open(robot_model(load('inc1')), 'demo'); eye = robot.cameras['chassis'].open();"
         "print(eye.look(320, 240).image.std() > 10.0, eye.description)"
@@ -167,7 +167,7 @@ def test_looking_does_not_change_where_the_robot_goes():
 def test_no_picture_is_taken_in_the_robots_process():
     """Importing and running the backend loads neither GL nor the packages of the extra `video`."""
     code = (
-        "import sys; from jauspy.modules.robots import robot_model; from jauspy.modules.robots import load;"
+        "import sys; from jauspy.modules.robot_files import robot_model; from jauspy.modules.robot_files import load;"
         "from jauspy_sim.robot import SimulatedRobot; SimulatedRobot.open(robot_model(load('inc1')), 'demo');"
         "print(sorted({'OpenGL', 'av', 'cv2'} & set(sys.modules)))"
     )

@@ -9,7 +9,7 @@ import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.ranging import RangeScan
 from jauspy_sim.robot import SimulatedRobot
 

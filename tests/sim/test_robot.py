@@ -11,7 +11,7 @@ from jauspy_sim.backend import MujocoBackend
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.robots import known, load, robot_model
+from jauspy.modules.robot_files import known, load, robot_model
 from jauspy_sim.assembly import TIMESTEP, build, known_worlds, prefix
 from jauspy_sim.joints import roll_pitch_yaw
 from jauspy_sim.robot import SimulatedRobot

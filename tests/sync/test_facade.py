@@ -16,7 +16,7 @@ from tests.ocu.test_elements import ROBOT, Driver, at, order, services, xs
 from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, TransportError
 from jauspy.messages.core import QueryControl, QueryStatus, ReportStatus
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.ocu import Appeared, SubsystemInfo, Vanished
 from jauspy.sync import OCU
 from jauspy.sync.portal import Portal
@@ -283,7 +283,11 @@ with OCU("42.1.1", sys.argv[1]) as ocu:
 
 
 @pytest.mark.parametrize(
-    "wait", ["time.sleep(60)", "list(robot.service('LocalPoseSensor').subscribe(QueryLocalPose(1), rate=5.0))"]
+    "wait",
+    [
+        pytest.param("time.sleep(60)", marks=pytest.mark.slow),
+        "list(robot.service('LocalPoseSensor').subscribe(QueryLocalPose(1), rate=5.0))",
+    ],
 )
 def test_ctrl_c_leaves_the_robot_in_standby(robot, node_manager, ocu, wait):
     ocu.close()  # the program is 42.1.1

@@ -26,7 +26,7 @@ from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
 from jauspy.cli.demo.report import DemoState
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
@@ -59,7 +59,7 @@ def test_drives_looks_reaches_grasps_and_lifts(free_port: int, tmp_path: Path) -
             frames = [(frame.width, frame.height) for frame in video.decode(video=0)]
         assert len(frames) == found[f"{camera} video"]["figures"]["pictures"]
         assert set(frames) == {(320, 240)}
-    assert grasp.red_spot(cv2.cvtColor(cv2.imread(str(folder / "still.jpg")), cv2.COLOR_BGR2RGB)) is not None
+    assert grasp.red_region(cv2.cvtColor(cv2.imread(str(folder / "still.jpg")), cv2.COLOR_BGR2RGB)) is not None
     assert cv2.imread(str(folder / "joints.png")).shape[1] >= 1000
     notes = yaml.safe_load((folder / "map.yaml").read_text())
     picture = cv2.imread(str(folder / notes["image"]), cv2.IMREAD_GRAYSCALE)

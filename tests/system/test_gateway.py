@@ -75,7 +75,7 @@ def hosts(switch: Callable[[int], Switch]) -> dict[str, str]:
 @pytest.fixture
 def folders(root: Path, hosts: dict[str, str], start: Callable[..., object]) -> dict[str, Path]:
     """Everything runs; the local roots."""
-    (root / "behind.toml").write_text("extends = 'inc1'\nnode = 2\n")
+    (root / "behind.toml").write_text("extends = 'inc1'\nnode = 2\nvideo_targets = ['10.77.0.0/24']\n")
     (root / "gateway.toml").write_text(GATEWAY)
     folders = {name: root / name for name in ("ocu", "gate", "behind")}
     simple = ("--backend", "kinematic", "--local-root")

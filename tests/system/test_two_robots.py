@@ -13,7 +13,7 @@ import pytest
 
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetWrenchEffort
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.service import ServiceClient
@@ -52,6 +52,7 @@ async def x_of(sensor: ServiceClient) -> float:
     return float(report.x)
 
 
+@pytest.mark.slow
 async def test_on_two_loopback_addresses(root: Path, free_port: int) -> None:
     async with AsyncExitStack() as stack:
         for number, subsystem in enumerate(EFFORTS, 1):

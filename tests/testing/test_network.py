@@ -72,10 +72,10 @@ async def test_jitter():
 
 async def test_a_cut_cable_and_a_kind_that_is_lost():
     async with VirtualNetwork() as network, network.component("101.1.1", [Liveness()]), network.ocu() as ocu:
-        network.cut("101.1.1")
+        network.disconnect("101.1.1")
         with pytest.raises(ResponseTimeout):
             await ocu.query("101.1.1", PULSE)
-        network.mend("101.1.1")
+        network.reconnect("101.1.1")
         await ocu.query("101.1.1", PULSE)
 
         network.lose(ReportHeartbeatPulse, times=2, after=1)

@@ -35,7 +35,7 @@ def run(pytester, monkeypatch):
     return go
 
 
-@pytest.mark.parametrize("mode", [STRICT, AUTO])
+@pytest.mark.parametrize("mode", [STRICT, pytest.param(AUTO, marks=pytest.mark.slow)])
 @pytest.mark.parametrize("place", ["virtual_network", "node_manager"])
 def test_an_ocu_reaches_a_component(run, mode, place):
     run(TALK.replace("PLACE", place), *mode).assert_outcomes(passed=1)

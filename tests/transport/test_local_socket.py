@@ -10,8 +10,6 @@ from pathlib import Path
 import pytest
 
 from jauspy.errors import TransportError
-from jauspy.node.liveness import is_unbound
-from jauspy.protocol.addressing import UdpPort
 from jauspy.transport import local as local_socket
 
 
@@ -117,9 +115,15 @@ def test_without_a_file_to_spare_nobody_is_taken_for_dead(tmp_path: Path) -> Non
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sock:
         sock.bind(str(path))
-        resource.setrlimit(resource.RLIMIT_NOFILE, (0, hard))
-        try:
-            found = local_socket.is_dead(path), is_unbound(UdpPort("127.0.0.1", 1))
-        finally:
-            resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
+        with local_socket.SocketProbe() as probe:
+            resource.setrlimit(resource.RLIMIT_NOFILE, (0, hard))
+            try:
+                found = local_socket.is_dead(path), probe.is_dead(path)
+                with pytest.raises(TransportError, match=r"Too many open files; raise the limit"):
+                    local_socket.bind(path, owner="a node manager")
+                sock.close()
+                assert probe.is_dead(path)
+                assert not local_socket.is_alive(path)
+            finally:
+                resource.setrlimit(resource.RLIMIT_NOFILE, (soft, hard))
     assert found == (False, False)

@@ -22,7 +22,7 @@ import psutil
 
 from jauspy import worker_process
 from jauspy.errors import ConfigError
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY_INDEX
@@ -248,8 +248,8 @@ async def test_it_ends_with_the_robots_process(tmp_path):
     program.write_text(
         """
 import asyncio, dataclasses, math
-from jauspy.modules.robots import robot_model
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import robot_model
+from jauspy.modules.robot_files import load
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.video_settings import VideoSettings

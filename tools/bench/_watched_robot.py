@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from jauspy.geometry.poses import Twist
 from jauspy.ids import JausID
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.proxies import DriveProxy
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot import RobotRunner
@@ -105,7 +105,7 @@ async def serve(backend: str, root: str, step: float) -> None:
     def transport(component: JausID) -> LocalTransport:
         return LocalTransport(component, Path(root))
 
-    async with RobotRunner(robots.load("inc1"), transport, backend=backend, realtime=watched):
+    async with RobotRunner(robot_files.load("inc1"), transport, backend=backend, realtime=watched):
         gc.freeze()
         print("ready", flush=True)
         await asyncio.to_thread(sys.stdin.read)

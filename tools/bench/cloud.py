@@ -17,7 +17,7 @@ from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.message import Cloud
 from jauspy.cloud.socket import CloudSubscriber
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.contract import Robot
 from jauspy.platform.joints import ControlMode, Target
@@ -69,7 +69,7 @@ def main() -> None:
     robot = backends.find(options.backend).open(robot_model(config), "demo")
     robot.groups["arm"].command([Target(ControlMode.POSITION, value) for value in LOOKING_DOWN])
     robot.advance(5.0)
-    settings = DepthSettings(rate=options.rate, least=0.01)
+    settings = DepthSettings(rate=options.rate, min_distance=0.01)
     print("address clouds  lost    points clouds/s  median ms    95 % skipped steps of the robot")
     for address in ADDRESS:
         print(asyncio.run(measure(robot, address, settings, options.seconds)))

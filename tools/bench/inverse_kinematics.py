@@ -11,7 +11,7 @@ import time
 from statistics import mean
 
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.kinematic import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector import CONTROL_PERIOD, STEPS_PER_TURN

@@ -16,7 +16,7 @@ import time
 
 import mujoco
 
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
 from jauspy_sim.assembly import TIMESTEP
 from jauspy_sim.robot import SimulatedRobot

@@ -30,7 +30,7 @@ import numpy as np
 
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess

@@ -5,13 +5,12 @@ from __future__ import annotations
 import asyncio
 import json
 import logging
-import resource
 import signal
 import sys
 from collections.abc import Callable, Iterable, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
-from typing import Annotated, Any, Final
+from typing import Annotated, Any
 
 import typer
 
@@ -19,11 +18,8 @@ from jauspy.cli import console
 from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent, file_mode
 from jauspy.cli.processes import end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
-from jauspy.node import NodeConfig, NodeManager, config_file, status
+from jauspy.node import NodeConfig, NodeManager, config_file, descriptors, status
 from jauspy.node.systemd import SystemdNotifier
-
-MAX_OPEN_FILES: Final = 4096
-"""Limit of open files: a socket for each of up to 1024 components, TCP connections, logs and captures."""
 
 
 def node_manager(
@@ -72,6 +68,14 @@ def node_manager(
             help='Interface to join the group on, by address or name, or "all"; may be repeated.',
         ),
     ] = None,
+    own_ids: Annotated[
+        list[str] | None,
+        typer.Option(
+            "--own-ids",
+            metavar="PATTERN",
+            help="Ids of this machine, as in 101.1.*; never accepted from a network; may be repeated.",
+        ),
+    ] = None,
     metrics: Annotated[
         str | None, typer.Option("--metrics", metavar="IP:PORT", help="Serve metrics for Prometheus at this address.")
     ] = None,
@@ -110,6 +114,7 @@ def node_manager(
         "local_root": local_root,
         "multicast_group": multicast_group,
         "multicast_interfaces": tuple(interface) if interface else None,
+        "own_ids": tuple(own_ids) if own_ids else None,
         "metrics": metrics,
         "mirror": mirror,
         "local_mode": None if socket_mode is None else file_mode(socket_mode),
@@ -157,7 +162,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
     On SIGHUP the configuration that `read` returns replaces `config`.
     """
     console.log_to_stderr(config.log_level.upper(), JsonLines() if config.log == "json" else None)
-    raise_file_limit()
+    descriptors.raise_limit()
     async with NodeManager(config) as manager, SystemdNotifier() as services:
         loop = asyncio.get_running_loop()
         loop.add_signal_handler(signal.SIGUSR1, console.print_counters, manager.counters)
@@ -170,14 +175,6 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
         finally:
             if not quiet:
                 console.print_counters(manager.counters)
-
-
-def raise_file_limit() -> None:
-    """Raise the soft limit of open files, which is 1024 on many systems."""
-    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
-    enough = MAX_OPEN_FILES if hard == resource.RLIM_INFINITY else min(MAX_OPEN_FILES, hard)
-    if soft != resource.RLIM_INFINITY and soft < enough:
-        resource.setrlimit(resource.RLIMIT_NOFILE, (enough, hard))
 
 
 def reload(manager: NodeManager, read: Callable[[], NodeConfig], services: SystemdNotifier) -> None:

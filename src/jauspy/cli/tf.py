@@ -15,9 +15,9 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.frames import Frames
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.ocu.frames import RobotFrames
 
 
@@ -48,7 +48,7 @@ def tf(
     """
     if (source is None) != (target is None):
         raise ConfigError(f"give two frames, FROM and TO; only {source} is given")
-    config = robots.load(robot)
+    config = robot_files.load(robot)
     found = run(_query_frames(own_id, connect, config, timeout))
     if found is None:
         return

@@ -32,7 +32,7 @@ from jauspy.cli.options import (
 )
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.cloud import Clouds
 from jauspy.modules.config import MOTIONLESS, RobotConfig
 from jauspy.modules.robot import RobotRunner
@@ -111,7 +111,7 @@ def up(
         console.log_to_stderr("DEBUG")
     if with_parent:
         end_with_parent()
-    config = robots.load(robot)
+    config = robot_files.load(robot)
     clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
         config,
@@ -127,6 +127,7 @@ def up(
         options = ["--config", str(gateway)]
     else:
         options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
+        options += ["--own-ids", f"{config.subsystem}.{config.node}.*"]
         for each in interface or ():
             options += ["--interface", each]
     options += ["--verbose"] * verbose

@@ -105,8 +105,9 @@ async def register(ocu: OCU, camera: JausID, sensor: int, url: str) -> int:
     answer = await ocu.query(camera, Register(Register.RequestIDRec(1), record), expects=Confirm)
     if not answer.id:
         raise RequestError(
-            f"{camera} does not send sensor {sensor} to {url}: there may be no such sensor, too many receivers, or no "
-            "extra 'video' on the robot; see the robot's log"
+            f"{camera} does not send sensor {sensor} to {url}: is this an address from which the robot hears this "
+            "machine, or in its video_targets; is there such a sensor, a free place among the receivers, and the extra "
+            "'video' on the robot?"
         )
     return answer.id
 

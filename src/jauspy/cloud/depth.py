@@ -11,28 +11,28 @@ from jauspy.platform.camera import Camera
 from jauspy.worker_process import SupervisedWorker
 
 NICENESS: Final = 5
-"""Above that of the robot's process: clouds never delay control."""
+"""Nice value above that of the robot's process, so that clouds never delay control."""
 
 _LOG: Final = logging.getLogger("jauspy.cloud")
 
 
 @dataclass(frozen=True, slots=True)
 class DepthSettings:
-    """How the clouds of a camera are made."""
+    """Settings of the clouds of a camera."""
 
     width: int = 400
     height: int = 250
     """Pixels that are measured: each one with something in range becomes a point."""
     rate: float = 10.0
     """Clouds per second."""
-    least: float = 0.2
-    most: float = 10.0
+    min_distance: float = 0.2
+    max_distance: float = 10.0
     """Range of distances along the camera's x axis, in metres."""
 
 
 @dataclass(frozen=True, slots=True)
 class DepthStream:
-    """Which camera's clouds are published, and at which address."""
+    """A camera and the address at which its clouds are published."""
 
     camera: Camera
     settings: DepthSettings

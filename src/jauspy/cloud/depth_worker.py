@@ -66,7 +66,7 @@ def coloured_points(frame: DepthFrame, fov: float, settings: DepthSettings) -> b
     red, green, blue from 0 to 1.
     """
     along = frame.distances
-    rows, columns = np.nonzero((along >= settings.least) & (along <= settings.most))
+    rows, columns = np.nonzero((along >= settings.min_distance) & (along <= settings.max_distance))
     height, width = along.shape
     pixel = 2.0 * math.tan(fov / 2.0) / width
     points = np.empty((len(rows), 6), "<f4")

@@ -20,13 +20,15 @@ _ACRONYM_THEN_WORD = re.compile(r"([A-Z]+)([A-Z](?!s(?![a-z]))[a-z])")
 _LETTERS = str.maketrans(
     {"ß": "ss", "ẞ": "SS", "æ": "ae", "Æ": "AE", "œ": "oe", "Œ": "OE", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L"}
 )
-"""Letters that Unicode does not take apart."""
+"""Letters that Unicode does not decompose."""
 _DIMENSIONS = re.compile(r"(?<=\d)D(?![a-z])")
 _RESERVED = frozenset(
     {"encode", "decode", "to_dict", "from_dict", "layout", "mro", "self", "cls"}  # of a message
     | {"int", "float", "str", "bytes", "list", "jd"}  # in its annotations
 )
 _RESERVED_CLASSES = frozenset({"IntEnum", "Self"})
+_RESERVED_PACKAGES = frozenset({"registry"})
+_RESERVED_MODULES = frozenset({"types"})  # those that services share
 
 
 def plain(name: str) -> str:
@@ -41,12 +43,18 @@ def snake(name: str) -> str:
     return "_".join(word.lower() for word in _WORDS.findall(text))
 
 
-def attribute(name: str) -> str:
-    """A valid attribute name that collides with nothing a message already has."""
+def method(name: str) -> str:
+    """A valid name of a method, a module or a package."""
     text = snake(name) or "unnamed"
     if text[0].isdigit():
         text = f"n{text}"
-    return f"{text}_" if keyword.iskeyword(text) or text in _RESERVED else text
+    return f"{text}_" if keyword.iskeyword(text) else text
+
+
+def attribute(name: str) -> str:
+    """A valid attribute name that collides with nothing a message already has."""
+    text = method(name)
+    return f"{text}_" if text in _RESERVED else text
 
 
 def constant(name: str) -> str:
@@ -56,13 +64,13 @@ def constant(name: str) -> str:
 
 
 def class_name(name: str) -> str:
-    """A valid class name that keeps the JAUS spelling where it can."""
+    """A valid class name, with the JAUS spelling if possible."""
     letters = unicodedata.normalize("NFKC", name)
     text = "".join(letter if f"a{letter}".isidentifier() else " " for letter in letters)
     text = re.sub(r"\s+", "_", text).strip("_") or "Unnamed"
     text = text[0].upper() + text[1:]
-    if not text.isidentifier():
-        return f"N{text}"
+    # What is upper case, or stands behind another letter, may be composed differently.
+    text = unicodedata.normalize("NFKC", text if text.isidentifier() else f"N{text}")
     return f"{text}_" if keyword.iskeyword(text) or text in _RESERVED_CLASSES else text
 
 
@@ -99,19 +107,26 @@ def members(values: Iterable[tuple[int, str]]) -> dict[str, int]:
 
 def set_package(urn: str) -> str:
     """The package of the set of a service or type set: `environment_sensing` of `...:environmentSensing:Range`."""
-    return snake(service_set(urn)) or "unnamed"
+    name = method(service_set(urn))
+    return f"{name}_" if name in _RESERVED_PACKAGES else name
 
 
 def version_package(version: str) -> str:
     """`v1_1` of `1.1`."""
-    return "v" + re.sub(r"\W+", "_", version)
+    return "v" + re.sub(r"\W+", "_", version, flags=re.ASCII)
+
+
+def service_module(name: str) -> str:
+    """The module of a service."""
+    module = attribute(name)
+    return f"{module}_" if module in _RESERVED_MODULES else module
 
 
 def module_alias(name: str) -> str:
-    """How a module of the package is called where another imports it: `core_v1_0_types` of `core.v1_0.types`."""
+    """The alias of a module where another one imports it: `core_v1_0_types` for `core.v1_0.types`."""
     return snake(name.replace(".", " ")) or name
 
 
 def version_key(version: str) -> tuple[int, ...]:
-    """Orders versions, `1.1` and `v1_1` alike."""
+    """Sort key of versions, for `1.1` and `v1_1` alike."""
     return tuple(int(part) for part in version.replace("v", "").replace("_", ".").split(".") if part.isdigit())

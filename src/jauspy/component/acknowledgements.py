@@ -32,7 +32,7 @@ class Acknowledgements:
         return len(self._callbacks) >= MAX_CALLBACKS
 
     def add_callback(self, ticket: int, callback: Callable[[bool], None]) -> None:
-        """Call `callback` with whether the message of this ticket was acknowledged."""
+        """Call `callback` with True if the message of this ticket is acknowledged, with False if it is given up."""
         self._callbacks[ticket] = callback
 
     async def wait(self, ticket: int | None, problem: str) -> None:
@@ -46,7 +46,7 @@ class Acknowledgements:
             self._futures.pop(ticket, None)
 
     def process(self) -> None:
-        """Pass on the outcomes that the endpoint has; one that nothing waits for is only counted, by the endpoint."""
+        """Pass on the outcomes of the endpoint; others are only counted, by the endpoint."""
         while (outcome := self._endpoint.next_outcome()) is not None:
             future = self._futures.get(outcome.ticket)
             if future is not None and not future.done():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import math
 import random
 import signal
 import time
@@ -22,6 +23,7 @@ from jauspy.component.acknowledgements import Acknowledgements
 from jauspy.component.event_loop import ErrorGuard, LoopTimer
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id
+from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
@@ -31,6 +33,8 @@ from jauspy.services.host import Host
 from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
+from jauspy.transport.age import MAX_AGE
+from jauspy.transport.base import LocatingTransport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
 S = TypeVar("S", bound=Service)
@@ -65,9 +69,12 @@ class ComponentOptions:
 
     `delivery` has the settings of reliable delivery and large messages. `schema` and `registry` replace the definitions
     and messages that are built in or that services bring. `clock` is monotonic, in seconds; `utc_now` the wall clock.
+    `max_message_age` is the time in seconds for which a received message may wait while the component does not read, as
+    when its process is stopped; an older one is dropped, unless it is acknowledged. 0 is no limit.
     """
 
     delivery: Delivery | None = None
+    max_message_age: float = MAX_AGE
     schema: Schema | None = None
     registry: Registry | None = None
     clock: Callable[[], float] = loop_time
@@ -149,6 +156,7 @@ class Component:
         self._clock = options.clock
         self._transport = transport
         host.on_timer_change = self._on_timer_change
+        host.locate = self._locate
         self._errors: Counter[str] = Counter()
         self._guard = ErrorGuard(f"component {host.id}", self._errors)
         self._timer = LoopTimer(self._on_timeout, self._clock)
@@ -216,6 +224,7 @@ class Component:
             return
         transport = self._transport = self._given_transport or await self._make_transport()
         transport.received = self._on_datagram
+        transport.max_age = self._options.max_message_age or math.inf
         self._make_endpoint()
         self._loop = asyncio.get_running_loop()
         self._closed.clear()
@@ -418,6 +427,12 @@ class Component:
             services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
             at = services if delivery is None or (services is not None and services < delivery) else delivery
             self._timer.set(self._loop, at)
+
+    def _locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        if isinstance(self._transport, LocatingTransport):
+            self._transport.locate(id, found)
+        else:
+            found(UNKNOWN_LOCATION)
 
     def _on_timer_change(self) -> None:
         self._set_timer()

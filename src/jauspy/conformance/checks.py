@@ -10,7 +10,7 @@ from typing import Any, TypeAlias
 from jauspy.codec.message import Message
 
 FindProblem: TypeAlias = Callable[[Any], str]
-"""Takes a message, says what is wrong with it; empty when nothing is."""
+"""Takes a message; returns what is wrong with it, or an empty string."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -27,22 +27,22 @@ def has(**fields: object) -> tuple[Check, ...]:
 
 
 def near(tolerance: float, **fields: float) -> tuple[Check, ...]:
-    """Each of these numbers is there, and within `tolerance`; paths are written as for `has`."""
+    """Each of these numbers is present and within `tolerance`; paths are written as for `has`."""
     return tuple(_near(name.replace("__", "."), value, tolerance) for name, value in fields.items())
 
 
 def value_of(message: Any, name: str) -> Any:
-    """What `has` and `near` look at."""
+    """Return the value at a path of `has` and `near`."""
     return _field(message, name.replace("__", "."))
 
 
 def carries(*fields: str) -> tuple[Check, ...]:
-    """Each of these optional fields is in the report."""
+    """Each of these optional fields is present in the report."""
     return tuple(Check(f"carries {name}", _missing(name)) for name in fields)
 
 
 def carries_only(*fields: str) -> Check:
-    """Of the optional fields none but these is in the report."""
+    """No optional field but these is present in the report."""
     what = f"carries no optional field but {', '.join(fields)}" if fields else "carries no optional field"
 
     def problem(message: Message) -> str:
@@ -53,7 +53,7 @@ def carries_only(*fields: str) -> Check:
 
 
 def that(name: str, holds: Callable[[Any], bool]) -> Check:
-    """Anything else; `name` says what holds."""
+    """A check by a function; `name` says what holds."""
     return Check(name, lambda message: "" if holds(message) else f"does not hold: {name}")
 
 

@@ -16,18 +16,18 @@ from jauspy.ids import JausID
 from jauspy.messages.core import CancelEvent, ConfirmEventRequest, CreateEvent, Event
 
 RATE_STEP: Final = 1092 / 65535
-"""Hertz of one step of a rate on the wire (AS5710)."""
+"""Resolution of a rate on the wire, in hertz (AS5710)."""
 ONE_HERTZ: Final = 60 * RATE_STEP
 HALF_HERTZ: Final = 30 * RATE_STEP
-"""As the judge sends them: raw 003C and 001E."""
+"""The rates that the IGVC judge requests: raw 003C and 001E."""
 TOLERANCE: Final = 0.25
-"""Deviation of an interval that is allowed, relative to the period."""
+"""Allowed deviation of an interval, relative to the period."""
 PERIODS: Final = 4
-"""Periods of a stream that are watched."""
+"""Number of periods of a stream that are checked."""
 MAX_COUNTED: Final = 12
 """Events of a fast stream that are counted; its single intervals depend more on the network than on the robot."""
 COUNT_TOLERANCE: Final = 0.4
-"""Deviation of that number that is allowed, relative to it."""
+"""Allowed deviation of the number of events, relative to it."""
 MAX_WATCH_TIME: Final = 20.0
 """s."""
 
@@ -37,7 +37,7 @@ Arrivals = Sequence[tuple[float, Event]]
 def subscribe(
     client: Client, request: int, query: Message | bytes, rate: float = ONE_HERTZ, to: JausID | None = None
 ) -> ConfirmEventRequest:
-    """A periodic event; it must be confirmed with the rate that was asked for."""
+    """Create a periodic event; it must be confirmed with the requested rate."""
     wanted = CreateEvent(
         request_id=request,
         event_type=CreateEvent.EventType.PERIODIC,
@@ -55,13 +55,13 @@ def cancel(client: Client, request: int, event: int, to: JausID | None = None) -
 
 
 def watch(client: Client, event: int, rate: float, report: type[Message]) -> None:
-    """The stream of an event keeps its rate, counts, and carries the report."""
+    """Check the rate, sequence numbers and reports of an event's stream."""
     arrivals = client.collect(Event, PERIODS / rate, lambda message: message.event_id == event)
     judge(client.tester, arrivals, rate, report)
 
 
 def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]) -> None:
-    """Look at what came of one event."""
+    """Check the received messages of one event."""
     name = f"{report.NAME} at {rate:.2g} Hz"
     tester.expected.append(f"Event 41F1h with {name}")
     _there_are_some(tester, arrivals)
@@ -70,7 +70,7 @@ def judge(tester: Tester, arrivals: Arrivals, rate: float, report: type[Message]
 
 
 def check_stream(client: Client, event: int, rate: float, report: type[Message]) -> None:
-    """A stream has the rate that was confirmed, in the mean, and every event of this client belongs to it."""
+    """Check that the mean rate is the confirmed one, and that all events of this client belong to the stream."""
     tester = client.tester
     tester.expected.append(f"Event 41F1h with {report.NAME} at {rate:.3g} Hz")
     tester.check("a rate is confirmed", "" if rate > 0 else f"it is {rate:g} Hz")
@@ -79,9 +79,10 @@ def check_stream(client: Client, event: int, rate: float, report: type[Message])
     client.forget(Event)  # of before: the tester may have been held up
     arrivals = client.collect(Event, seconds)
     _there_are_some(tester, arrivals)
-    strange = {each.event_id for _, each in arrivals} - {event}
+    unexpected = {each.event_id for _, each in arrivals} - {event}
     tester.check(
-        "the events have the id that was confirmed", f"they have {sorted(strange)}, not {event}" if strange else ""
+        "the events have the id that was confirmed",
+        f"they have {sorted(unexpected)}, not {event}" if unexpected else "",
     )
     wrong = abs(len(arrivals) - seconds * rate) > seconds * rate * COUNT_TOLERANCE
     tester.check("they come at the confirmed rate", f"{len(arrivals)} came in {seconds:.3g} s" if wrong else "")
@@ -95,7 +96,7 @@ def _there_are_some(tester: Tester, arrivals: Arrivals) -> None:
 
 
 def _events_are_right(tester: Tester, arrivals: Arrivals, name: str, report: type[Message]) -> None:
-    """They count, and carry the report."""
+    """Check sequence numbers and reports."""
     numbers = [event.sequence_number for _, event in arrivals]
     steps = {after - before & 0xFF for before, after in pairwise(numbers)}
     tester.check(
@@ -106,7 +107,7 @@ def _events_are_right(tester: Tester, arrivals: Arrivals, name: str, report: typ
 
 
 def _content(event: Event, report: type[Message]) -> str:
-    """What is wrong with the message in an event."""
+    """Return what is wrong with the message in an event, or an empty string."""
     inside = event.report_message
     payload = inside.encode(strict=False) if isinstance(inside, Message) else inside
     try:
@@ -117,7 +118,7 @@ def _content(event: Event, report: type[Message]) -> str:
 
 
 def pace(arrivals: Arrivals, rate: float) -> str:
-    """What is wrong with the intervals; the first report may come at any time."""
+    """Return what is wrong with the intervals, or an empty string; the first report may arrive at any time."""
     times = [at for at, _ in arrivals]
     if len(times) < PERIODS - 1:
         return f"{len(times)} events came in {PERIODS / rate:.3g} s, which is not {rate:.2g} Hz"
@@ -127,7 +128,7 @@ def pace(arrivals: Arrivals, rate: float) -> str:
 
 
 def check_stopped(client: Client, event: int, seconds: float) -> None:
-    """Nothing more comes of an event that was cancelled, apart from what was under way."""
+    """Check that a cancelled event sends no more reports, apart from those already in flight."""
     client.tester.wait(0.05 * client.tester.timeout)
     client.forget(Event)
     arrivals = client.collect(Event, seconds, lambda message: message.event_id == event)

@@ -23,7 +23,7 @@ ALL_SERVICES: Final = QueryServices(
         )
     ]
 )
-"""Asks for everything: 255 stands for all nodes, and for all components."""
+"""Queries all services: 255 stands for all nodes and all components."""
 DISCOVERY_CLIENT: Final = "42.1.1"
 
 
@@ -34,7 +34,7 @@ class Offers:
     components: Mapping[JausID, frozenset[ServiceKey]]
 
     def with_any(self, wanted: frozenset[ServiceKey]) -> Mapping[JausID, frozenset[ServiceKey]]:
-        """The wanted services by component, without components that have none of them."""
+        """The `wanted` services by component, without components that have none of them."""
         found = {id: services & wanted for id, services in sorted(self.components.items())}
         return {id: services for id, services in found.items() if services}
 
@@ -43,7 +43,8 @@ def discover(tester: Tester) -> Offers:
     """Ask the target for all of its services. Raises `RequestError` if no component reports them.
 
     Some components report all services of their node, others only their own. So answers to a wildcard are collected for
-    a whole timeout. If a component does not answer, its node is asked: often one Discovery reports for all of them.
+    a whole timeout. If a component does not answer, its whole node is queried, because often one Discovery service
+    reports for all components.
     """
     listed = that("lists a component", lambda report: any(each.component_list for each in report.node_list))
     client = tester.client(DISCOVERY_CLIENT)
@@ -69,7 +70,7 @@ def _reported_by_node(tester: Tester) -> list[tuple[JausID, ReportServices]]:
 
 
 def _probe(tester: Tester) -> None:
-    """Find out whether the target answers anything, for the text of the report."""
+    """Return whether the target answers any query, for the error message."""
     for ping in HARMLESS_QUERIES:
         tester.client(DISCOVERY_CLIENT).send(ping)
     tester.pump(tester.now + tester.timeout, lambda: tester.has_received)

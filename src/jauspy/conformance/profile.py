@@ -1,4 +1,4 @@
-"""What a profile is: named steps, each a function of a tester."""
+"""Profiles: named steps, each a function of a tester."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 
 GROUP: Final = "jauspy.conformance"
-"""Entry points of profiles: a name, and where the `Profile` is."""
+"""Group of entry points: a name and the location of a `Profile`."""
 
 BUILT_IN: Final = {
     "core-1.1": "jauspy.conformance.state_tests.plan:CORE",
@@ -29,10 +29,10 @@ BUILT_IN: Final = {
     "igvc-2011": "jauspy.conformance.profiles.igvc_2011:PROFILE",
     "igvc-2015": "jauspy.conformance.profiles.igvc_2015:PROFILE",
 }
-"""Where the included profiles are; loaded when they are run."""
+"""Locations of the included profiles, which are imported when they are used."""
 
 Action: TypeAlias = Callable[[Tester], object]
-"""What a step does: it raises a `StepOutcome` unless it passes."""
+"""The function of a step; raises a `StepOutcome` unless the step passes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -44,17 +44,17 @@ class Step:
     run: Action
     points: float = 0.0
     why: str = ""
-    """Where the expectation comes from, when the messages sent do not say it: a state, a rule."""
+    """Source of the expectation, such as a state or a rule, if the messages do not show it."""
     moves: bool = False
-    """The robot drives: `--no-motion` leaves the step out."""
+    """True if the robot drives in this step; `--no-motion` omits it."""
     wants: frozenset[str] = field(default=frozenset())
-    """Features of the wire that it needs."""
+    """Required features of the wire."""
     transitions: tuple[str, ...] = ()
     """Transitions of the target's state machines that the step may take."""
 
 
 Plan: TypeAlias = Callable[[Offers], Sequence[Step]]
-"""The steps for what a target offers."""
+"""Makes the steps for the services of a target."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -92,12 +92,12 @@ def ask(
     *checks: Check | Iterable[Check],
     to: JausID | None = None,
 ) -> Action:
-    """The commonest step: a client sends a message and gets the right answer."""
+    """A step in which a client sends a message and receives the right answer."""
     return lambda tester: tester.client(client).ask(message, answer, *checks, to=to)
 
 
 def tell(client: str, message: Message | bytes) -> Action:
-    """A client sends a message that has no answer."""
+    """A step in which a client sends a message that has no answer."""
 
     def action(tester: Tester) -> None:
         tester.client(client).send(message)
@@ -107,7 +107,7 @@ def tell(client: str, message: Message | bytes) -> Action:
 
 
 def known() -> list[str]:
-    """The names of the profiles that come with jauspy, and of those that packages announce."""
+    """The names of the included profiles and of those that installed packages register."""
     return sorted({*BUILT_IN, *(entry.name for entry in entry_points(group=GROUP))})
 
 

@@ -1,4 +1,4 @@
-"""The steps of a profile as tests of pytest."""
+"""Runs the steps of a profile as pytest tests."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 
 def offers_of(virtual_target: VirtualTarget) -> Offers:
-    """What the components of a virtual target offer, without asking them."""
+    """The services of the components of a virtual target, read without messages."""
     return Offers(
         {
             id: frozenset(each.key for each in component.host.definitions.values())
@@ -40,11 +40,11 @@ def pytest_steps(
     offers: Offers | None = None,
     settings: Settings | None = None,
 ) -> pytest.MarkDecorator:
-    """Parametrises a test with `step`, one for each step of a profile: call it, and it passes, fails or skips.
+    """Parametrise a test with `step`, once for each step of a profile; `step()` passes, fails or skips the test.
 
-    `wire` makes the way to the target; one is made when the first step is called, and all run in order on it.
+    `wire` returns the `Wire` to the target; it is called once, before the first step, and all steps run on it in order.
     Profiles whose steps depend on the target need `offers`: its services, by component.
-    Raises `ConfigError` for an unknown profile, and when `offers` has nothing for it.
+    Raises `ConfigError` for an unknown profile, or if `offers` has no service that it tests.
     """
     import pytest  # noqa: PLC0415 - jauspy does not need it otherwise
 
@@ -57,7 +57,7 @@ def pytest_steps(
 
 
 class _Session:
-    """One target for all steps. Those before a step are run first, in whatever order pytest calls them.
+    """One target for all steps. The steps before a requested one are run first, in any order of pytest's calls.
 
     After the last one, or when the process ends, the target is left in order.
     """
@@ -75,7 +75,7 @@ class _Session:
         self._closed = False
 
     def test_of(self, number: int) -> Callable[[], None]:
-        """What the test calls."""
+        """Return the function that the test calls."""
 
         def test() -> None:
             import pytest  # noqa: PLC0415 - jauspy does not need it otherwise

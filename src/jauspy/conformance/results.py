@@ -1,4 +1,4 @@
-"""What a run found: steps with their verdicts, what was sent and received, and the sum."""
+"""Results of a run: steps with their verdicts and traffic, and the totals."""
 
 from __future__ import annotations
 
@@ -17,15 +17,15 @@ class Verdict(StrEnum):
 
     PASS = "pass"  # noqa: S105 - a verdict
     FAIL = "fail"
-    """An answer that is not the right one, or one that should not have come."""
+    """A wrong answer, or an answer where none is allowed."""
     SILENT = "silent"
     """No answer at all."""
     LATE = "late"
     """The right answer after the deadline."""
     MALFORMED = "malformed"
-    """The right message id on bytes that its definition does not allow."""
+    """The right message id with bytes that its definition does not allow."""
     SKIPPED = "skipped"
-    """Not tried; the reason says why."""
+    """Not run; the reason says why."""
 
 
 DEPENDS_ON_TARGET: Final = (
@@ -44,7 +44,7 @@ class CheckResult:
 
 @dataclass(frozen=True, slots=True)
 class Transition:
-    """A transition of a state machine of the target: the first step in which it was taken, or why there is none."""
+    """A transition of a state machine of the target: the first step in which it was taken, or why none was."""
 
     name: str
     step: str = ""
@@ -60,20 +60,20 @@ class Result:
     verdict: Verdict
     reason: str = ""
     why: str = ""
-    """Which service, message and state the expectation comes from."""
+    """Service, message and state from which the expectation follows."""
     expected: tuple[str, ...] = ()
     checks: tuple[CheckResult, ...] = ()
     entries: tuple[TraceEntry, ...] = ()
     omitted: int = 0
-    """Datagrams that came after these, and were too many to keep."""
+    """Number of further datagrams, which are not kept."""
     began: float = 0.0
     ended: float = 0.0
     points: float = 0.0
-    """What the step is worth."""
+    """Points for passing the step."""
     transitions: tuple[str, ...] = ()
-    """Of state machines: those that may be taken in this step."""
+    """Transitions of state machines that may be taken in this step."""
     taken: tuple[str, ...] = ()
-    """Transitions that were taken, or had to be, and were judged."""
+    """Transitions that were taken, or had to be, and were checked."""
 
     @property
     def earned(self) -> float:
@@ -82,7 +82,7 @@ class Result:
 
     @property
     def rest(self) -> str:
-        """What the traffic of this step lacks, as a sentence; empty when it is whole."""
+        """A sentence on omitted datagrams of this step; empty if none is omitted."""
         return f"{self.omitted} datagrams of this step were too many to keep" if self.omitted else ""
 
     @property
@@ -102,7 +102,7 @@ class Report:
     seconds: float = 0.0
     results: tuple[Result, ...] = ()
     entries: tuple[TraceEntry, ...] = ()
-    """All datagrams that are kept, including those between steps."""
+    """All kept datagrams, including those between steps."""
     problem: str = ""
     notes: tuple[str, ...] = field(default=())
 
@@ -113,12 +113,12 @@ class Report:
 
     @property
     def points(self) -> tuple[float, float]:
-        """Earned, and what all steps are worth."""
+        """Points earned, and points of all steps."""
         return sum(each.earned for each in self.results), sum(each.points for each in self.results)
 
     @property
     def transitions(self) -> tuple[Transition, ...]:
-        """All transitions of state machines that the steps are about."""
+        """All transitions of state machines that the steps may take."""
         found: dict[str, Transition] = {}
         for result in self.results:
             for name in result.taken:
@@ -138,7 +138,7 @@ class Report:
 
     @property
     def status(self) -> int:
-        """For CI: 0 all passed, 1 some failed, 2 could not run. A run in which nothing was tried is no success."""
+        """Exit status: 0 all passed, 1 some failed, 2 the run was not possible or no step was run."""
         if self.problem:
             return 2
         if self.failures:
@@ -147,14 +147,14 @@ class Report:
 
 
 def transitions_summary(report: Report) -> str:
-    """`218 of 230 transitions were taken and judged`; empty for a profile that is not about state machines."""
+    """Such as `218 of 230 transitions were taken and judged`; empty for a profile without state machines."""
     found = report.transitions
     taken = sum(1 for each in found if each.step)
     return f"{taken} of {len(found)} state machine transitions in these steps were taken and judged" if found else ""
 
 
 def worst(reports: Iterable[Report]) -> int:
-    """The status of several runs together: a failure counts more than a run that was not possible."""
+    """The exit status of several runs together; a failure precedes a run that was not possible."""
     statuses = {report.status for report in reports}
     return 1 if 1 in statuses else max(statuses, default=2)
 
@@ -166,17 +166,17 @@ class StepOutcome(JausError):
 
 
 class Failed(StepOutcome):
-    """A wrong answer, or one where there should be none."""
+    """A wrong answer, or an answer where none is allowed."""
 
 
 class Silent(StepOutcome):
-    """No answer came."""
+    """No answer arrived."""
 
     verdict = Verdict.SILENT
 
 
 class Late(StepOutcome):
-    """The right answer came after the deadline."""
+    """The right answer arrived after the deadline."""
 
     verdict = Verdict.LATE
 

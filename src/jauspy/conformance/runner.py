@@ -1,4 +1,4 @@
-"""Runs the steps of a profile, watches whether the target is alive, and leaves it in Standby and free."""
+"""Runs the steps of a profile, checks that the target still answers, and leaves it in Standby without a controller."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ MAX_PROBE_CLIENTS: Final = 64
 
 
 class LivenessMonitor:
-    """Notices during a run that the target does not answer any more."""
+    """Detects during a run that the target does not answer any more."""
 
     def __init__(self, tester: Tester) -> None:
         self._tester = tester
@@ -46,7 +46,7 @@ class LivenessMonitor:
 
     def judged(self, result: Result) -> Result:
         """The result. A step that passed because nothing came is silent if the target does not answer at all."""
-        if self._lives(result):
+        if self._is_responsive(result):
             self._silent, self._tester.silent_since = 0, ""
             return result
         self._silent += 1
@@ -55,10 +55,10 @@ class LivenessMonitor:
             return replace(result, verdict=Verdict.SILENT, reason=self.reason)
         return result
 
-    def _lives(self, result: Result) -> bool:
-        """The target was not spoken to, said something, had no reason to speak, or answers now.
+    def _is_responsive(self, result: Result) -> bool:
+        """True if nothing was sent to the target, it sent something or had no reason to, or it answers now.
 
-        Once it was silent, only an answer to a new question counts: what it says then may be an old answer.
+        Once the target was silent, only the answer to a new query counts, because other messages may be late answers.
         """
         content = result.verdict is Verdict.PASS or self._tester.received_in_step
         return not self._tester.sent_in_step or (content and not self._tester.silent_since) or self._answers()
@@ -87,7 +87,7 @@ UNDO: Final[tuple[tuple[type[Message], tuple[Message, ...]], ...]] = (
     (SetEmergency, (ClearEmergency(STOP),)),
     (RequestControl, (Standby(), ReleaseControl())),
 )
-"""Messages and what undoes them, in order: control cannot be released during an emergency."""
+"""Messages and the messages that undo them, in order: control cannot be released during an emergency."""
 SETTLE_TIME: Final = 0.1
 """Timeouts to wait after that."""
 
@@ -106,7 +106,7 @@ def restore_target(tester: Tester) -> str:
             client.send(message)
     except TransportError as error:
         return f"the target could not be left in order: {error}"
-    with suppress(TransportError):  # what comes now is not looked at
+    with suppress(TransportError):  # messages that arrive now are ignored
         tester.wait(SETTLE_TIME * tester.timeout if undone else 0.0)
     return ""
 
@@ -150,7 +150,7 @@ def run(
     registry: Registry = known_messages,
     watch: OnResult = lambda _: None,
 ) -> Report:
-    """Run a profile and return the report. `began`: wall clock, seconds since 1970. No answer of the target raises.
+    """Run a profile and return the report. `began`: wall clock, seconds since 1970. A missing answer never raises.
 
     Ctrl-C raises `Interrupted`, which has the report of what was done so far.
     """
@@ -205,14 +205,12 @@ def _unanswered(tester: Tester, error: RequestError) -> str:
 
 
 def _notes(tester: Tester) -> tuple[str, ...]:
-    """Whether the target stopped answering, and what the report omits."""
+    """Notes for the report: that the target stopped answering, and what the report omits."""
     omitted, dropped = tester.record.omitted, tester.dropped
     notes = (
         silent_since(tester.silent_since) if tester.silent_since else "",
         f"{omitted} datagrams were too many to keep for the report; no verdict depends on that" if omitted else "",
-        f"{dropped} messages were dropped before a step looked at them: more came than a client holds"
-        if dropped
-        else "",
+        f"{dropped} messages were dropped before a step read them: more arrived than a client holds" if dropped else "",
     )
     return tuple(filter(None, notes))
 
@@ -293,7 +291,7 @@ def run_step(step: Step, tester: Tester, settings: Settings) -> Result:
 
 
 def _where(error: Exception) -> str:
-    """The error, and the line that raised it."""
+    """The text of the error and the line that raised it."""
     *_, last = traceback.extract_tb(error.__traceback__)
     return f"{type(error).__name__}: {error} ({last.filename}:{last.lineno})"
 

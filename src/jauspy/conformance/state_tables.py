@@ -87,7 +87,7 @@ MIN_AUTHORITY: Final = 200
 """Authority of the controller, unless the default authority of the component is higher."""
 MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
 INIT_POLL: Final = 0.05
-"""Timeouts between two questions while a component initializes."""
+"""Timeouts between two queries while a component initializes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -123,7 +123,7 @@ class Answer:
 
 @dataclass(frozen=True, slots=True)
 class Effect:
-    """What a query of the observer must show afterwards. `checks` may depend on the authority of the controller."""
+    """Answer that the observer must get afterwards. `checks` may depend on the authority of the controller."""
 
     query: Message
     report: type[Message]
@@ -141,7 +141,7 @@ class Row:
     next: State
     variant: str = ""
     notice: Answer | None = None
-    """Sent to the client that was in control."""
+    """Answer to the client that was in control."""
     effect: Effect | None = None
 
 
@@ -161,12 +161,12 @@ def answer(kind: type[Message], **fields: object) -> Answer:
 
 
 def everywhere(sender: str, message: Message, right: Answer, variant: str = "") -> Iterator[Row]:
-    """A message that has the same answer in every state, and changes none."""
+    """Rows for a message that has the same answer in every state and changes none."""
     return (Row(state, sender, message, right, state, variant) for state in EVERYWHERE)
 
 
 def ignored(message: Message, *places: tuple[State, str], variant: str = "") -> Iterator[Row]:
-    """A message without answer or effect in these states, from these senders."""
+    """Rows for a message without answer or effect in these states, from these senders."""
     return (Row(state, sender, message, None, state, variant) for state, sender in places)
 
 
@@ -324,10 +324,10 @@ def _delete(uid: int) -> DeleteElement:
     return DeleteElement(DeleteElement.RequestIDRec(REQUEST), [DeleteElement.DeleteElementRec(uid)])
 
 
-NOBODY_TAKES: Final = bytes.fromhex("ffee")
+UNKNOWN_MESSAGE: Final = bytes.fromhex("ffee")
 """A message that no service defines, so no list can carry it out."""
 UNSUPPORTED_ELEMENT: Final = SetElement(
-    SetElement.RequestIDRec(REQUEST), [ElementRec(REQUEST, 0, 0, ElementRec.ElementData(0, NOBODY_TAKES))]
+    SetElement.RequestIDRec(REQUEST), [ElementRec(REQUEST, 0, 0, ElementRec.ElementData(0, UNKNOWN_MESSAGE))]
 )
 ELEMENT_REJECTED: Final = answer(RejectElementRequest, request_id=REQUEST)
 LIST_TABLE: Final = StateTable(
@@ -432,7 +432,7 @@ def _step(component: JausID, services: frozenset[str], table: StateTable, row: R
 
 @dataclass(frozen=True, slots=True)
 class RowTest:
-    """One row, tried on one component."""
+    """One row as a test of one component."""
 
     component: JausID
     services: frozenset[str]
@@ -440,7 +440,7 @@ class RowTest:
 
 
 def _run(test: RowTest, tester: Tester) -> None:
-    """Bring the component to the state, and try the row."""
+    """Bring the component to the state, and run the row."""
     authority = _bring(test, tester)
     try:
         attempt(test, tester, authority)
@@ -510,7 +510,7 @@ def _ask(test: RowTest, tester: Tester, query: Message, report: type[Message], *
 
 
 def _settled(test: RowTest, tester: Tester, state: State) -> str:
-    """What the component reports instead of this state, once it has initialized; empty when it is in it."""
+    """Wait for initialization; returns the reported state if it is not this one, else an empty string."""
     end = tester.now + tester.timeout
     while True:
         status = _ask(test, tester, QueryStatus(), ReportStatus).status if MANAGEMENT in test.services else state.status
@@ -525,7 +525,7 @@ def _settled(test: RowTest, tester: Tester, state: State) -> str:
 
 
 def _controller(test: RowTest, tester: Tester) -> str | None:
-    """The role of the client in control, or its id when it has none."""
+    """The role of the client in control, or its id if it has no role."""
     report = _ask(test, tester, QueryControl(), ReportControl)
     id = JausID(report.subsystem_id, report.node_id, report.component_id)
     roles = {text: role for role, text in CLIENTS.items()}
@@ -533,7 +533,7 @@ def _controller(test: RowTest, tester: Tester) -> str | None:
 
 
 def attempt(test: RowTest, tester: Tester, authority: int) -> None:
-    """Send the message of the row, and compare what comes and the state afterwards with the row."""
+    """Send the message of the row, and compare the answers and the state afterwards with the row."""
     row = test.row
     client = tester.client(CLIENTS[row.sender])
     message = row.message if isinstance(row.message, Message) else row.message(authority)
@@ -544,8 +544,8 @@ def attempt(test: RowTest, tester: Tester, authority: int) -> None:
     if row.notice is not None:
         tester.client(CLIENTS[CONTROLLER]).expect(row.notice.kind, *row.notice.checks, source=test.component)
     with tester.unreported():
-        problem = _settled(test, tester, row.next) if _shows_state(test) else _after_pause(client)
-    _nothing_else(tester, answered=row.answer is not None)
+        problem = _settled(test, tester, row.next) if _shows_state(test) else _wait_for_answer(client)
+    _check_no_other_messages(tester, answered=row.answer is not None)
     name = f"the state is {row.next.name}"
     tester.expected.append(name)
     tester.check(name, f"afterwards {problem}; {name} was expected" if problem else "")
@@ -558,14 +558,14 @@ def _shows_state(test: RowTest) -> bool:
     return bool(test.services & {MANAGEMENT, ACCESS_CONTROL})
 
 
-def _after_pause(client: Client) -> str:
-    """A component that reports no state has had time to answer."""
+def _wait_for_answer(client: Client) -> str:
+    """Give a component that reports no state time to answer."""
     client.tester.wait(0.1 * client.tester.timeout)
     return ""
 
 
-def _nothing_else(tester: Tester, *, answered: bool) -> None:
-    """Nobody but the observer has received anything that the row does not name."""
+def _check_no_other_messages(tester: Tester, *, answered: bool) -> None:
+    """Check that no client but the observer has received a message that the row does not name."""
     came = [
         f"{name} to the {role}"
         for role in CLIENTS

@@ -1,4 +1,4 @@
-"""What a step works with: the tester, its clients, and the messages that they expect."""
+"""The tester that runs steps, its clients, and the messages that they expect."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ CLIENTS: Final[Mapping[str, str]] = {
     EMERGENCY_CLIENT: "42.2.4",
     OBSERVER: "42.2.9",
 }
-"""Ids by role: who takes control, who does not have it, who sets emergencies, who only sends queries."""
+"""Ids of clients by role: in control, not in control, sets emergencies, sends only queries."""
 
 HARMLESS_QUERIES: Final[tuple[Message, ...]] = (
     QueryEvents(AllEventsRec(0)),
@@ -52,14 +52,14 @@ HARMLESS_QUERIES: Final[tuple[Message, ...]] = (
     QueryControl(),
     QueryIdentification(4),
 )
-"""Queries that change nothing, to find out whether a target answers. Nearly every component has Events."""
+"""Queries that change nothing, to test whether a target answers. Nearly every component has Events."""
 
 
 class Expectation(Generic[M]):
     """One message of a kind that passes all checks.
 
-    With a wildcard as source one component that answers right is enough; else the first answer decides. `source` is
-    the target, unless one component of it was asked.
+    With a wildcard as source one right answer is enough; else the first answer decides. `source` is
+    the target, or the component that was queried.
     """
 
     def __init__(
@@ -78,7 +78,7 @@ class Expectation(Generic[M]):
         self._source = source or client.tester.target
         self._seconds = 0.0
         self._outcome: StepOutcome | None = None
-        self._looked: list[CheckResult] = []
+        self._results: list[CheckResult] = []
         self._found: tuple[ReceivedMessage, M] | None = None
 
     def wait(self, seconds: float) -> M:
@@ -86,93 +86,95 @@ class Expectation(Generic[M]):
         self._seconds = seconds
         tester, deadline = self._tester, self._tester.now + seconds
         tester.expected.append(" and ".join((message_name(self._kind), *(each.name for each in self._checks))))
-        tester.pump(deadline, self._look)
+        tester.pump(deadline, self._process_pending)
         if self._found is None and (self._outcome is None or self._source.is_wildcard):
-            tester.pump(deadline + seconds, self._look)
+            tester.pump(deadline + seconds, self._process_pending)
         comes = f"{message_name(self._kind)} comes"
         if self._found is None and self._outcome is None:
-            self._outcome = self._absence()
+            self._outcome = self._missing_outcome()
             tester.record_check(comes, str(self._outcome))
             raise self._outcome
         tester.record_check(comes)
-        tester.checks += self._looked
+        tester.checks += self._results
         if self._found is None:
             assert self._outcome is not None
             raise self._outcome
-        heard, message = self._found
-        late = heard.at - deadline
+        received, message = self._found
+        late = received.at - deadline
         tester.record_check(f"{comes} in time", f"{late:.2f} s late" if late > 0 else "")
         if late > 0:
             raise Late(f"{message_name(self._kind)} came {late:.2f} s after the deadline of {seconds:g} s")
         return message
 
-    def readable(self, heard: ReceivedMessage) -> M | None:
+    def readable(self, received: ReceivedMessage) -> M | None:
         """The decoded message if it is of this kind, from the target and valid; else `None`."""
-        if heard.code != self._kind.CODE or not self._source.matches(heard.source):
+        if received.code != self._kind.CODE or not self._source.matches(received.source):
             return None
         try:
-            message = self._tester.registry.decode_as(self._kind, heard.payload)
+            message = self._tester.registry.decode_as(self._kind, received.payload)
         except DecodeError:
             return None
         return message if self._where(message) else None
 
-    def _look(self) -> bool:
+    def _process_pending(self) -> bool:
         """Judge the pending messages of this kind; true once the result is known."""
-        for heard in list(self._client.pending):
-            if heard.code == self._kind.CODE and self._source.matches(heard.source):
-                self._judge(heard)
+        for received in list(self._client.pending):
+            if received.code == self._kind.CODE and self._source.matches(received.source):
+                self._judge(received)
                 if self._found is not None:
                     return True
         return self._outcome is not None and not self._source.is_wildcard
 
-    def _judge(self, heard: ReceivedMessage) -> None:
+    def _judge(self, received: ReceivedMessage) -> None:
         reads = f"{message_name(self._kind)} is as its definition says"
         try:
-            message = self._tester.registry.decode_as(self._kind, heard.payload)
+            message = self._tester.registry.decode_as(self._kind, received.payload)
         except DecodeError as error:
-            self._client.pending.remove(heard)
-            problem = f"{message_name(self._kind)} from {heard.source} is malformed: {error}"
+            self._client.pending.remove(received)
+            problem = f"{message_name(self._kind)} from {received.source} is malformed: {error}"
             self._settle(Malformed(problem), [CheckResult(reads, problem)])
             return
         if not self._where(message):
             return
-        self._client.pending.remove(heard)
-        looked = [
+        self._client.pending.remove(received)
+        results = [
             CheckResult(f"{message_name(self._kind)} {each.name}", each.problem(message)) for each in self._checks
         ]
-        problems = [each.problem for each in looked if each.problem]
-        outcome = Failed(f"{message_name(self._kind)} from {heard.source}: {'; '.join(problems)}") if problems else None
-        self._settle(outcome, [CheckResult(reads), *looked])
+        problems = [each.problem for each in results if each.problem]
+        outcome = (
+            Failed(f"{message_name(self._kind)} from {received.source}: {'; '.join(problems)}") if problems else None
+        )
+        self._settle(outcome, [CheckResult(reads), *results])
         if outcome is None:
-            self._found = heard, message
+            self._found = received, message
 
-    def _settle(self, outcome: StepOutcome | None, looked: list[CheckResult]) -> None:
+    def _settle(self, outcome: StepOutcome | None, results: list[CheckResult]) -> None:
         """Keep the first wrong answer, until a right one replaces it."""
         if outcome is None or self._outcome is None:
-            self._outcome, self._looked = outcome, looked
+            self._outcome, self._results = outcome, results
 
-    def _absence(self) -> StepOutcome:
+    def _missing_outcome(self) -> StepOutcome:
         wanted = message_name(self._kind)
-        if astray := self._astray():
-            return Silent(f"no {wanted} came from {self._source} to {self._client.id}, but {astray}")
+        if misdirected := self._misdirected():
+            return Silent(f"no {wanted} came from {self._source} to {self._client.id}, but {misdirected}")
         # The client is notified at any time of control that ends by itself.
         others = self._client.unasked(() if self._kind is ConfirmControl else (RejectControl.CODE,))
         if others:
             return Failed(f"no {wanted} came, but {', '.join(others[:4])}")
         return Silent(f"no {wanted} came in {2 * self._seconds:g} s")
 
-    def _astray(self) -> str:
+    def _misdirected(self) -> str:
         """A message of this kind from another source or to another client; empty if there is none."""
         for client in self._tester.clients:
-            for heard in client.pending:
-                ours = self._source.matches(heard.source)
-                if heard.code == self._kind.CODE and (not ours or client is not self._client):
-                    return f"one from {heard.source} to {client.id}"
+            for received in client.pending:
+                from_source = self._source.matches(received.source)
+                if received.code == self._kind.CODE and (not from_source or client is not self._client):
+                    return f"one from {received.source} to {client.id}"
         return ""
 
 
 EVENTS: Final = frozenset({Event.CODE, CommandEvent.CODE})
-"""Messages that come without being asked for."""
+"""Messages that are not answers to a query."""
 MAX_PENDING: Final = 1024
 """Pending messages of one client; the oldest are dropped first."""
 CONFIRMATIONS: Final = frozenset({ConfirmEventRequest.CODE, ConfirmSensorConfiguration.CODE})
@@ -188,7 +190,7 @@ class Client:
         self.id = id
         self.pending: deque[ReceivedMessage] = deque(maxlen=MAX_PENDING)
         self.confirmed: deque[ReceivedMessage] = deque(maxlen=MAX_CONFIRMED)
-        """Every confirmation in this step, including those that a step has taken."""
+        """Every confirmation in this step, including those that were expected."""
         self.other_port = False
         """Send from the second UDP port while this is true."""
         self.sent: set[int] = set()
@@ -225,7 +227,7 @@ class Client:
         to: JausID | None = None,
         within: float = 1.0,
     ) -> M:
-        """Send, and expect this answer; earlier ones of the same kind do not count."""
+        """Send a message and expect this answer; earlier answers of the same kind are discarded."""
         self.forget(answer)
         self.send(message, to=to)
         asked = None if to is None or to.is_wildcard else to
@@ -239,9 +241,9 @@ class Client:
         within: float = 1.0,
         source: JausID | None = None,
     ) -> M:
-        """A message of this kind that passes all checks, within so many timeouts; ends the step if there is none.
+        """Expect a message of this kind that passes all checks within this many timeouts; else raises `StepOutcome`.
 
-        Messages for which `where` is false are others, and stay. `source` is the target, or one component of it.
+        Messages for which `where` is false stay pending. `source` is the target, or one component of it.
         """
         flat = [one for each in checks for one in ((each,) if isinstance(each, Check) else each)]
         return Expectation(self, answer, flat, where, source).wait(within * self.tester.timeout)
@@ -251,23 +253,23 @@ class Client:
     ) -> list[tuple[float, M]]:
         """All messages of this kind within a time in seconds, each with its arrival time."""
         expectation = Expectation(self, kind, [], where)
-        return [(heard.at, message) for heard, message in self._collected(expectation, seconds)]
+        return [(received.at, message) for received, message in self._collected(expectation, seconds)]
 
     def answers(
         self, message: Message, answer: type[M], seconds: float, *, of: JausID | None = None
     ) -> list[tuple[JausID, M]]:
-        """Send, and return all answers within a time in seconds, with sources. `of`: ask others than the target."""
+        """Send, and return all answers within a time in seconds, with sources. `of`: the destination."""
         self.forget(answer)
         self.send(message, to=of)
         expectation = Expectation(self, answer, [], lambda _: True, of)
-        return [(heard.source, found) for heard, found in self._collected(expectation, seconds)]
+        return [(received.source, found) for received, found in self._collected(expectation, seconds)]
 
     def _collected(self, expectation: Expectation[M], seconds: float) -> list[tuple[ReceivedMessage, M]]:
         self.tester.wait(seconds)
-        read = [(heard, expectation.readable(heard)) for heard in list(self.pending)]
-        taken = [(heard, message) for heard, message in read if message is not None]
-        for heard, _ in taken:
-            self.pending.remove(heard)
+        read = [(received, expectation.readable(received)) for received in list(self.pending)]
+        taken = [(received, message) for received, message in read if message is not None]
+        for received, _ in taken:
+            self.pending.remove(received)
         return taken
 
     def silence(self, within: float = 0.1, *, besides: tuple[type[Message], ...] = ()) -> None:
@@ -284,10 +286,10 @@ class Client:
         waiting = [each for each in self.pending if self.tester.target.matches(each.source)]
         return [self.name_of(each) for each in waiting if is_answer(each.code) and each.code not in besides]
 
-    def name_of(self, heard: ReceivedMessage) -> str:
+    def name_of(self, received: ReceivedMessage) -> str:
         """`ReportStatus 4002h`."""
-        kinds = self.tester.registry.by_code(heard.code)
-        return message_name(kinds[0]) if kinds else f"{heard.code:04X}h"
+        kinds = self.tester.registry.by_code(received.code)
+        return message_name(kinds[0]) if kinds else f"{received.code:04X}h"
 
     def forget(self, kind: type[Message]) -> None:
         """Discard pending messages of this kind."""
@@ -300,11 +302,11 @@ class Client:
             self._keep(ReceivedMessage(self.tester.now, self.id, packet.source, packet.payload))
         self._flush()
 
-    def _keep(self, heard: ReceivedMessage) -> None:
+    def _keep(self, received: ReceivedMessage) -> None:
         self.tester.dropped += len(self.pending) == MAX_PENDING
-        self.pending.append(heard)
-        if heard.code in CONFIRMATIONS:
-            self.confirmed.append(heard)
+        self.pending.append(received)
+        if received.code in CONFIRMATIONS:
+            self.confirmed.append(received)
 
     def _flush(self) -> None:
         for datagram in self._endpoint.poll_output():
@@ -312,14 +314,14 @@ class Client:
 
 
 def is_answer(code: int) -> bool:
-    """True for what comes because something was sent: no event, and no query (2000h to 3FFFh)."""
+    """True unless the message is an event or a query (2000h to 3FFFh)."""
     return code not in EVENTS and not 0x2000 <= code < 0x4000
 
 
 TIMEOUT: Final = 1.5
-"""Seconds that a judge of the public tests waits for an answer."""
+"""Seconds that the judge of the public tests waits for an answer."""
 MAX_BEHIND: Final = 50_000
-"""Datagrams that may have been waiting when a time is over; sockets hold far fewer, so more is a flood without end."""
+"""Datagrams that may be waiting at a deadline. Sockets hold far fewer, so more mean an endless flood."""
 
 TOO_FAST: Final = (
     "datagrams come faster than they can be read, so nothing can be judged by time; the report has the first of "
@@ -327,13 +329,13 @@ TOO_FAST: Final = (
 )
 
 Listener: TypeAlias = Callable[[Packet, bool], None]
-"""Takes a packet, and whether it came to the second UDP port."""
+"""Called with a packet and whether it arrived on the second UDP port."""
 
 
 class Tester:
-    """What a step works with. `target` may be a wildcard; answers of others are ignored.
+    """Sends and receives for the steps. `target` may be a wildcard; answers of others are ignored.
 
-    `timeout`: seconds within which an answer must come; every other waiting is measured in it.
+    `timeout`: seconds within which an answer must arrive; the unit of all other waiting times.
     """
 
     def __init__(self, wire: Wire, target: JausID, *, registry: Registry, timeout: float = TIMEOUT) -> None:
@@ -342,20 +344,20 @@ class Tester:
         self.registry = registry
         self.timeout = timeout
         self.memory: dict[str, Any] = {}
-        """What steps leave for later ones."""
+        """Values that steps keep for later steps."""
         self.record = Trace()
         self.listeners: list[Listener] = []
         """Called with every packet that arrives in this step."""
         self.sent_in_step = False
-        """True when something was sent in this step."""
+        """True if something was sent in this step."""
         self.received_in_step = False
-        """True when something came from the target in this step."""
+        """True if something was received from the target in this step."""
         self.dropped = 0
         """Messages that were dropped because a client holds no more than `MAX_PENDING`."""
         self.has_sent = False
         """True once anything was sent."""
         self.has_received = False
-        """True once anything came from the target."""
+        """True once anything was received from the target."""
         self.silent_since = ""
         """The id of the step since which the target does not answer; empty while it does."""
         self.checks: list[CheckResult] = []
@@ -385,7 +387,7 @@ class Tester:
         return tuple(self._clients.values())
 
     def client(self, id: str | JausID) -> Client:
-        """The client of this id; it is reachable from now on."""
+        """The client with this id, which is reachable from then on."""
         wanted = JausID.of(id)
         if wanted == self.target:
             raise ConfigError(f"{wanted} is an id that the test itself speaks as; give the target another one")
@@ -395,13 +397,13 @@ class Tester:
         return self._clients[wanted]
 
     def recall(self, name: str, missing: str) -> Any:
-        """What an earlier step left in `memory`. Raises `Skipped` with the reason `missing` if there is nothing."""
+        """The value that an earlier step kept in `memory`. Raises `Skipped` with the reason `missing` without one."""
         if name not in self.memory:
             raise Skipped(missing)
         return self.memory[name]
 
     def begin(self) -> None:
-        """Start a step: discard what came before it."""
+        """Start a step: discard messages received before it."""
         self.pump(self.now, lambda: False)
         self.checks, self.expected, self.why, self.taken = [], [], [], []
         self.sent_in_step = self.received_in_step = False

@@ -16,7 +16,7 @@ from jauspy.protocol.header import Packet
 
 
 class Direction(StrEnum):
-    """Seen from the tester."""
+    """Direction as seen from the tester."""
 
     SENT = ">"
     RECEIVED = "<"
@@ -31,7 +31,7 @@ class TraceEntry:
     data: bytes
     registry: Registry
     other_port: bool = False
-    """It used the second UDP port of the tester."""
+    """True if it was sent or received on the second UDP port of the tester."""
 
     @cached_property
     def packets(self) -> tuple[Packet, ...]:
@@ -89,11 +89,11 @@ MAX_STEP_ENTRIES: Final = 2000
 MAX_ENTRIES: Final = 200_000
 """Datagrams of a run after which a step keeps fewer."""
 MAX_STEP_ENTRIES_WHEN_FULL: Final = 100
-"""Datagrams kept of one step then."""
+"""Datagrams kept of each of these later steps."""
 
 
 class Trace:
-    """The first datagrams of each step; the others are counted."""
+    """Keeps the first datagrams of each step; the others are counted."""
 
     def __init__(self) -> None:
         self.entries: list[TraceEntry] = []

@@ -1,6 +1,6 @@
 """A target in memory on virtual time: components and their node manager, and a `Wire` to them without a network.
 
-Tests of components use it, ours and users'. A second of virtual time costs as much as what happens in it.
+Used by tests of components. Virtual time costs no time itself, only what happens in it.
 """
 
 from __future__ import annotations
@@ -24,29 +24,29 @@ from jauspy.services.messaging import Outgoing
 ROOT: Final = "/virtual-target"
 USUAL_PORT: Final = UdpPort("192.0.2.42", judp.PORT)
 OTHER_PORT: Final = UdpPort("192.0.2.42", 49152)
-"""Where the tester speaks from: documentation addresses (RFC 5737)."""
+"""Second address of the tester. Both are documentation addresses (RFC 5737)."""
 
 Intercept = Callable[[Packet], bool]
 Tick = Callable[[float], None]
-"""Lets so many seconds pass for something outside of the components, such as a robot."""
+"""Advances a simulation, such as a robot, by seconds."""
 
 
 class TargetComponent:
-    """One component: its services and its endpoint. A subclass may change what it receives and sends."""
+    """One component: its services and its endpoint. A subclass may override `receive` and `send`."""
 
     def __init__(self, host: Host, intercept: Intercept = lambda _: False) -> None:
         self.host = host
         self.intercept = intercept
-        """Sees every packet first; what it returns true for does not reach the services."""
+        """Called with every packet first; packets for which it returns true do not reach the services."""
         self.endpoint = Endpoint(host.id, first_sequence=1)
         self._callbacks: dict[int, Callable[[bool], None]] = {}
 
-    def hear(self, payload: bytes, source: JausID, now: float) -> None:
-        """A message came in."""
+    def receive(self, payload: bytes, source: JausID, now: float) -> None:
+        """Handle a message that was received."""
         self.host.receive(payload, source, now)
 
-    def say(self, outgoing: Outgoing, now: float) -> None:
-        """A message goes out."""
+    def send(self, outgoing: Outgoing, now: float) -> None:
+        """Send a message."""
         ticket = self.endpoint.send(
             outgoing.destination,
             outgoing.payload,
@@ -59,25 +59,25 @@ class TargetComponent:
             self._callbacks[ticket] = outgoing.on_acknowledged
 
     def handle(self, datagram: bytes, now: float) -> None:
-        """A datagram from the node manager."""
+        """Handle a datagram from the node manager."""
         self.endpoint.receive(datagram, now)
 
     def work(self, now: float) -> list[bytes]:
-        """Do what is due; the datagrams to send."""
+        """Do what is due at `now`; returns the datagrams to send."""
         self.endpoint.handle_timeout(now)
         while (packet := self.endpoint.next_event()) is not None:
             if not self.intercept(packet):
-                self.hear(packet.payload, packet.source, now)
+                self.receive(packet.payload, packet.source, now)
         self.host.handle_timeout(now)
         for outgoing in self.host.poll_output(now):
-            self.say(outgoing, now)
+            self.send(outgoing, now)
         while (outcome := self.endpoint.next_outcome()) is not None:
             if (callback := self._callbacks.pop(outcome.ticket, None)) is not None:
                 callback(outcome.delivered)
         return self.endpoint.poll_output()
 
     def next_timeout(self) -> float | None:
-        """When there is something to do."""
+        """Time of the next call of `work`; None if nothing is scheduled."""
         due = [at for at in (self.host.next_timeout(), self.endpoint.next_timeout()) if at is not None]
         return min(due, default=None)
 
@@ -86,7 +86,7 @@ class VirtualTarget:
     """A `Wire` to components in this process.
 
     `delay`: seconds that a datagram travels. `tick` is called with the time that passes, at most `step` seconds at a
-    time. A subclass may mangle datagrams: `inbound` and `outbound` say what becomes of one.
+    time. A subclass may change datagrams in `inbound` and `outbound`.
     """
 
     features: Collection[str] = (RAW, PORTS)
@@ -114,18 +114,18 @@ class VirtualTarget:
             self.node.components.register(int(id), LocalPort(f"{ROOT}/{int(id)}"))
             self._transmit(component)
 
-    # --- to be overridden -------------------------------------------------------------------------------------------
+    # --- may be overridden -------------------------------------------------------------------------------------------
 
     def inbound(self, datagram: bytes) -> Iterable[bytes]:
-        """What reaches the node manager when the tester sends this."""
+        """The datagrams that the node manager receives when the tester sends this one."""
         return (datagram,)
 
     def outbound(self, datagram: bytes) -> Iterable[bytes]:
-        """What reaches the tester when the node manager sends this."""
+        """The datagrams that the tester receives when the node manager sends this one."""
         return (datagram,)
 
-    def way_back(self, port: UdpPort) -> UdpPort:
-        """Where the node manager's answer to this address goes."""
+    def reply_port(self, port: UdpPort) -> UdpPort:
+        """The address to which the node manager's answers to this port go."""
         return port
 
     # --- a Wire -----------------------------------------------------------------------------------------------------
@@ -135,23 +135,23 @@ class VirtualTarget:
         return self._now
 
     def join(self, id: JausID) -> None:
-        """Everybody who speaks from the tester's address is reached there."""
+        """Nothing to do: all clients are reached at the tester's address."""
 
     def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:  # noqa: ARG002 - one address for all
-        """Hand a datagram to the node manager, after the delay."""
+        """Deliver a datagram to the node manager after the delay."""
         port = OTHER_PORT if other_port else USUAL_PORT
         self._listening.add(port)
         for each in self.inbound(datagram):
             heapq.heappush(self._in_flight, (self._now + self._delay, next(self._order), each, port))
 
     def receive(self, until: float) -> Arrival | None:
-        """What comes next; time passes until then, or until the time is over."""
+        """The next arrival; virtual time advances until then, at most to `until`."""
         while not self._arrived and self._now < until:
             self._advance(min(until, self._next_event()))
         return self._arrived.popleft() if self._arrived else None
 
     def close(self) -> None:
-        """End the components."""
+        """Close the components."""
         for component in self.components.values():
             component.host.close(self._now)
 
@@ -193,6 +193,6 @@ class VirtualTarget:
             component.handle(datagram, self._now)
             self._transmit(component)
         elif isinstance(port, GroupPort | UdpPort):
-            back = self.way_back(port) if isinstance(port, UdpPort) else USUAL_PORT
+            back = self.reply_port(port) if isinstance(port, UdpPort) else USUAL_PORT
             if back in self._listening:
                 self._arrived += (Arrival(each, back == OTHER_PORT) for each in self.outbound(datagram))

@@ -49,13 +49,13 @@ Point = tuple[float, float]
 
 
 def square(client: Client, robot: JausID) -> None:
-    """Four waypoints around where the robot is, by a list; the robot is left in Standby and free."""
+    """Drive four waypoints around the robot's position as a list; the robot is left in Standby without a controller."""
     start = client.ask(QueryLocalPose(XY), ReportLocalPose, carries("x", "y"), to=robot)
     run(client, robot, corners(start.x or 0.0, start.y or 0.0))
 
 
 def corners(x: float, y: float) -> list[Point]:
-    """A square whose last corner is where it begins."""
+    """A square whose last corner is the start."""
     return [(x + SIDE, y), (x + SIDE, y + SIDE), (x, y + SIDE), (x, y)]
 
 
@@ -78,7 +78,7 @@ def run(client: Client, robot: JausID, points: list[Point]) -> None:
 
 
 def approach(client: Client, robot: JausID, point: Point) -> str:
-    """Wait until the robot is near; returns an empty string, or how close it came."""
+    """Wait until the robot is near the point; returns an empty string, or the closest distance."""
     tester = client.tester
     nearest, end, renewed = math.inf, tester.now + SIDE_TIMEOUT * tester.timeout, tester.now
     while tester.now < end:
@@ -94,13 +94,13 @@ def approach(client: Client, robot: JausID, point: Point) -> str:
 
 
 def take_control(client: Client, robot: JausID) -> None:
-    """Get control, or keep it."""
+    """Request control; repeated to keep it."""
     accepted = has(response_code=ConfirmControl.ResponseCode.CONTROL_ACCEPTED)
     client.ask(RequestControl(AUTHORITY), ConfirmControl, accepted, to=robot)
 
 
 def element_list(points: list[Point]) -> SetElement:
-    """Linked waypoints, from 1 on."""
+    """Linked waypoints with UIDs from 1 on."""
     last = len(points)
     return SetElement(
         request_id_rec=SetElement.RequestIDRec(1),

@@ -17,13 +17,13 @@ from jauspy.transport import Transport, connect as connecting, multicast
 from jauspy.transport.multicast import Memberships
 
 RAW: Final = "raw"
-"""The bytes of a datagram reach the target as they are, several packets and garbage included."""
+"""Datagrams reach the target unchanged, including several packets in one datagram and garbage."""
 PORTS: Final = "ports"
-"""A client can speak from another UDP port."""
+"""A client can send from a second UDP port."""
 
 
 class Arrival(NamedTuple):
-    """A datagram, and whether it came to the second UDP port."""
+    """A datagram, and whether it arrived on the second UDP port."""
 
     data: bytes
     other_port: bool = False
@@ -56,14 +56,14 @@ Address = tuple[str, int]
 
 BUFFER: Final = 65536
 MAX_KNOWN: Final = 1024
-"""Ids whose address is kept; the least recently received one is dropped first."""
+"""Ids whose addresses are kept; the least recently received one is dropped first."""
 
 
 class UdpWire:
-    """Clients of one host. Everything goes to `peer`, or without one to where an id was heard, and else to `group`.
+    """Clients of one host. Datagrams go to `peer` if given, else to the last address of an id, else to `group`.
 
-    `group` is listened to as well; by default it is JAUS's, on the port of the peer. `port` is the port to speak from;
-    when it is taken, any other is used, which `port` then says.
+    `group` is listened to as well; by default it is JAUS's, on the port of the peer. `port` is the port to send from;
+    if it is in use, any other is used, which the property `port` returns.
     """
 
     features: Collection[str] = (RAW, PORTS)
@@ -92,7 +92,7 @@ class UdpWire:
 
     @property
     def port(self) -> int:
-        """The UDP port that the clients speak from."""
+        """The UDP port that the clients send from."""
         port: int = self._usual_socket.getsockname()[1]
         return port
 
@@ -141,7 +141,7 @@ class UdpWire:
         except OSError as error:
             self.notes.append(
                 f"no multicasts are heard: port {self._group[1]} is held by another user or program "
-                f"({error.strerror}); a robot that looks for the tester is not noticed"
+                f"({error.strerror}); the queries of a robot that searches for the tester are not received"
             )
             return
         self._heard(sock)
@@ -151,7 +151,7 @@ class UdpWire:
     def _read(self, sock: socket.socket) -> bytes | None:
         try:
             datagram, sender = sock.recvfrom(BUFFER)
-        except OSError:  # an ICMP error of an earlier datagram; silence will say so
+        except OSError:  # an ICMP error of an earlier datagram; a missing answer is reported elsewhere
             return None
         packets, _ = judp.unpack_all(datagram)
         if any(int(each.source) in self._ids for each in packets):
@@ -198,9 +198,9 @@ MAX_WAITING: Final = 4096
 
 
 async def open_wire(connect: str | None) -> Wire:
-    """What `connect` says, as for other commands; multicast when it says nothing, also beside a node manager.
+    """Open the wire for `connect`, as for other commands; None means multicast, even if a node manager runs.
 
-    A test is of the target, so its datagrams do not pass through a node manager of ours unless that is asked for.
+    Datagrams of a test go directly to the target, not through a node manager, unless that is requested.
     """
     if connect is None:
         return UdpWire()
@@ -223,7 +223,7 @@ class LinkWire:
 
     @property
     def notes(self) -> list[str]:
-        """What did not work as it should, for the report."""
+        """Notes for the report on problems of the connection."""
         dropped = f"{self.dropped} datagrams came faster than they were read, and were dropped"
         return [dropped] if self.dropped else []
 
@@ -246,7 +246,7 @@ class LinkWire:
         try:
             return self._loop.run_until_complete(waiting)
         finally:
-            waiting.cancel()  # after Ctrl-C it would take what comes next
+            waiting.cancel()  # after Ctrl-C it would receive the next datagram
 
     def close(self) -> None:
         """Detach all components."""

@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, inertials
-from jauspy.geometry.vectors import Vector, add, cross, rotated, rotation_about, scaled, transposed
+from jauspy.geometry.vectors import Vector, add, cross, rotation_about, scaled
 
 ZERO_POSITIONS: Final[Mapping[str, float]] = {}
 """All joints at zero."""
@@ -17,11 +18,18 @@ ZERO_POSITIONS: Final[Mapping[str, float]] = {}
 
 def joint_frame(joint: Joint, position: float) -> Transform:
     """The frame of a joint's child link in its parent link, at a position (rad or m)."""
+    if joint.kind is JointKind.FIXED:
+        return _origin_frame(joint.origin)
     if joint.kind is JointKind.PRISMATIC:
         moved = Transform(position=scaled(joint.axis, position))
     else:
         moved = Transform(rotation_about(joint.axis, position))
-    return Transform.from_pose(joint.origin) @ moved
+    return _origin_frame(joint.origin) @ moved
+
+
+@lru_cache(maxsize=4096)
+def _origin_frame(origin: Pose) -> Transform:
+    return Transform.from_pose(origin)
 
 
 class FrameTree:
@@ -32,10 +40,15 @@ class FrameTree:
         self.root = description.root()
         self.joints = _parents_first(description)
 
-    def poses(self, positions: Mapping[str, float] = ZERO_POSITIONS) -> dict[str, Transform]:
-        """Every link's frame in the root link's. Joints without a position are at zero; mimic joints follow."""
+    def poses(
+        self, positions: Mapping[str, float] = ZERO_POSITIONS, joints: Iterable[Joint] | None = None
+    ) -> dict[str, Transform]:
+        """Every link's frame in the root link's. Joints without a position are at zero; mimic joints follow.
+
+        With `joints`, parents first, only their child links' frames are computed.
+        """
         found = {self.root: Transform()}
-        for joint in self.joints:
+        for joint in self.joints if joints is None else joints:
             position = positions.get(joint.mimics or joint.name, 0.0)
             found[joint.child] = found[joint.parent] @ joint_frame(joint, position)
         return found
@@ -107,17 +120,19 @@ def gravity_wrench(
     tree = FrameTree(description)
     carried = _carried(tree, link)
     bodies = [body for body in inertials(description.urdf) if body.link in carried]
+    carriers = {joint.child for joint in description.chain(tree.root, link)}
+    joints = [joint for joint in tree.joints if joint.child in carriers | carried]
 
     def weigh() -> tuple[Vector, Vector]:
-        frames = tree.poses(positions())
-        here = frames[link]
-        down = rotated(transposed(here.rotation), GRAVITY)
+        frames = tree.poses(positions(), joints)
+        back = frames[link].inverse()
+        down = back.rotate(GRAVITY)
         force = torque = (0.0, 0.0, 0.0)
         for body in bodies:
             weight = scaled(down, body.mass)
-            middle = here.inverse() @ frames[body.link] @ Transform.from_pose(body.origin)
+            middle = back.apply(frames[body.link].apply((body.origin.x, body.origin.y, body.origin.z)))
             force = add(force, weight)
-            torque = add(torque, cross(middle.position, weight))
+            torque = add(torque, cross(middle, weight))
         return force, torque
 
     return weigh

@@ -13,6 +13,7 @@ from jauspy.geometry.vectors import (
     Y,
     Z,
     add,
+    product,
     quaternion,
     rotated,
     rotation_about,
@@ -65,9 +66,7 @@ class Transform:
     position: Vector = (0.0, 0.0, 0.0)
 
     def __matmul__(self, other: Transform) -> Transform:
-        columns = transposed(other.rotation)
-        rotation = transposed((self.rotate(columns[0]), self.rotate(columns[1]), self.rotate(columns[2])))
-        return Transform(rotation, self.apply(other.position))
+        return Transform(product(self.rotation, other.rotation), self.apply(other.position))
 
     def rotate(self, a: Vector) -> Vector:
         """A direction of the inner frame, expressed in the outer frame."""
@@ -85,12 +84,8 @@ class Transform:
     @classmethod
     def from_pose(cls, pose: Pose) -> Transform:
         """The frame of a pose."""
-        turned = (
-            Transform(rotation_about(Z, pose.yaw))
-            @ Transform(rotation_about(Y, pose.pitch))
-            @ Transform(rotation_about(X, pose.roll))
-        )
-        return cls(turned.rotation, (pose.x, pose.y, pose.z))
+        yaw, pitch, roll = rotation_about(Z, pose.yaw), rotation_about(Y, pose.pitch), rotation_about(X, pose.roll)
+        return cls(product(product(yaw, pitch), roll), (pose.x, pose.y, pose.z))
 
     def to_pose(self) -> Pose:
         """The inverse of `from_pose`; where x points straight up or down, the roll is zero."""

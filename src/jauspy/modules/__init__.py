@@ -1,1 +1,1 @@
-"""The capability modules: which services each offers, on which robot, and how a whole robot runs."""
+"""The capability modules of a robot: their services, their configuration, and the robot as a whole."""

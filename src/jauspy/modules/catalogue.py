@@ -33,20 +33,20 @@ from jauspy.services.ugv.parking_brake import ParkingBrakeDriver
 GROUP: Final = "jauspy.services"
 
 CORE: Final = ("Discovery", "Time", "Liveness")
-"""Core services that a file may leave out; Transport, Events, AccessControl and Management are in every module."""
+"""Optional core services; Transport, Events, AccessControl and Management are in every module."""
 
 
 class Stoppable(Protocol):
     """Something that moves."""
 
     def stop(self) -> None:
-        """Stop at once; twice is fine."""
+        """Stop at once. May be called twice."""
         ...
 
 
 @dataclass(frozen=True, slots=True)
 class MobilityContext:
-    """What the services of a CM-MOB are made from."""
+    """Parts from which the services of a CM-MOB are made."""
 
     module: ClassVar[str] = "CM-MOB"
     robot: RobotParts
@@ -60,7 +60,7 @@ class MobilityContext:
 
 @dataclass(frozen=True, slots=True)
 class ManipulatorContext:
-    """What the services of a CM-MAN are made from."""
+    """Parts from which the services of a CM-MAN are made."""
 
     module: ClassVar[str] = "CM-MAN"
     robot: RobotParts
@@ -74,7 +74,7 @@ class ManipulatorContext:
 
 @dataclass(frozen=True, slots=True)
 class EndEffectorContext:
-    """What the services of a CM-EEF are made from."""
+    """Parts from which the services of a CM-EEF are made."""
 
     module: ClassVar[str] = "CM-EEF"
     robot: RobotParts
@@ -90,7 +90,7 @@ class EndEffectorContext:
 
 @dataclass(frozen=True, slots=True)
 class SensorContext:
-    """What the services of a CM-SEN are made from."""
+    """Parts from which the services of a CM-SEN are made."""
 
     module: ClassVar[str] = "CM-SEN"
     moving: ClassVar[None] = None
@@ -102,7 +102,7 @@ class SensorContext:
 
 @dataclass(frozen=True, slots=True)
 class VisionContext:
-    """What the services of a CM-VIS are made from."""
+    """Parts from which the services of a CM-VIS are made."""
 
     module: ClassVar[str] = "CM-VIS"
     robot: RobotParts
@@ -118,7 +118,7 @@ class VisionContext:
 
 
 class Context(Protocol):
-    """What the services of a module are made from."""
+    """Parts from which the services of a module are made."""
 
     @property
     def robot(self) -> RobotParts:

@@ -19,6 +19,8 @@ from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetu
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.environment_sensing.digital_resource_discovery import Network
+from jauspy.transport.age import MAX_AGE
 
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 
@@ -114,7 +116,7 @@ class LidarConfig(StrictConfig):
     rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
     """Scans per second."""
     range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
-    """The least and the largest distance that it measures, in metres."""
+    """Minimal and maximal measured distance, in metres."""
     noise: Annotated[float, Field(ge=0.0, le=1.0)] = 0.01
     """Standard deviation of a distance in a simulation, in metres."""
     seed: Annotated[int, Field(ge=0)] = 0
@@ -123,7 +125,7 @@ class LidarConfig(StrictConfig):
     @model_validator(mode="after")
     def _check_range(self) -> Self:
         if self.range[0] >= self.range[1]:
-            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+            raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
         return self
 
     def setup(self) -> LidarSetup:
@@ -160,12 +162,12 @@ class DepthConfig(StrictConfig):
     rate: Annotated[float, Field(gt=0.0, le=60.0)] = 10.0
     """Clouds per second."""
     range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.2, 10.0)
-    """The least and the largest distance along the camera's axis that it measures, in metres."""
+    """Minimal and maximal distance along the camera's axis, in metres."""
 
     @model_validator(mode="after")
     def _check_size(self) -> Self:
         if self.range[0] >= self.range[1]:
-            raise ValueError(f"range: {list(self.range)} is empty; give the least distance and then the largest")
+            raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
         if self.size[0] * self.size[1] > MAX_POINTS:
             raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MAX_POINTS}")
         return self
@@ -211,10 +213,10 @@ class CameraConfig(StrictConfig):
 
 
 class AccessControlConfig(StrictConfig):
-    """Who may control a module, and how long a client may be silent."""
+    """Access control of a module."""
 
     timeout: Annotated[int, Field(ge=0, le=255)] = 5
-    """Seconds, 1..255; 0 never takes control back."""
+    """Seconds, 1..255, after which a silent client loses control; 0: never."""
     default_authority: Annotated[int, Field(ge=0, le=255)] = 1
     """Lowest authority that may request control."""
 
@@ -235,14 +237,14 @@ class ModuleConfig(StrictConfig):
     type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN", "CM-VIS"]
     component: Annotated[int, Field(ge=1, le=254)]
     services: tuple[str, ...] | None = None
-    """Beside Transport, Events, AccessControl and Management; all that the type offers when left out."""
+    """Services in addition to Transport, Events, AccessControl and Management; by default all that the type offers."""
     group: UrdfName | None = None
     """The joints that a CM-MAN or CM-EEF moves, `arm` or `gripper` when left out; those that turn a CM-VIS's camera."""
     camera: UrdfName | None = None
     """Name of the camera that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
     announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
-    """The id of a console that the module asks who it is, again and again until it answers, so as to be found."""
+    """The id of a console that the module queries for its identification until it answers, to be discovered by it."""
 
     @model_validator(mode="after")
     def _check_type(self) -> Self:
@@ -259,7 +261,7 @@ class ModuleConfig(StrictConfig):
         return self
 
     def needs(self) -> dict[str, list[str]]:
-        """What the listed services need of the robot, and which of them do; `ConfigError` for an unknown service."""
+        """The parts that the listed services need, each with those services; `ConfigError` for an unknown service."""
         found: dict[str, list[str]] = {}
         for name in self.services or ():
             if name not in catalogue.CORE:
@@ -277,7 +279,7 @@ class ModuleConfig(StrictConfig):
 
 
 class OriginConfig(StrictConfig):
-    """Where the origin of the robot's world lies on the globe (WGS 84)."""
+    """Position of the origin of the robot's world on the globe (WGS 84)."""
 
     latitude: Annotated[float, Field(ge=-90.0, le=90.0)]
     longitude: Annotated[float, Field(ge=-180.0, le=180.0)]
@@ -285,7 +287,7 @@ class OriginConfig(StrictConfig):
     altitude: Annotated[float, Field(ge=-10000.0, le=35000.0)] = 0.0
     """Metres above the ellipsoid."""
     heading: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
-    """Degrees clockwise from true north, of the world's x axis: where the robot looks at the start."""
+    """Heading of the world's x axis, in degrees clockwise from true north: the robot's heading at the start."""
 
 
 def _check_latin1(name: str) -> str:
@@ -294,6 +296,12 @@ def _check_latin1(name: str) -> str:
     except UnicodeEncodeError as error:
         raise ValueError(f"name: {name!r}: JAUS sends names in Latin-1, which has no {name[error.start]!r}") from None
     return name
+
+
+def _check_target(network: Network) -> Network:
+    if network.is_multicast or network.is_unspecified:
+        raise ValueError(f"video_targets: {network}: video is sent to one machine, so give networks of machines")
+    return network
 
 
 class RobotConfig(StrictConfig):
@@ -307,8 +315,10 @@ class RobotConfig(StrictConfig):
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
+    max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
+    """Seconds for which a message may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
-    """Without one the module has no services on the globe."""
+    """Without an origin there are no services with global poses."""
     modules: tuple[ModuleConfig, ...]
     tracks: TracksConfig
     groups: Groups = {}
@@ -316,6 +326,8 @@ class RobotConfig(StrictConfig):
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
+    video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
+    """Networks and addresses into which any client may have video sent, beside its own machine."""
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:
@@ -324,7 +336,7 @@ class RobotConfig(StrictConfig):
         for component, count in Counter(module.component for module in self.modules).items():
             if count > 1:
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
-        self._check_that_nothing_is_moved_twice()
+        self._check_movers()
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
@@ -337,8 +349,8 @@ class RobotConfig(StrictConfig):
                 )
         return self
 
-    def _check_that_nothing_is_moved_twice(self) -> None:
-        """Each module has an access control of its own: two clients would be in control of one thing."""
+    def _check_movers(self) -> None:
+        """Check that no part is moved by two modules: each has its own access control, and so its own client."""
         moved: dict[str, int] = {}
         for module in self.modules:
             if module.type in MOTIONLESS and module.moves is None:

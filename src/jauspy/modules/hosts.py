@@ -32,7 +32,7 @@ WATCHDOG_PERIOD: Final = 0.1
 """Seconds between two checks."""
 
 MAY_MOVE: Final = ("Controlled", "Available", "Ready")
-"""The states, one within the other, in which a client in control may move something (AS5710)."""
+"""The nested states in which a client in control may cause motion (AS5710)."""
 
 ANNOUNCEMENT_PERIOD: Final = 5.0
 """Seconds between two queries."""
@@ -101,7 +101,9 @@ def _context(
         )
     if module.camera is not None:
         camera = mounted_camera(config, model, videos[module.camera], robot)
-        return catalogue.VisionContext(robot, VideoStreams({1: camera}), _pan_tilt(module, model, robot))
+        return catalogue.VisionContext(
+            robot, VideoStreams({1: camera}, config.video_targets), _pan_tilt(module, model, robot)
+        )
     if module.moves is None:
         return catalogue.MobilityContext(robot, vehicle_of(config, model, robot.drive))
     joints = robot.groups[module.moves]
@@ -144,9 +146,9 @@ def may_move(host: Host) -> bool:
 
 
 class Watchdog:
-    """Stops what a component moves whenever the component is not in a state in which it may move.
+    """Stops all motion of a component whenever its state does not allow motion.
 
-    A second line of defence: the services stop by themselves, unless there is a mistake in them.
+    This is redundant: the services stop motion themselves, unless they have a bug.
     """
 
     def __init__(self, host: Host, moving: Stoppable) -> None:
@@ -161,7 +163,7 @@ class Watchdog:
 
 
 class Announcement:
-    """Makes a component known to a console that waits to be asked, as those of the IGVC judges did until 2013.
+    """Makes a component known to a console that waits for a query, as those of the IGVC judges did until 2013.
 
     Queries the identification of `console` every `ANNOUNCEMENT_PERIOD`, until it answers.
     """
@@ -172,7 +174,7 @@ class Announcement:
         self._query()
 
     def intercept(self, packet: Packet) -> bool:
-        """Take the answer; everything else is for the services."""
+        """Handle the answer of the console; all other packets are passed to the services."""
         code = int.from_bytes(packet.payload[:2], "little")
         if packet.source != self._console or code != ReportIdentification.CODE:
             return False

@@ -1,4 +1,4 @@
-"""Where a robot's sensors and cameras are: on the vehicle, and on which joint, as JAUS names joints."""
+"""Mounting of a robot's sensors and cameras: on the vehicle, or on a joint, in the terms of JAUS."""
 
 from __future__ import annotations
 
@@ -72,7 +72,7 @@ def joint_of(config: RobotConfig, model: RobotModel, link: str) -> JointMount | 
 
 
 def _joint_frame(module: ModuleConfig, model: RobotModel, group: GroupSetup, number: int) -> Transform:
-    """In the group's base link, with all joints at zero: as the specification of the arm or the unit has it."""
+    """Frame of a joint in the group's base link with all joints at zero, as in the specification of the arm or unit."""
     chain = model.description.chain(group.base, group.tip)
     if module.type == "CM-VIS":
         return pan_tilt_frame(chain)

@@ -1,4 +1,4 @@
-"""Proxies of a robot's parts for other threads: commands act with its next step, states are those after the last."""
+"""Proxies of a robot's parts for other threads: they submit commands and read the last snapshot."""
 
 from __future__ import annotations
 

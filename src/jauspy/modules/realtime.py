@@ -16,18 +16,17 @@ from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Snapshot
 
 STEP: Final = 0.002
-"""Seconds of one step, and so the longest that a command waits. It is MuJoCo's step, too."""
+"""Seconds of one step, and so the longest delay of a command; the same as MuJoCo's step."""
 
 MAX_DELAY: Final = 0.1
 """Seconds that the robot may fall behind the clock before missed steps are skipped."""
 
 
 class StepTimer:
-    """When the next of many steps of `step` seconds is due.
+    """Schedules steps of `step` seconds.
 
     A step that starts more than one `step` after its time is counted as `late`. When the delay exceeds `max_delay`
-    seconds, the steps that were missed are left out and counted as `skipped`: the robot's time then stands still for a
-    moment, instead of rushing.
+    seconds, the missed steps are counted as `skipped` and omitted: the robot's time pauses instead of catching up.
     """
 
     def __init__(self, step: float, max_delay: float, *, start: float) -> None:
@@ -37,7 +36,7 @@ class StepTimer:
         self._due = start + step
 
     def wait(self, now: float) -> float:
-        """Seconds until the next step is due; 0 when it is, or should have been."""
+        """Seconds until the next step is due; 0 if it is due or late."""
         return max(0.0, self._due - now)
 
     def begin(self, now: float) -> None:
@@ -56,12 +55,12 @@ class StepTimer:
 class RealTime:
     """Advances `robot` in real time, in a thread of its own, between `open` and `close`; a `RobotLink` to it.
 
-    Between the two only that thread touches the robot. Other threads use `drive`, `groups` and the other proxies, or
-    `submit` and `snapshot`, at any time: all go through a lock that is never held while the robot moves, so an event
-    loop is not held up by physics.
+    Between the two only that thread uses the robot. Other threads use `drive`, `groups` and the other proxies, or
+    `submit` and `snapshot`, at any time: they share a lock that is never held while the robot advances, so physics
+    never blocks an event loop.
 
-    `heartbeat_timeout`: seconds without a call of `alive` after which the robot is stopped, so that a program
-    that hangs does not leave a robot driving; infinite by default.
+    `heartbeat_timeout`: seconds without a call of `alive` after which the robot is stopped, so that the robot does not
+    go on driving when the program hangs; infinite by default.
     """
 
     def __init__(
@@ -146,11 +145,11 @@ class RealTime:
             self._pending[command.part] = command if pending is None else command.merged(pending)
 
     def alive(self) -> None:
-        """Report that whoever commands the robot still runs."""
+        """The heartbeat: to be called while the program that commands the robot runs."""
         self._alive = self._clock()
 
     def open(self) -> None:
-        """Start the thread; twice is fine."""
+        """Start the thread. May be called twice."""
         if self._executor is None:
             self.alive()
             self._timer = StepTimer(self._step, self._max_delay, start=self._clock())
@@ -158,7 +157,7 @@ class RealTime:
             self._ended = self._executor.submit(self._run)
 
     def close(self) -> None:
-        """Stop the robot and end the thread; the robot itself stays open. Twice is fine."""
+        """Stop the robot and end the thread; the robot itself stays open. May be called twice."""
         self._closing.set()
         if self._executor is not None:
             self._executor.shutdown()
@@ -198,7 +197,7 @@ class RealTime:
         if abandoned:
             self._timer.counters["abandoned"] += 1
             self._robot.drive.stop()
-            if not self._abandoned:  # holding again and again would follow joints that sag
+            if not self._abandoned:  # repeated holds would follow joints that sag
                 stop(self._robot)
         self._abandoned = abandoned
 

@@ -15,7 +15,7 @@ from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.hosts import Announcement, host_of
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot
@@ -25,6 +25,7 @@ from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
@@ -43,9 +44,9 @@ class RobotRunner:
     """Runs the robot that `config` describes: `async with RobotRunner(...)`, or `await runner.run()`.
 
     `transports` makes the transport of each component, by its id. `backend`, the name of an installed one or a
-    `Backend`, and `world` replace what `config` says; `realtime` says how time passes for the robot.
+    `Backend`, and `world` override `config`; `realtime` makes the object that advances the robot's time.
     Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
-    cannot be opened. Closing ends the components first, and then the robot, which stands still from there on.
+    cannot be opened. Closing ends the components first, and then the robot, which then stands still.
     """
 
     def __init__(
@@ -94,7 +95,7 @@ class RobotRunner:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """How well the robot kept time, as `RealTime.counters`, and what its components counted, by id."""
+        """Counters of `RealTime`, and those of the components by id."""
         counts = {f"realtime.{name}": n for name, n in self._realtime.counters.items()} if self._realtime else {}
         for component in self._components:
             counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
@@ -103,7 +104,7 @@ class RobotRunner:
         return counts
 
     async def open(self) -> None:
-        """Start everything; what had started is stopped again when something cannot."""
+        """Start everything; if a part cannot start, the others are stopped again."""
         if self._components:
             return
         async with AsyncExitStack() as stack:
@@ -114,30 +115,31 @@ class RobotRunner:
             components = []
             hosts = [_host(self.config, module, model, realtime, videos) for module in self.config.modules]
             _share_discovery(hosts)
+            _share_operators(hosts)
             for host, module in zip(hosts, self.config.modules, strict=True):
                 delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
                 component = Component.of_host(
                     host,
                     self._transports(host.id),
                     intercept=announcement(host, module),
-                    options=ComponentOptions(delivery=delivery),
+                    options=ComponentOptions(delivery=delivery, max_message_age=self.config.max_message_age),
                 )
                 components.append(await stack.enter_async_context(component))
             self._realtime, self._components, self._videos = realtime, tuple(components), videos
             self._stack = stack.pop_all()
 
     async def close(self) -> None:
-        """Stop everything, in order; twice is fine."""
+        """Stop everything, in order. May be called twice."""
         self._components = ()
         await self._stack.aclose()
 
     async def run(self) -> None:
-        """Open, run until cancelled, close; raises what the robot raised, if it breaks down."""
+        """Open, run until cancelled, close. Raises the robot's exception if it fails."""
         async with self:
             await self.wait()
 
     async def wait(self) -> None:
-        """Until cancelled; raises what the robot raised, if it breaks down."""
+        """Wait until cancelled. Raises the robot's exception if it fails."""
         if self._realtime is not None:
             await asyncio.wrap_future(self._realtime.ended)
 
@@ -194,6 +196,13 @@ def _share_discovery(hosts: Sequence[Host]) -> None:
     for host in hosts:
         if (discovery := host.service(Discovery)) is not None:
             discovery.add_local(each for each in hosts if each is not host)
+
+
+def _share_operators(hosts: Sequence[Host]) -> None:
+    """Whoever controls a module of the robot comes first among those who watch."""
+    for host in hosts:
+        if (video := host.service(DigitalResourceDiscovery)) is not None:
+            video.operators = lambda: [each.controller for each in hosts]
 
 
 def announcement(host: Host, module: ModuleConfig) -> Intercept | None:

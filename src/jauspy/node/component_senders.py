@@ -6,15 +6,15 @@ import asyncio
 import errno
 import socket
 from collections.abc import Callable, Mapping
-from pathlib import Path
 from typing import Final
 
-from jauspy.node.liveness import remove_socket
+from jauspy.node.liveness import ComponentSockets
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.routing import Router
+from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import SendQueue
 
 SEND_BURST: Final = 64
@@ -31,18 +31,21 @@ class ComponentSender:
 
     An unread datagram occupies the receive queue of the component and the send buffer of its sender. With one socket
     for all, a component that stops reading would block the others as soon as that buffer is full.
-    `gone(path)` is called when nobody listens on the socket any more.
+    `on_unbound(path)` is called when nobody listens on the socket any more.
     """
 
-    def __init__(self, path: str, counters: Counters, gone: Callable[[str], None]) -> None:
+    def __init__(
+        self, path: str, counters: Counters, on_unbound: Callable[[str], None], max_age: float = MAX_AGE
+    ) -> None:
         self._path = path
         self._counters = counters
-        self._gone = gone
+        self._on_unbound = on_unbound
         self._loop = asyncio.get_running_loop()
         self._socket: socket.socket | None = None
         self._fast_path: Callable[[bytes], object] | None = None
         """The socket's `send`; only while it is connected and the queue is empty."""
-        self._queue = SendQueue()
+        self._max_age = max_age
+        self._queue = SendQueue(max_age=max_age)
         self._watched = False
         self._since_attempt = 0
 
@@ -70,7 +73,7 @@ class ComponentSender:
         self._disconnect()
         for _ in range(len(self._queue)):
             self._counters.drop("component_gone", self._path)
-        self._queue = SendQueue()
+        self._queue = SendQueue(max_age=self._max_age)
 
     def _slow_path(self, datagram: bytes) -> None:
         if not self._queue:
@@ -85,6 +88,8 @@ class ComponentSender:
 
     def _drain(self) -> None:
         self._since_attempt = 0
+        for _ in range(self._queue.drop_stale()):
+            self._counters.drop("stale", self._path)
         try:
             if self._socket is not None:
                 self._queue.drain(self._socket.send, SEND_BURST)
@@ -139,7 +144,7 @@ class ComponentSender:
             if self._queue:
                 self._queue.pop()  # which was counted just now
             self.close()
-            self._gone(self._path)
+            self._on_unbound(self._path)
 
     def _connect(self) -> socket.socket:
         sock = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
@@ -164,12 +169,13 @@ class ComponentSender:
 class ComponentSenders:
     """The senders of all components, by the path of their socket; the router removes dead components.
 
-    A sender is made when it is first needed, and closed when its component is gone.
+    A sender is made when it is first needed, and closed when its component has ended.
     """
 
-    def __init__(self, root: Path, router: Router) -> None:
-        self._root = root
+    def __init__(self, sockets: ComponentSockets, router: Router, max_age: float = MAX_AGE) -> None:
+        self._sockets = sockets
         self._router = router
+        self._max_age = max_age
         self._senders: dict[str, ComponentSender] = {}
 
     @property
@@ -189,7 +195,7 @@ class ComponentSenders:
         sender = self._senders.get(path)
         if sender is None:
             self._remove_cancelled()
-            sender = self._senders[path] = ComponentSender(path, self._router.counters, self._gone)
+            sender = self._senders[path] = ComponentSender(path, self._router.counters, self._on_unbound, self._max_age)
         return sender
 
     def remove_dead(self, port: ComponentPort) -> None:
@@ -204,10 +210,10 @@ class ComponentSenders:
             sender.close()
         self._senders.clear()
 
-    def _gone(self, path: str) -> None:
+    def _on_unbound(self, path: str) -> None:
         self._senders.pop(path, None)
         self._router.remove_dead(LocalPort(path))
-        remove_socket(self._root, path)
+        self._sockets.remove(path)
 
     def _remove_cancelled(self) -> None:
         alive = {port.path for _, port in self._router.components if isinstance(port, LocalPort)}

@@ -27,6 +27,7 @@ from jauspy.protocol.addressing import DEFAULT_NETWORK
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.gateway import Gateway, GatewayRule, GatewayRules
 from jauspy.protocol.sources import SourceLimits
+from jauspy.transport.age import MAX_AGE
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
 
@@ -257,8 +258,15 @@ class NodeConfig(NetworkConfig):
     of the same size."""
     rate_burst: float = Field(default=1000.0, ge=1)
     """Messages that a source may send at once under `rate_limit`."""
+    max_message_age: float = Field(default=MAX_AGE, ge=0)
+    """Seconds for which a message may wait in a socket or queue of the node manager. An older one is dropped, unless it
+    is acknowledged: a command of an operator who may be gone. 0 is no limit."""
     local_udp: bool = True
-    """Allow components of this machine to connect by UDP, as those of ROS/IOP do."""
+    """Allow components of this machine to connect by UDP, as those of ROS/IOP do, if their user may use the local
+    socket."""
+    own_ids: tuple[IdPattern, ...] = Field(default=(), examples=[("101.1.*",)])
+    """Ids of this machine's components: packets from networks that have them are dropped, also while no component is
+    connected with them. Other ids belong to who is heard first, until it is silent for 30 s."""
     header_compression: Literal["off", "accept", "propose"] = "accept"
     """Header compression on UDP. accept: accept proposals, and compress for peers that propose. propose: probe all
     peers with an empty packet, which peers without compression drop as malformed. off: ignore proposals."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import socket
+import time
 from collections import deque
 from collections.abc import Callable, Iterable
 from typing import Any, Final
@@ -13,6 +14,7 @@ from jauspy.protocol import judp
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Priority
+from jauspy.transport.age import MAX_AGE, MAX_DATAGRAM, DatagramReader
 
 READ_BURST: Final = 384
 """Datagrams read from one socket per wake-up: three times as many as are routed, so that a flood is queued here by
@@ -27,27 +29,29 @@ FILTER_ABOVE: Final = 1024
 """With more queued datagrams, the kernel filter is attached for the priorities of most of them."""
 UNFILTER_BELOW: Final = 256
 """With no more queued datagrams, the kernel filter is detached."""
-_BUFFER: Final = 65536
 _PRIORITIES: Final = 4
 
 Receive = Callable[[bytes, UdpPort], None]
-_Queue = deque[tuple[bytes, UdpPort]]
+_Queue = deque[tuple[bytes, UdpPort, float]]
 
 
 class Ingress:
     """Calls `receive(datagram, port)` for the datagrams of all attached sockets, by priority, in order within each.
 
-    In a flood the kernel drops the priorities that most of it has; safety-critical packets are always read.
+    In a flood the kernel drops the priorities that most of it has; safety-critical packets are always read. What has
+    waited for more than `max_age` seconds, in a socket or here, is dropped unless it is acknowledged.
     """
 
-    def __init__(self, receive: Receive, counters: Counters) -> None:
+    def __init__(self, receive: Receive, counters: Counters, max_age: float = MAX_AGE) -> None:
         self._loop = asyncio.get_running_loop()
+        self._max_age = max_age
         self._receive = receive
         self._counters = counters
         self._queues: tuple[_Queue, ...] = tuple(deque() for _ in range(_PRIORITIES))
         self._queued = 0
         self._scheduled = False
         self._attached: list[socket.socket] = []
+        self._skips: dict[str, int] = {}
         self._filtered: list[socket.socket] = []
 
     def __len__(self) -> int:
@@ -59,8 +63,10 @@ class Ingress:
         `failed(error)` is called with the errors of earlier sent datagrams.
         """
         ports: dict[Any, UdpPort] = {}
-        self._loop.add_reader(sock, self._wake, sock, network, skip, ports, failed)
+        reader = DatagramReader(sock, self._counters, self._max_age, skip=skip)
+        self._loop.add_reader(sock, self._wake, reader, network, ports, failed)
         self._attached.append(sock)
+        self._skips[network] = skip
 
     def close(self) -> None:
         """Stop reading, and drop queued datagrams; the sockets belong to the caller."""
@@ -75,24 +81,26 @@ class Ingress:
 
     def _wake(
         self,
-        sock: socket.socket,
+        reader: DatagramReader,
         network: str,
-        skip: int,
         ports: dict[Any, UdpPort],
         failed: Callable[[OSError], None],
     ) -> None:
-        count = 0
+        sock, skip = reader.socket, reader.skip
+        count, now = 0, time.monotonic()
         try:
+            receive = reader.receiver(now)
             for count in range(READ_BURST):  # noqa: B007
-                data, sender = sock.recvfrom(_BUFFER)
+                data, sender = receive(MAX_DATAGRAM)
                 port = ports.get(sender)
                 if port is None:
                     if len(ports) > MAX_QUEUED:
                         ports.clear()
                     port = ports[sender] = _port(sender, network)
-                self._queues[judp.peek_priority(data, skip)].append((data, port))
+                self._queues[judp.peek_priority(data, skip)].append((data, port, now))
             count = READ_BURST
         except (BlockingIOError, InterruptedError) as error:
+            reader.was_empty(now)
             if not count:
                 failed(error)
         except OSError as error:
@@ -141,11 +149,15 @@ class Ingress:
 
     def _route_from(self, queues: Iterable[_Queue], left: int) -> int:
         """Route up to `left` datagrams; returns how many of them were not needed."""
-        receive = self._receive
+        receive, oldest = self._receive, time.monotonic() - self._max_age
         for queue in queues:
             count = min(left, len(queue))
             for _ in range(count):
-                receive(*queue.popleft())
+                data, port, since = queue.popleft()
+                if since < oldest and not judp.is_acknowledged(data, self._skips.get(port.network, 0)):
+                    self._counters.drop("stale", port)
+                else:
+                    receive(data, port)
             left -= count
         return left
 

@@ -4,28 +4,44 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import ipaddress
 import logging
 import os
+import socket
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from jauspy.errors import ConfigError, TransportError
 from jauspy.node.config import NodeConfig
+from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
+from jauspy.transport.age import MAX_AGE
+from jauspy.transport.listener import Listener
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
 
 _LOGGER = logging.getLogger(__name__)
 
 MAX_CONNECTIONS: Final = 64
-"""Accepted connections; another one replaces the oldest that never sent a packet, or is closed at once."""
+"""Accepted connections; see `TcpPeers` for what happens to further ones."""
+MAX_CONNECTIONS_PER_HOST: Final = 16
+"""Of these, from one host; for IPv6, from one network of 64 bits, because a host there may have any address."""
+BUSY_INTERVAL: Final = 5.0
+"""Seconds after a packet in which a connection is not closed for another one of a host that has no fewer."""
+IDLE_LIMIT: Final = ADDRESS_LIFETIME
+"""Seconds without a packet after which a connection is closed: the addresses learned from it have expired."""
+IDLE_CHECK_INTERVAL: Final = 10.0
 
 
 class TcpPeers:
     """JTCP connections: accepted ones, and those to peers of the address book.
 
     `received(datagram, port)` is called for each packet, `disconnected(port)` when a connection has ended.
+
+    When there are too many accepted connections, the host with most of them loses the one that is idle for longest, if
+    it has more than the host of the new one. Among hosts with equally many, only connections that never sent a packet,
+    or are idle, make room; else the new one is closed.
     """
 
     def __init__(
@@ -34,41 +50,50 @@ class TcpPeers:
         network: str,
         received: Callable[[bytes, TcpPort], None],
         disconnected: Callable[[TcpPort], None],
+        max_age: float,
     ) -> None:
+        self._max_age = max_age
         self._counters = counters
         self._network = network
         self._received = received
         self._disconnected = disconnected
-        self._server: asyncio.Server | None = None
+        self._listeners: list[Listener] = []
         self._links: dict[TcpPort, StreamLink] = {}
         self._dialers: dict[TcpPort, Dialer] = {}
+        self._idle_timer: asyncio.TimerHandle | None = None
 
     @property
     def port(self) -> int | None:
         """The TCP port in use; if the configuration says 0, that of the first address."""
-        return self._server.sockets[0].getsockname()[1] if self._server and self._server.sockets else None
+        return self._listeners[0].port if self._listeners else None
 
-    async def open(self, hosts: Sequence[str], number: int, peers: Iterable[TcpPort]) -> None:
+    def open(self, hosts: Sequence[str], number: int, peers: Iterable[TcpPort]) -> None:
         """Listen on these addresses, and start connecting to `peers`; raises `TransportError`."""
-        if hosts:
+        for host in hosts:
+            family = socket.AF_INET6 if ":" in host else socket.AF_INET
             try:
-                self._server = await asyncio.get_running_loop().create_server(self._make_link, hosts, number)
+                sock = socket.create_server((host, number), family=family)
             except OSError as error:
                 if error.errno == errno.EADDRINUSE:
                     why = "another process uses it"
                 else:
                     why = os.strerror(error.errno) if error.errno else str(error)
-                raise TransportError(
-                    f"cannot listen on TCP {hosts[0]}:{number}: {why}; choose another tcp_port"
-                ) from error
+                raise TransportError(f"cannot listen on TCP {host}:{number}: {why}; choose another tcp_port") from error
+            self._listeners.append(Listener(sock, self._make_link, self._counters))
+        if hosts:
+            self._close_idle()
         for port in peers:
-            self._dialers[port] = Dialer((port.host, port.port), self._counters, self._receiver_for(port))
+            self._dialers[port] = Dialer(
+                (port.host, port.port), self._counters, self._receiver_for(port), max_age=self._max_age
+            )
 
     async def close(self) -> None:
         """Close all connections; a second call does nothing."""
-        server, self._server = self._server, None
-        if server is not None:
-            server.close()
+        listeners, self._listeners = self._listeners, []
+        for listener in listeners:
+            listener.close()
+        if self._idle_timer is not None:
+            self._idle_timer.cancel()
         for link in list(self._links.values()):
             link.close()
         dialers, self._dialers = list(self._dialers.values()), {}
@@ -97,19 +122,41 @@ class TcpPeers:
             lambda link, datagram: self._received(datagram, self._port(link)),
             self._ended,
             self._accepted,
+            max_age=self._max_age,
         )
 
     def _accepted(self, link: StreamLink) -> None:
-        if len(self._links) >= MAX_CONNECTIONS:
-            refused = next((each for each in self._links.values() if not each.has_received), link)
+        while (refused := self._one_too_many(link)) is not None:
             self._counters["tcp.refused"] += 1
-            _LOGGER.info("JTCP connection from %s closed: there are %d already", refused.peer, MAX_CONNECTIONS)
+            _LOGGER.info("JTCP connection from %s closed: there are too many", refused.peer)
             refused.close()
             if refused is link:
                 return
             self._forget(refused)
         self._links[self._port(link)] = link
         self._counters["tcp.accepted"] += 1
+
+    def _one_too_many(self, new: StreamLink) -> StreamLink | None:
+        """The connection to close for a new one, which may be the new one itself; None if there is room."""
+        by_host: dict[str, list[StreamLink]] = {}
+        for link in self._links.values():
+            by_host.setdefault(_host(link), []).append(link)
+        own = by_host.get(_host(new), [])
+        if len(own) >= MAX_CONNECTIONS_PER_HOST:
+            return _idlest(own) or new
+        if len(self._links) < MAX_CONNECTIONS:
+            return None
+        most = max(by_host.values(), key=len)
+        if len(most) > len(own) + 1:
+            return _idlest(most) or min(most, key=_activity)
+        return _idlest(self._links.values()) or new
+
+    def _close_idle(self) -> None:
+        self._idle_timer = asyncio.get_running_loop().call_later(IDLE_CHECK_INTERVAL, self._close_idle)
+        oldest = asyncio.get_running_loop().time() - IDLE_LIMIT
+        for link in [each for each in self._links.values() if each.active_at < oldest]:
+            self._counters["tcp.idle"] += 1
+            link.close()
 
     def _ended(self, link: StreamLink) -> None:
         if self._links.get(self._port(link)) is link:
@@ -128,6 +175,22 @@ class TcpPeers:
         return lambda _, datagram: self._received(datagram, port)
 
 
+def _host(link: StreamLink) -> str:
+    """What counts as one host."""
+    host, _, _ = link.peer[0].partition("%")
+    return str(ipaddress.IPv6Network((host, 64), strict=False)) if ":" in host else host
+
+
+def _activity(link: StreamLink) -> tuple[bool, float]:
+    return link.has_received, link.active_at
+
+
+def _idlest(links: Iterable[StreamLink]) -> StreamLink | None:
+    """The connection that is idle for longest, first of those that never sent a packet; None if all are busy."""
+    busy = asyncio.get_running_loop().time() - BUSY_INTERVAL
+    return min((each for each in links if not each.has_received or each.active_at < busy), key=_activity, default=None)
+
+
 class Links:
     """JTCP connections and serial lines, as ports of `network`.
 
@@ -140,11 +203,13 @@ class Links:
         network: str,
         received: Callable[[bytes, NetworkPort], None],
         disconnected: Callable[[NetworkPort], None],
+        max_age: float = MAX_AGE,
     ) -> None:
+        self._max_age = max_age
         self._received = received
         self._counters = counters
         self._network = network
-        self._tcp = TcpPeers(counters, network, received, disconnected)
+        self._tcp = TcpPeers(counters, network, received, disconnected, max_age)
         self._serial: dict[SerialPort, SerialLink] = {}
 
     @property
@@ -164,7 +229,7 @@ class Links:
         try:
             for serial in config.serial:
                 self._open_line(serial.line)
-            await self._tcp.open(hosts, udp_port if config.tcp_port is None else config.tcp_port, peers)
+            self._tcp.open(hosts, udp_port if config.tcp_port is None else config.tcp_port, peers)
         except BaseException:
             await self.close()
             raise
@@ -193,6 +258,6 @@ class Links:
 
     def _open_line(self, line: SerialLine) -> None:
         port = SerialPort(line.device, network=self._network)
-        link = SerialLink(line, self._counters, lambda datagram: self._received(datagram, port))
+        link = SerialLink(line, self._counters, lambda datagram: self._received(datagram, port), max_age=self._max_age)
         link.open()
         self._serial[port] = link

@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import errno
-import socket
 from collections.abc import Callable
 from pathlib import Path
 from typing import Final
 
-from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
-from jauspy.transport import local
+from jauspy.transport.local import SocketProbe
 
 CHECK_INTERVAL: Final = 1.0
 MAX_CHECKS: Final = 32
@@ -20,13 +17,13 @@ MAX_CHECKS: Final = 32
 class LivenessCheck:
     """Checks the ports of all components in turn.
 
-    `is_dead(path)` is true when nobody listens on a local socket; `remove_dead(port)` is called for each dead port.
+    `is_dead(port)` is true when the component has ended; `remove_dead(port)` is called for each dead port.
     """
 
     def __init__(
         self,
         components: ComponentDirectory,
-        is_dead: Callable[[str], bool],
+        is_dead: Callable[[ComponentPort], bool],
         remove_dead: Callable[[ComponentPort], None],
     ) -> None:
         self._components = components
@@ -35,36 +32,42 @@ class LivenessCheck:
         self._unchecked: list[ComponentPort] = []
 
     def check_next(self) -> None:
-        """Check the next ports."""
+        """Check the next ports, or all of them if there is no room for another component."""
         if not self._unchecked:
             self._unchecked = list({port for _, port in self._components})
-        ports, self._unchecked = self._unchecked[:MAX_CHECKS], self._unchecked[MAX_CHECKS:]
+        count = len(self._unchecked) if self._components.is_full else MAX_CHECKS
+        ports, self._unchecked = self._unchecked[:count], self._unchecked[count:]
         for port in ports:
-            dead = self._is_dead(port.path) if isinstance(port, LocalPort) else is_unbound(port)
-            if dead and self._components.has_port(port):
+            if self._is_dead(port) and self._components.has_port(port):
                 self._remove_dead(port)
 
 
-def is_unbound(port: UdpPort) -> bool:
-    """True when a UDP port of this machine could be bound; the component itself is not asked."""
-    try:
-        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
-            probe.bind((port.host, port.port))
-    except OSError as error:
-        return error.errno == errno.EADDRNOTAVAIL
-    return True
+class ComponentSockets:
+    """The local sockets of components; finds dead ones, and removes their files from `root`."""
 
+    def __init__(self, root: Path) -> None:
+        self._root = root
+        self._probe: SocketProbe | None = None
 
-def is_dead(root: Path, path: str) -> bool:
-    """True when nobody listens on a local socket; a component's socket file is then removed."""
-    if not local.is_dead(Path(path)):
-        return False
-    remove_socket(root, path)
-    return True
+    def open(self) -> None:
+        """Take the descriptor for probes, so that it is there when all others are in use."""
+        self._probe = SocketProbe()
 
+    def close(self) -> None:
+        """Give up the descriptor; a second call does nothing."""
+        if self._probe is not None:
+            self._probe.close()
+        self._probe = None
 
-def remove_socket(root: Path, path: str) -> None:
-    """Remove the socket file of a dead component; other files are left alone."""
-    socket_path = Path(path)
-    if socket_path.parent == root and socket_path.name.isdecimal():
-        local.clean_up(socket_path)
+    def is_dead(self, path: str) -> bool:
+        """True when nobody listens on a local socket; a component's socket file is then removed."""
+        if self._probe is None or not self._probe.is_dead(Path(path)):
+            return False
+        self.remove(path)
+        return True
+
+    def remove(self, path: str) -> None:
+        """Remove the socket file of a dead component; other files are left alone."""
+        socket_path = Path(path)
+        if self._probe is not None and socket_path.parent == self._root and socket_path.name.isdecimal():
+            self._probe.clean_up(socket_path)

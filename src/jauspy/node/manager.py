@@ -3,29 +3,32 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import socket
 from collections.abc import Mapping
 from contextlib import AsyncExitStack
-from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
-from jauspy.node import liveness, status
+from jauspy.node import descriptors, liveness, status
 from jauspy.node.component_senders import ComponentSenders
-from jauspy.node.config import NodeConfig, load_key, make_gateway, source_limits
+from jauspy.node.config import NodeConfig, load_key, make_gateway, parse_pattern, source_limits
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import Links
-from jauspy.node.liveness import LivenessCheck
+from jauspy.node.liveness import ComponentSockets, LivenessCheck
+from jauspy.node.local_users import LocalUsers, users_of
 from jauspy.node.network import Network
 from jauspy.node.routing_cache import RoutingCache, Send
 from jauspy.node.status import NodeState, StatusServer
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
+from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast
+from jauspy.transport.age import DatagramReader
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
@@ -47,14 +50,21 @@ class NodeManager:
     def __init__(self, config: NodeConfig | None = None) -> None:
         self.config = config or NodeConfig()
         self._known = self.config.known_addresses()
-        dead = partial(liveness.is_dead, self.config.local_root)
+        self._max_age = self.config.max_message_age or math.inf
+        self._component_sockets = ComponentSockets(self.config.local_root)
+        self._local_users: LocalUsers | None = None
         self._router = Router(
             str(self.config.local_root),
             addresses=self._known,
             address_lifetime=self.config.address_lifetime,
             local_udp=self.config.local_udp,
+            may_connect=lambda port: self._local_users is not None and self._local_users.may_connect(port),
+            is_abandoned=lambda port: self._local_users is not None and self._local_users.is_abandoned(port),
+            own_ids=[parse_pattern(text) for text in self.config.own_ids],
             compression=self.config.header_compression,
-            is_dead=dead,
+            max_message_age=self._max_age,
+            is_dead=self._component_sockets.is_dead,
+            max_sockets=descriptors.max_component_sockets(),
             networks=[network.name for network in self.config.all_networks],
             gateway=make_gateway(self.config),
             sources=SourceChecks(source_limits(self.config)),
@@ -64,14 +74,16 @@ class NodeManager:
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._component_senders = ComponentSenders(self.config.local_root, self._router)
+        self._component_senders = ComponentSenders(self._component_sockets, self._router, self._max_age)
         self._local_ports: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirror_source: Port = LocalPort("")
-        self._links = Links(self._router.counters, self.config.name, self._receive, self._router.disconnected)
+        self._links = Links(
+            self._router.counters, self.config.name, self._receive, self._router.disconnected, self._max_age
+        )
         self._timer: asyncio.TimerHandle | None = None
         self._membership_timer: asyncio.TimerHandle | None = None
-        self._liveness = LivenessCheck(self._router.components, dead, self._component_senders.remove_dead)
+        self._liveness = LivenessCheck(self._router.components, self._is_dead, self._component_senders.remove_dead)
         self._liveness_timer: asyncio.TimerHandle | None = None
         self._services = AsyncExitStack()
         self._closed = asyncio.Event()
@@ -130,7 +142,9 @@ class NodeManager:
         config = self.config
         self._local = local.bind(self.path, owner="a node manager", mode=config.local_mode)
         try:
+            self._component_sockets.open()
             local.give_to_group(self.path, config.local_group)
+            self._local_users = LocalUsers(users_of(self.path))
             for each in config.all_networks:
                 authenticator = load_key(each.key_file)
                 self._networks[each.name] = Network(
@@ -142,9 +156,11 @@ class NodeManager:
             await self.close()
             raise
         self._closed.clear()
-        base.start_reading(self._loop, self._local, self._from_component, self._socket_error)
+        counters = self._router.counters
+        reader = DatagramReader(self._local, counters, self._max_age)
+        base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
         authenticated = any(network.authenticator for network in self._networks.values())
-        self._ingress = Ingress(self._from_network if authenticated else self._receive, self._router.counters)
+        self._ingress = Ingress(self._from_network if authenticated else self._receive, counters, self._max_age)
         for name, network in self._networks.items():
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
@@ -188,6 +204,7 @@ class NodeManager:
             self._ingress.close()
         await self._links.close()
         self._component_senders.close()
+        self._component_sockets.close()
         self._cache.clear()
         for network in self._networks.values():
             network.close()
@@ -285,6 +302,11 @@ class NodeManager:
         self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
         for network in self._networks.values():
             network.refresh_memberships()
+
+    def _is_dead(self, port: ComponentPort) -> bool:
+        if isinstance(port, LocalPort):
+            return self._component_sockets.is_dead(port.path)
+        return self._local_users is not None and self._local_users.has_left(port)
 
     def _check_liveness(self) -> None:
         self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)

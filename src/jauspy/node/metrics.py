@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import os
+import socket
 from collections.abc import Callable, Iterator
 from typing import Final
 
@@ -16,6 +17,7 @@ from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.node.status import NodeState
 from jauspy.protocol.addressing import format_port
+from jauspy.transport.listener import Listener, stream_protocol
 
 REQUEST_TIMEOUT: Final = 5.0
 """Seconds for a request and its answer."""
@@ -57,23 +59,26 @@ class MetricsServer:
 
     def __init__(self, host: str, port: int, state: Callable[[], NodeState]) -> None:
         self._where = (host, port)
+        self._state = state
         self._registry = CollectorRegistry(auto_describe=False)
         self._collector = NodeCollector(state)
         self._readers = 0
-        self._server: asyncio.Server | None = None
+        self._listener: Listener | None = None
 
     async def __aenter__(self) -> None:
         self._registry.register(self._collector)
         try:
-            self._server = await asyncio.start_server(self._serve, *self._where, limit=MAX_REQUEST)
+            sock = socket.create_server(self._where)
         except OSError as error:
-            why = os.strerror(error.errno) if error.errno else str(error)  # asyncio would repeat the address
+            why = os.strerror(error.errno) if error.errno else str(error)  # `str(error)` would repeat the address
             problem = f"cannot serve metrics on {self._where[0]}:{self._where[1]}: {why}"
             raise TransportError(f"{problem}; choose another with --metrics") from error
+        counters = self._state().router.counters
+        self._listener = Listener(sock, lambda: stream_protocol(self._serve, MAX_REQUEST), counters)
 
     async def __aexit__(self, *error: object) -> None:
-        if self._server is not None:
-            self._server.close()
+        if self._listener is not None:
+            self._listener.close()
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         if self._readers >= MAX_READERS:

@@ -5,7 +5,9 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import socket
 from collections.abc import Callable, Mapping
+from contextlib import ExitStack
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, Final
@@ -17,11 +19,11 @@ from jauspy.node.network import Network
 from jauspy.protocol.addressing import NetworkPort, format_port
 from jauspy.protocol.routing import Router
 from jauspy.transport import local
+from jauspy.transport.listener import Listener, stream_protocol
+from jauspy.transport.node_status import READ_TIMEOUT, SOCKET_NAME, read
 
-SOCKET_NAME: Final = "JuniorRTE.status"
-"""In the directory of the node manager's own socket."""
-READ_TIMEOUT: Final = 2.0
-"""Seconds for one reader."""
+__all__ = ["SOCKET_NAME", "NodeState", "StatusServer", "read", "with_rates"]
+
 MAX_READERS: Final = 8
 RATE_INTERVAL: Final = 0.5
 """Seconds between two reads for `with_rates`."""
@@ -85,21 +87,26 @@ class StatusServer:
         self._state = state
         self._started = asyncio.get_running_loop().time()
         self._readers = 0
-        self._server: asyncio.Server | None = None
+        self._listener: Listener | None = None
 
     async def __aenter__(self) -> None:
-        try:
-            self._path.unlink(missing_ok=True)
-            self._server = await asyncio.start_unix_server(self._serve, self._path)
-            self._path.chmod(self._mode)
-        except OSError as error:
-            problem = f"cannot open the socket {self._path}: {error.strerror}"
-            raise TransportError(f"{problem}; {local.OTHER_DIRECTORY}, or set `status` to false") from error
-        local.give_to_group(self._path, self._group)
+        with ExitStack() as stack:
+            try:
+                sock = stack.enter_context(socket.socket(socket.AF_UNIX, socket.SOCK_STREAM))
+                self._path.unlink(missing_ok=True)
+                sock.bind(str(self._path))
+                self._path.chmod(self._mode)
+                sock.listen()
+            except OSError as error:
+                problem = f"cannot open the socket {self._path}: {error.strerror}"
+                raise TransportError(f"{problem}; {local.OTHER_DIRECTORY}, or set `status` to false") from error
+            local.give_to_group(self._path, self._group)
+            stack.pop_all()
+        self._listener = Listener(sock, lambda: stream_protocol(self._serve), self._state().router.counters)
 
     async def __aexit__(self, *error: object) -> None:
-        if self._server is not None:
-            self._server.close()
+        if self._listener is not None:
+            self._listener.close()
         self._path.unlink(missing_ok=True)
 
     async def _serve(self, _: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -116,23 +123,6 @@ class StatusServer:
         finally:
             self._readers -= 1
             writer.close()
-
-
-async def read(root: Path) -> dict[str, Any]:
-    """The status of the node manager of a local root; raises `TransportError` if it does not answer."""
-    path = root / SOCKET_NAME
-    try:
-        async with asyncio.timeout(READ_TIMEOUT):
-            reader, writer = await asyncio.open_unix_connection(path)
-            text = await reader.read()
-            writer.close()
-    except (OSError, TimeoutError) as error:
-        raise TransportError(
-            f"no node manager serves its status at {path}: {getattr(error, 'strerror', None) or 'no answer'}; "
-            "is it running, with `status` on, and is this its --local-root?"
-        ) from None
-    status: dict[str, Any] = json.loads(text)
-    return status
 
 
 def with_rates(before: dict[str, Any], after: dict[str, Any]) -> dict[str, Any]:

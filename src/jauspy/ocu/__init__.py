@@ -1,4 +1,4 @@
-"""The client API: find robots, ask them, control them, listen to them."""
+"""The client API: discover, query and control robots, and subscribe to their events."""
 
 from jauspy.ocu.client import OCU
 from jauspy.ocu.connection import Stats

@@ -128,7 +128,7 @@ class OCU:
     if not TYPE_CHECKING:
         __enter__ = __exit__ = async_only("`async with`")
 
-    # --- finding --------------------------------------------------------------------------------------------------
+    # --- discovery ------------------------------------------------------------------------------------------------
 
     async def discover(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
         """The subsystem of this number; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
@@ -141,7 +141,7 @@ class OCU:
     async def watch(
         self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0
     ) -> AsyncGenerator[News, None]:
-        """`async for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
+        """`async for news in ocu.watch()`: yields what is present, and then what appears, changes and vanishes.
 
         All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
         `subsystem` restricts this to one. A slow reader gets the difference to what it read last.

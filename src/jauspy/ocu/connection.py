@@ -334,7 +334,7 @@ class Connection:
         self.request_counts[destination] += 1
         return self.request_counts[destination] & 0xFF
 
-    # --- asking ---------------------------------------------------------------------------------------------------
+    # --- queries --------------------------------------------------------------------------------------------------
 
     async def query(
         self,

@@ -52,7 +52,7 @@ STALE_REPLY_TIME: Final = 1.0
 """Seconds in which replies to requests of an earlier control of this OCU may still arrive."""
 RELEASE_TIMEOUT: Final = 0.5
 """Seconds to wait for the confirmation of a release that was not acknowledged."""
-NOBODY: Final = JausID(0, 0, 0)
+NO_CONTROLLER: Final = JausID(0, 0, 0)
 """The controller that ReportControl names when no client has control."""
 
 _LEAVES_READY: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
@@ -104,7 +104,7 @@ class ControlStatus:
     def is_held_by_other(self, control: ReportControl) -> bool:
         """True when another client has control; remembers which."""
         found = controller(control)
-        if found in (NOBODY, self._connection.id):
+        if found in (NO_CONTROLLER, self._connection.id):
             return False
         self._other = (found, control.authority_code)
         return True
@@ -280,7 +280,7 @@ class Control:
             if self._status.is_held_by_other(control):
                 self._taken = True
                 self._lose(f"{self.id} {self._status.held_by()}")
-            elif controller(control) == NOBODY:
+            elif controller(control) == NO_CONTROLLER:
                 self._lose(f"{self.id} says that nobody is in control; it was restarted, or did not hear us in time")
             else:
                 self._answered_at = asyncio.get_running_loop().time()

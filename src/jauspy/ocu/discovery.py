@@ -1,6 +1,6 @@
 """Finds subsystems, nodes, components and services once (`discover`), or continuously (`watch`).
 
-Both query everybody at intervals, query single components for what they have not reported, and merge the reports in a
+Both broadcast queries at intervals, query single components for what they have not reported, and merge the reports in a
 `SubsystemTree`.
 """
 
@@ -123,7 +123,7 @@ async def _search(connection: Connection, subsystem: int | None, timeout: float)
 
     with connection.replies.listening(EVERYONE, on_report, ReportIdentification, ReportServices):
         for rounds in count(1):
-            _query_everybody(connection, subsystem)
+            _broadcast_queries(connection, subsystem)
             _query_missing(connection, tree, subsystem)
             complete = await _completed(tree, subsystem, min(end, clock() + ROUND_INTERVAL), connection)
             if (complete and rounds >= MIN_ROUNDS) or clock() >= end:
@@ -175,7 +175,7 @@ def _no_such_subsystem(subsystem: int, tree: SubsystemTree, timeout: float) -> s
 
 
 async def watch(connection: Connection, subsystem: int | None, interval: float, silence: float) -> AsyncIterator[News]:
-    """What is there at first, and then every change; a slow reader gets the difference to what it read last."""
+    """Yield all present parts, then every change; a slow reader gets the difference to what it read last."""
     check_number(subsystem, "a subsystem", whole=True, optional=True)
     check_number(interval, "interval")
     check_number(silence, "silence")
@@ -199,12 +199,12 @@ async def watch(connection: Connection, subsystem: int | None, interval: float, 
             if clock() >= query_at:
                 if clock() > query_at + interval:  # the reader was slow, so nobody was queried: silence means nothing
                     expire_at = clock() + silence
-                everybody = _query_everybody(connection, subsystem)
-                connection.send(everybody, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
+                destination = _broadcast_queries(connection, subsystem)
+                connection.send(destination, QueryHeartbeatPulse(), broadcast=Broadcast.GLOBAL)
                 _query_unknown(connection, tree, -math.inf)
                 query_at = clock() + interval
             if clock() >= probe_at:
-                for id in tree.unheard(clock() - interval)[:MAX_FOLLOW_UPS]:
+                for id in tree.silent_since(clock() - interval)[:MAX_FOLLOW_UPS]:
                     connection.send(id, QueryHeartbeatPulse())
                 probe_at = clock() + interval / PROBES_PER_INTERVAL
             if clock() >= expire_at:
@@ -270,13 +270,13 @@ def _name_and_type(part: SubsystemPart) -> tuple[str, int] | None:
 # --- queries of both --------------------------------------------------------------------------------------------------
 
 
-def _query_everybody(connection: Connection, subsystem: int | None) -> JausID:
+def _broadcast_queries(connection: Connection, subsystem: int | None) -> JausID:
     """Broadcast the queries for identification and services, to all or to one subsystem; returns the address used."""
     number = ANY_SUBSYSTEM if subsystem is None else subsystem
-    everybody = JausID(number, ANY_NODE, ANY_COMPONENT)
+    destination = JausID(number, ANY_NODE, ANY_COMPONENT)
     for query in (QueryIdentification(query_type=Level.SUBSYSTEM), _query_all_services()):
-        connection.send(everybody, query, broadcast=Broadcast.GLOBAL)
-    return everybody
+        connection.send(destination, query, broadcast=Broadcast.GLOBAL)
+    return destination
 
 
 def _query_all_services() -> QueryServices:

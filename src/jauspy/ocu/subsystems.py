@@ -188,7 +188,7 @@ class SubsystemTree:
         """The components of which no service is known."""
         return [id for id in self.components(subsystem, since) if not self._entries[id].offered]
 
-    def unheard(self, since: float) -> list[JausID]:
+    def silent_since(self, since: float) -> list[JausID]:
         """The components that were last seen before this time."""
         return [id for id in self if self._entries[id].last_seen < since]
 

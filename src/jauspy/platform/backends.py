@@ -17,7 +17,7 @@ def names() -> list[str]:
 
 
 def find(name: str) -> Backend:
-    """The backend of that name; `ConfigError` lists what is there, or says what it lacks."""
+    """Return the backend of that name. Raises `ConfigError` with the installed backends, or with a missing package."""
     matches = entry_points(group=GROUP, name=name)
     if not matches:
         raise ConfigError(f"no backend {name!r}; installed are: {', '.join(names()) or 'none'}")

@@ -12,7 +12,7 @@ if TYPE_CHECKING:
     Image: TypeAlias = NDArray[np.uint8]
     """Rows of pixels from top to bottom: red, green, blue; shape (height, width, 3)."""
     Distances: TypeAlias = NDArray[np.float32]
-    """Of each pixel, along the camera's x axis: metres, inf where nothing is; shape (height, width)."""
+    """Depth of each pixel along the camera's x axis, in metres; inf where nothing is; shape (height, width)."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -22,12 +22,12 @@ class CameraSetup:
     name: str
     link: str
     fov: float
-    """From the left edge of the picture to the right one, radians."""
+    """Horizontal field of view, in radians."""
 
 
 @dataclass(frozen=True, slots=True)
 class Frame:
-    """A picture, and when the robot was as it shows: seconds of the machine's monotonic clock."""
+    """A picture, and its time in seconds of the machine's monotonic clock."""
 
     image: Image
     taken: float
@@ -35,12 +35,12 @@ class Frame:
 
 @dataclass(frozen=True, slots=True)
 class DepthFrame:
-    """A picture, and how far away each of its pixels is. A pixel stands for the ray through its middle."""
+    """A picture and the depths of its pixels, each along the ray through the pixel's centre."""
 
     image: Image
     distances: Distances
     taken: float
-    """When the robot was as it shows: seconds of the machine's monotonic clock."""
+    """Time of the picture, in seconds of the machine's monotonic clock."""
 
 
 class CameraSession(Protocol):
@@ -53,24 +53,24 @@ class CameraSession(Protocol):
 
     @property
     def reduced(self) -> bool:
-        """Its pictures are worse than another machine would make them; the description says why."""
+        """True if pictures are of lower quality than on other machines; the description says why."""
         ...
 
     def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
-        """The robot's newest state as a picture of that size; `thoroughly` may take a small machine half a second."""
+        """Render the robot's newest state; with `thoroughly` at better quality, in up to half a second."""
         ...
 
     def measure(self, width: int, height: int) -> DepthFrame:
-        """The same with distances; in fewer pixels, of the same field of view, where so many would take too long."""
+        """Render with depths, possibly in fewer pixels of the same field of view if this size would take too long."""
         ...
 
     def close(self) -> None:
-        """Release what it holds; twice is fine."""
+        """Release all resources. May be called twice."""
         ...
 
 
 class Camera(Protocol):
-    """How to open a camera: can be pickled, and sent to the process that will look through it."""
+    """Describes how to open a camera; can be pickled and sent to the process that opens it."""
 
     @property
     def setup(self) -> CameraSetup:

@@ -1,4 +1,4 @@
-"""Skid-steered chassis: what they are like (size, mass, limits), and how both backends drive them."""
+"""Skid-steered chassis: size, mass and limits, and the drives of both backends."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Robot
 from jauspy.platform.description import RobotModel
 
 SPEED_ON_GROUND: Final = 0.95
-"""Speed on the ground as a fraction of that which the tracks have without resistance."""
+"""Speed on the ground as a fraction of the tracks' speed without resistance."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,12 +30,12 @@ class Chassis:
     max_speed: float = 1.5
     """Fastest forward and backward."""
     max_turn_rate: float = 1.2
-    """Fastest turn that guidance asks for; a tracked robot could turn faster than is good for its load."""
+    """Fastest turn that guidance commands; a tracked robot could turn faster, but not safely with a load."""
     acceleration: float = 1.0
     deceleration: float = 1.5
     turn_acceleration: float = 3.0
     track_separation: float = 0.46
-    """From the middle of one track to that of the other."""
+    """Distance between the centres of the tracks."""
     front: float = 0.345
     back: float = 0.345
     left: float = 0.28
@@ -47,7 +47,7 @@ class Chassis:
 
 
 def chassis_of(robot: RobotModel) -> Chassis:
-    """Size, mass, distance and speed of the tracks are those of its description; the rest are `Chassis`'s defaults."""
+    """Return the chassis of a robot: size, mass and tracks from its description, the rest by default."""
     left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
     found = measure(robot)
     return Chassis(
@@ -71,13 +71,13 @@ class Measures:
     mass: float
     centre_of_gravity: Vector
     low: Vector
-    """The least x, y and z of the shapes that may collide."""
+    """Minimal x, y and z of the collision shapes."""
     high: Vector
-    """The largest."""
+    """Maximal x, y and z of the collision shapes."""
 
 
 def measure(robot: RobotModel) -> Measures:
-    """Of the robot as it stands when it is opened. Meshes, whose size URDF does not tell, are left out."""
+    """Measure the robot in its initial pose. Meshes are ignored, since URDF has no size of them."""
     starts = {
         joint: start for group in robot.groups.values() for joint, start in zip(group.joints, group.start, strict=True)
     }
@@ -88,7 +88,7 @@ def measure(robot: RobotModel) -> Measures:
     ]
     mass = sum(body.mass for body, _ in masses)
     corners = list(_corners(frames, collision_boxes(urdf)))
-    return Measures(mass, _centre_of_gravity(masses, mass), _least(corners), _largest(corners))
+    return Measures(mass, _centre_of_gravity(masses, mass), _smallest(corners), _largest(corners))
 
 
 def _centre_of_gravity(masses: list[tuple[Inertial, Vector]], mass: float) -> Vector:
@@ -104,7 +104,7 @@ def _corners(frames: dict[str, Transform], found: list[CollisionBox]) -> Iterato
             yield frame.apply((x, y, z))
 
 
-def _least(corners: list[Vector]) -> Vector:
+def _smallest(corners: list[Vector]) -> Vector:
     x, y, z = (min((corner[axis] for corner in corners), default=0.0) for axis in range(3))
     return x, y, z
 
@@ -119,7 +119,7 @@ class ParkingBrake(OptionalPart):
 
     @property
     def id(self) -> PartId:
-        """There is one."""
+        """The part id; a robot has at most one parking brake."""
         return PartId(ParkingBrake)
 
     @property
@@ -129,7 +129,7 @@ class ParkingBrake(OptionalPart):
 
     @abstractmethod
     def set(self, engaged: bool) -> None:
-        """Engage or release it. The chassis then stands until its next effort."""
+        """Engage or release the brake. The chassis then stands until its next effort."""
 
     def state(self) -> object:
         """Whether it is engaged."""
@@ -221,7 +221,7 @@ class SkidSteerDrive(ABC):
 
 
 def mix(linear_x: float, rotational_z: float) -> tuple[float, float]:
-    """Efforts of the left and right track, -1..1; when one would exceed 1, both shrink and the curve stays."""
+    """Efforts of the left and right track, -1..1; if one would exceed 1, both are scaled, which keeps the curvature."""
     linear, rotational = clamp(linear_x), clamp(rotational_z)
     left, right = linear - rotational, linear + rotational
     scale = max(1.0, abs(left), abs(right))
@@ -238,7 +238,7 @@ def clamp(effort: float) -> float:
 def mean_acceleration(before: Twist, after: Twist, dt: float) -> Acceleration:
     """Mean over the `dt` seconds (more than 0) between two body twists.
 
-    The frame turns with the body, so the change of its velocity lacks what turning it takes: the rate times the speed.
+    The frame rotates with the body, so the term rate times speed is added to the change of velocity.
     """
     vx, vy, vz = _mean(before.vx, after.vx), _mean(before.vy, after.vy), _mean(before.vz, after.vz)
     wx, wy, wz = _mean(before.wx, after.wx), _mean(before.wy, after.wy), _mean(before.wz, after.wz)

@@ -58,7 +58,7 @@ class JointTargets(Command):
         group.command(self.targets)
 
     def merged(self, pending: Command) -> JointTargets:
-        """The later target of each joint counts; a hold ends what was commanded before it."""
+        """Merge with a pending command: the later target of each joint counts; a hold cancels earlier targets."""
         if self.hold or not isinstance(pending, JointTargets):
             return self
         targets = tuple(new or old for new, old in zip(self.targets, pending.targets, strict=True))
@@ -67,7 +67,7 @@ class JointTargets(Command):
 
 @dataclass(frozen=True, slots=True)
 class LidarSettings(Command):
-    """How a lidar is to measure, from its next scan on."""
+    """Settings of a lidar, applied from its next scan on."""
 
     lidar: str
     settings: ScanSettings

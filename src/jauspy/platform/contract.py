@@ -1,4 +1,4 @@
-"""What a robot must offer to be driven by jauspy's capability modules.
+"""The contract of robots that jauspy's capability modules drive.
 
 Frames follow REP-103: x forward, y left, z up; metres, seconds, radians. The services turn them into JAUS's frames
 (y right or east, z down). A robot is not thread-safe: all calls come from one thread. Other threads send commands and
@@ -47,7 +47,7 @@ class DriveBase(Protocol):
 
 
 class RobotParts(Protocol):
-    """What can be commanded and read of a robot: the robot itself, or proxies of its parts for other threads."""
+    """The parts of a robot that can be commanded and read: of the robot itself, or proxies for other threads."""
 
     @property
     def drive(self) -> DriveBase:
@@ -89,11 +89,11 @@ class Robot(RobotParts, Protocol):
         ...
 
     def advance(self, dt: float) -> None:
-        """Let `dt` seconds pass; a backend with fixed steps carries what is left over to the next call."""
+        """Advance by `dt` seconds; a backend with fixed steps carries the remainder over to the next call."""
         ...
 
     def close(self) -> None:
-        """Stop, and release what the backend holds; twice is fine."""
+        """Stop, and release all resources. May be called twice."""
         ...
 
 
@@ -106,7 +106,7 @@ class PartId:
 
 
 class Command(ABC):
-    """Something that one part of a robot is to do. Sent by any thread; the robot's own thread applies it."""
+    """A command to one part of a robot. Any thread may send it; the robot's own thread applies it."""
 
     @property
     @abstractmethod
@@ -115,7 +115,7 @@ class Command(ABC):
 
     @abstractmethod
     def apply(self, robot: Robot) -> None:
-        """Carry it out, in the robot's thread."""
+        """Execute the command, in the robot's thread."""
 
     def merged(self, pending: Command) -> Command:  # noqa: ARG002 - most commands replace what is pending
         """The command to apply in place of this one and an earlier one to the same part that is still pending."""
@@ -173,10 +173,10 @@ class Snapshot:
 
 
 class RobotLink(Protocol):
-    """How other threads talk to the thread that owns a robot; thread-safe."""
+    """Passes commands and snapshots between other threads and the thread that owns a robot; thread-safe."""
 
     def submit(self, command: Command) -> None:
-        """Have a command applied before the next step; it is merged with one to the same part that is pending."""
+        """Submit a command for the next step; it is merged with a pending command to the same part."""
         ...
 
     @property
@@ -186,7 +186,7 @@ class RobotLink(Protocol):
 
 
 class Backend(Protocol):
-    """Where robots come from: a simulator, a bus, arithmetic."""
+    """Opens robots: of a simulator, on a bus, or by arithmetic."""
 
     @property
     def name(self) -> str:
@@ -194,5 +194,5 @@ class Backend(Protocol):
         ...
 
     def open(self, robot: RobotModel, world: str) -> Robot:
-        """That robot in that world; `ConfigError` lists the known worlds."""
+        """Open a robot in a world. Raises `ConfigError` with the known worlds for an unknown one."""
         ...

@@ -1,4 +1,4 @@
-"""What a robot is made of: links and joints out of its URDF, and what its backend needs to know to move them.
+"""Descriptions of robots: links and joints from the URDF, and the parameters that backends need to move them.
 
 Frames and units are URDF's (REP-103): metres, radians, kilograms; a joint's frame is given in its parent link's.
 """
@@ -17,7 +17,7 @@ from jauspy.platform.ranging import LidarSetup
 
 @dataclass(frozen=True, slots=True)
 class Gains:
-    """Effort per error, per integrated error, per change of error; `i_limit` bounds what integration may add."""
+    """Effort per error, per integrated error, per change of error; `i_limit` bounds the integral part."""
 
     p: float
     i: float = 0.0
@@ -35,18 +35,18 @@ class JointGains:
 
 @dataclass(frozen=True, slots=True)
 class GroupSetup:
-    """Joints that are commanded together, base to tip, and how."""
+    """Joints that are commanded together, base to tip, and their controllers."""
 
     joints: tuple[str, ...]
     gains: Mapping[str, JointGains]
     base: str
-    """The link that the group stands on."""
+    """The link that carries the group."""
     tip: str
     """The link at its end: a tool, a finger."""
     rate: float
-    """How often the controllers act, in hertz."""
+    """Rate of the controllers, in hertz."""
     start: tuple[float, ...]
-    """Where the joints are when the robot is opened."""
+    """Initial positions of the joints."""
 
 
 @dataclass(frozen=True, slots=True)

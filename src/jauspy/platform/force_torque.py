@@ -28,18 +28,18 @@ class ForceTorqueSetup:
     torque_noise: float = 0.0
     """Standard deviations, N and N m."""
     seed: int = 0
-    """Of the noise: the same seed gives the same noise."""
+    """Seed of the noise: the same seed gives the same noise."""
 
 
 @dataclass(frozen=True, slots=True)
 class Wrench:
-    """What the link, with all that it carries and touches, does to the sensor: in the link's frame, about its origin.
+    """The force and torque of the link, with all that it carries and touches, on the sensor; in the link's frame.
 
-    The weight of the tool is in it, and pulls down. Nothing is tared.
+    It includes the weight of the tool, which acts downwards; nothing is tared.
     """
 
     time: float
-    """The robot's own, in seconds."""
+    """The robot's time, in seconds."""
     force: Vector = ZERO
     """N."""
     torque: Vector = ZERO
@@ -76,6 +76,6 @@ class SampledForceTorque:
             self.wrench = Wrench(now, _limited(force, self.setup.force), _limited(torque, self.setup.torque))
 
 
-def _limited(values: Vector, most: float) -> Vector:
-    x, y, z = (min(most, max(-most, value)) for value in values)
+def _limited(values: Vector, limit: float) -> Vector:
+    x, y, z = (min(limit, max(-limit, value)) for value in values)
     return x, y, z

@@ -14,9 +14,10 @@ BRAKE_TIME: Final = 0.1
 """Seconds that a joint brakes before it holds its position; adjacent joints come to rest meanwhile."""
 
 ROTOR_ACCELERATION: Final = 50.0
-"""Acceleration of a joint that moves nothing but its own rotor with full effort, rad/s^2 or m/s^2.
+"""Acceleration of a joint that moves only its own rotor with full effort, rad/s^2 or m/s^2.
 
-So effort / (LIVELIEST * dt) stops within a step at the soonest, and does not shake.
+A braking gain of effort / (MAX_UNLOADED_ACCELERATION * dt) stops within one step at the soonest, so it does not
+oscillate.
 """
 
 
@@ -67,7 +68,7 @@ class JointController:
             return self._position_pid.update(
                 setpoint.position - position, desired_velocity - velocity, dt, feed_forward
             )
-        setpoint.position = position  # the limits stop where the joint is, not where it would be
+        setpoint.position = position  # the limits apply to the present position, not to the commanded one
         return self._velocity_pid.update(desired_velocity - velocity, 0.0, dt, feed_forward)
 
     def _brake(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:

@@ -11,7 +11,7 @@ from jauspy.geometry.urdf import Joint
 
 
 class ControlMode(Enum):
-    """What a joint's controller follows; switched by commanding it."""
+    """The quantity that a joint's controller follows; a command selects it."""
 
     EFFORT = "effort"
     VELOCITY = "velocity"
@@ -20,7 +20,7 @@ class ControlMode(Enum):
 
 @dataclass(frozen=True, slots=True)
 class Target:
-    """What one joint is to do: newton metres or newtons; rad/s or m/s; radians or metres.
+    """The target of one joint: newton metres or newtons; rad/s or m/s; radians or metres.
 
     A position is approached at most at `speed`, with at most `acceleration` and `deceleration`; the joint's own limits
     when not given.

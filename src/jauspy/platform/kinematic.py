@@ -73,7 +73,7 @@ class KinematicRobot:
 
     @property
     def cameras(self) -> Mapping[str, Camera]:
-        """Its cameras, which see sky and floor."""
+        """Its cameras, which show sky and floor."""
         return self._cameras.cameras
 
     @property
@@ -97,7 +97,7 @@ class KinematicRobot:
         return self._time
 
     def advance(self, dt: float) -> None:
-        """Let exactly `dt` seconds pass, in equal steps of at most `MAX_STEP`."""
+        """Advance by exactly `dt` seconds, in equal steps of at most `MAX_STEP`."""
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         before = self._drive.twist()
@@ -122,7 +122,7 @@ class KinematicRobot:
         return joint_positions(self._groups.values())
 
     def close(self) -> None:
-        """Stop, and release what cameras share."""
+        """Stop, and release the shared states of the cameras."""
         self._drive.stop()
         for group in self._groups.values():
             group.hold()

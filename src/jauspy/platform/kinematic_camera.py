@@ -1,4 +1,4 @@
-"""Cameras of the kinematic robot: they draw a sky and a floor of squares of one metre."""
+"""Cameras of the kinematic robot, which draw a sky and a floor of one-metre squares."""
 
 from __future__ import annotations
 

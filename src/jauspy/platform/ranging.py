@@ -19,16 +19,16 @@ Measure: TypeAlias = Callable[[Sequence[float]], Sequence[float]]
 
 @dataclass(frozen=True, slots=True)
 class ScanSettings:
-    """What a client may change of a lidar: radians counterclockwise from ahead, hertz, metres."""
+    """The settings of a lidar that a client may change: radians counterclockwise from ahead, hertz, metres."""
 
     start: float = -math.pi
     stop: float = math.pi
     """Rays from `start` to `stop` are measured."""
     rate: float = 10.0
-    """More than 0."""
-    least: float = 0.1
-    most: float = 30.0
-    """Distances outside are not measured."""
+    """Scans per second, more than 0."""
+    min_range: float = 0.1
+    max_range: float = 30.0
+    """Distances outside of `min_range` to `max_range` are not measured."""
     active: bool = True
 
 
@@ -41,21 +41,21 @@ class LidarSetup:
     rays: int = 360
     rate: float = 10.0
     """Scans per second, at most."""
-    least: float = 0.1
-    most: float = 30.0
+    min_range: float = 0.1
+    max_range: float = 30.0
     """Metres."""
     noise: float = 0.01
     """Standard deviation of a distance, in metres."""
     seed: int = 0
-    """Of the noise: the same seed gives the same noise."""
+    """Seed of the noise: the same seed gives the same noise."""
 
     def angles(self) -> tuple[float, ...]:
-        """Of all rays: radians counterclockwise from the link's x axis, from -pi on."""
+        """The angles of all rays: radians counterclockwise from the link's x axis, from -pi on."""
         return tuple(-math.pi + math.tau * ray / self.rays for ray in range(self.rays))
 
     def settings(self) -> ScanSettings:
-        """All that it can do."""
-        return ScanSettings(rate=self.rate, least=self.least, most=self.most)
+        """The widest possible settings."""
+        return ScanSettings(rate=self.rate, min_range=self.min_range, max_range=self.max_range)
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ class RangeScan:
     """One turn of a lidar."""
 
     time: float
-    """The robot's own, in seconds."""
+    """The robot's time, in seconds."""
     frame: str
     """The link in whose x-y plane the rays are."""
     angles: tuple[float, ...]
@@ -101,7 +101,7 @@ class RangeFinder(Protocol):
 
 
 class Sampling:
-    """When samples are due: at once, and then `rate` times a second; missed samples are not made up for."""
+    """Schedules samples: at once, and then `rate` times a second; missed samples are skipped."""
 
     def __init__(self, rate: float) -> None:
         self.rate = rate
@@ -164,8 +164,8 @@ class Scanner:
         settings = replace(
             settings,
             rate=min(setup.rate, settings.rate),
-            least=max(setup.least, settings.least),
-            most=min(setup.most, settings.most),
+            min_range=max(setup.min_range, settings.min_range),
+            max_range=min(setup.max_range, settings.max_range),
         )
         self._settings = settings
         first, last = settings.start - ANGLE_TOLERANCE, settings.stop + ANGLE_TOLERANCE
@@ -184,10 +184,10 @@ class Scanner:
         self._now = now
         if not self._settings.active or not self._sampling.is_due(now):
             return
-        ranges = _limited(self._measure(self._angles), self._settings.least, self._settings.most)
+        ranges = _limited(self._measure(self._angles), self._settings.min_range, self._settings.max_range)
         self._scan = RangeScan(now, self._setup.link, self._angles, ranges)
 
 
-def _limited(distances: Sequence[float], least: float, most: float) -> tuple[float, ...]:
+def _limited(distances: Sequence[float], min_range: float, max_range: float) -> tuple[float, ...]:
     far, near = math.inf, -math.inf
-    return tuple([far if each > most else each if each >= least else near for each in distances])
+    return tuple([far if each > max_range else each if each >= min_range else near for each in distances])

@@ -24,7 +24,7 @@ class SetpointGenerator:
 
     @property
     def target(self) -> Target:
-        """The command that is carried out."""
+        """The present command."""
         return self._target
 
     @target.setter
@@ -61,7 +61,7 @@ class SetpointGenerator:
 
     def _approach(self, distance: float, dt: float) -> None:
         change = self._deceleration * dt
-        # the ramp has steps of dt, which cost half a step
+        # steps of dt delay the ramp by half a step
         braking = math.sqrt(change * change / 4.0 + 2.0 * self._deceleration * abs(distance)) - change / 2.0
         self._change_speed(math.copysign(min(self._max_speed, braking), distance), dt)
         if abs(distance) <= change * dt and abs(self.velocity) <= 2.0 * change:

@@ -14,7 +14,7 @@ _HEADER: Final = struct.Struct("=Qd")
 _NUMBER: Final = 8
 
 MAX_READ_ATTEMPTS: Final = 1000
-"""Attempts of a reader that meets a write each time. A write takes microseconds, unless the writer is preempted."""
+"""Attempts of a reader that coincide with a write. A write takes microseconds, unless the writer is preempted."""
 
 READ_RETRY_INTERVAL: Final = 0.001
 """Seconds between two attempts."""
@@ -63,7 +63,7 @@ class StateReader:
         self._memory = mmap.mmap(descriptor, 0, prot=mmap.PROT_READ)
 
     def read(self) -> tuple[float, bytes]:
-        """Return when the state was written (monotonic seconds) and the state as doubles, never parts of two states."""
+        """Return the time of the last write (monotonic seconds) and the state as doubles, never parts of two states."""
         for _ in range(MAX_READ_ATTEMPTS):
             data = self._memory[:]
             version, written = _HEADER.unpack_from(data)

@@ -78,7 +78,7 @@ class H264Settings:
 
     profile: Profile = Profile.BASELINE
     level: int | None = None
-    """Index in `LEVELS`; None selects the lowest sufficient one."""
+    """Index in `LEVELS`; None selects the lowest sufficient level."""
     preset: Preset = Preset.LOW_LATENCY
     gradual: bool = False
     """Refresh frames column by column instead of by IDR frames."""
@@ -91,7 +91,7 @@ DEFAULT_CODING: Final = H264Settings()
 class VideoSettings:
     """Size in pixels, pictures and bits per second, how many pictures at most from one IDR to the next, and the coding.
 
-    With gradual refreshes `gop` is from the begin of one to that of the next.
+    With gradual refreshes `gop` counts from the start of one refresh to the start of the next.
     """
 
     width: int = 640
@@ -122,7 +122,7 @@ class VideoSettings:
 
     @property
     def level(self) -> int | None:
-        """Index in `LEVELS` of the one that is set, or of the lowest that does; None when all are too low."""
+        """Index in `LEVELS` of the selected level, or of the lowest sufficient one; None if all are too low."""
         if self.coding.level is not None:
             return self.coding.level
         return next((number for number, level in enumerate(LEVELS) if self._fits(level)), None)

@@ -5,6 +5,7 @@ Ids are 32-bit numbers, as in headers.
 
 from __future__ import annotations
 
+import ipaddress
 from typing import Final, NamedTuple, TypeAlias
 
 DEFAULT_NETWORK: Final = "lan"
@@ -86,6 +87,32 @@ NetworkPort: TypeAlias = UdpPort | TcpPort | SerialPort
 
 Port: TypeAlias = LocalPort | NetworkPort | GroupPort
 GROUP: Final = GroupPort()
+
+
+class Location(NamedTuple):
+    """The machine that a component is on: this one, or another one with these IP addresses; without any: unknown."""
+
+    is_here: bool = False
+    hosts: frozenset[str] = frozenset()
+
+    def has(self, host: str) -> bool:
+        """True when this is an address of the machine; loopback addresses are those of this one only."""
+        address = _ip_address(host)
+        if address is None:
+            return False
+        return self.is_here if address.is_loopback else any(_ip_address(each) == address for each in self.hosts)
+
+
+def _ip_address(host: str) -> ipaddress.IPv4Address | ipaddress.IPv6Address | None:
+    """An address without its scope; None for anything else, such as a serial line."""
+    try:
+        return ipaddress.ip_address(host.partition("%")[0])
+    except ValueError:
+        return None
+
+
+HERE: Final = Location(is_here=True)
+UNKNOWN_LOCATION: Final = Location()
 
 
 def format_port(port: Port) -> str:

@@ -17,13 +17,18 @@ ComponentPort: TypeAlias = LocalPort | UdpPort
 
 
 class ComponentDirectory:
-    """Ids (32-bit numbers) and their ports; `changed(id)` is called when one is added or removed."""
+    """Ids (32-bit numbers) and their ports; `changed(id)` is called when one is added or removed.
 
-    def __init__(self, changed: Callable[[int], None] = lambda _: None) -> None:
+    `max_sockets` bounds the local sockets, each of which needs a file descriptor.
+    """
+
+    def __init__(self, changed: Callable[[int], None] = lambda _: None, *, max_sockets: int = MAX_COMPONENTS) -> None:
         self._changed = changed
+        self._max_sockets = max_sockets
         self._ports: dict[int, ComponentPort] = {}
         self._ids: dict[ComponentPort, set[int]] = {}
         self._udp_count = 0
+        self._socket_count = 0
 
     def __len__(self) -> int:
         return len(self._ports)
@@ -33,6 +38,11 @@ class ComponentDirectory:
 
     def __iter__(self) -> Iterator[tuple[int, ComponentPort]]:
         return iter(list(self._ports.items()))
+
+    @property
+    def is_full(self) -> bool:
+        """True when there is no room for another component, or another local socket."""
+        return len(self._ports) >= MAX_COMPONENTS or self._socket_count >= self._max_sockets
 
     def port(self, id: int) -> ComponentPort | None:
         """The port of this id; wildcards are not expanded."""
@@ -49,12 +59,18 @@ class ComponentDirectory:
             return False
         if by_udp and not isinstance(known, UdpPort) and self._udp_count >= MAX_UDP_COMPONENTS:
             return False
-        if known != port:
-            self.remove(id)
-            self._ports[id] = port
-            self._udp_count += by_udp
-            self._ids.setdefault(port, set()).add(id)
-            self._changed(id)
+        if known == port:
+            return True
+        if not by_udp and port not in self._ids and self._socket_count >= self._max_sockets:
+            return False
+        self.remove(id)
+        self._ports[id] = port
+        self._udp_count += by_udp
+        if port not in self._ids:
+            self._ids[port] = set()
+            self._socket_count += not by_udp
+        self._ids[port].add(id)
+        self._changed(id)
         return True
 
     def remove(self, id: int) -> None:
@@ -65,6 +81,7 @@ class ComponentDirectory:
             self._ids[port].discard(id)
             if not self._ids[port]:
                 del self._ids[port]
+                self._socket_count -= isinstance(port, LocalPort)
             self._changed(id)
 
     def remove_port(self, port: ComponentPort) -> list[int]:

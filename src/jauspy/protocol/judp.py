@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from jauspy.errors import ProtocolError
-from jauspy.protocol import header, legacy
+from jauspy.protocol import header, junior, legacy
 from jauspy.protocol.header import Ack, Packet, Priority, RawPacket
 from jauspy.protocol.legacy import LegacyPacket, LegacyVersion
 
@@ -136,6 +136,20 @@ def with_ack_required(datagram: bytes) -> bytes:
     if datagram[at] & _ACK_MASK:
         return datagram
     return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]
+
+
+def is_acknowledged(data: bytes, skip: int = 0) -> bool:
+    """True if all packets of an unchecked datagram request an ACK, or are one; control messages count as such.
+
+    Age does not matter to them: whoever sends them repeats them, or knows that they were lost.
+    """
+    datagram = data[skip:]
+    if junior.parse(datagram) is not None:
+        return True
+    try:
+        return all(raw.ack for raw, _, _ in packets(datagram))
+    except ProtocolError:
+        return False
 
 
 def peek_priority(data: bytes, skip: int = 0) -> int:

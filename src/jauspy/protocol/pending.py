@@ -6,10 +6,12 @@ Later messages wait until then; once a second the oldest of them is multicast as
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from dataclasses import dataclass, field
 from typing import Final
 
+from jauspy.protocol import judp
 from jauspy.protocol.counters import Counters
 
 PROBE_INTERVAL: Final = 1.0
@@ -30,10 +32,14 @@ class _Pending:
 
 
 class PendingDestinations:
-    """Sans-I/O; ids are 32-bit numbers. Probes are returned for the caller to multicast."""
+    """Sans-I/O; ids are 32-bit numbers. Probes are returned for the caller to multicast.
 
-    def __init__(self, counters: Counters) -> None:
+    Messages that have waited for more than `max_age` seconds are dropped, unless they are acknowledged.
+    """
+
+    def __init__(self, counters: Counters, max_age: float = math.inf) -> None:
         self._counters = counters
+        self._max_age = max_age
         self._pending: dict[int, _Pending] = {}
         self._bytes = 0
 
@@ -63,10 +69,13 @@ class PendingDestinations:
         self._bytes += len(datagram)
         return None
 
-    def pop(self, destination: int) -> list[bytes]:
+    def pop(self, destination: int, now: float) -> list[bytes]:
         """Remove and return all messages for a destination whose address is now known."""
         pending = self._pending.pop(destination, None)
-        return [self._take(pending) for _ in range(len(pending.messages))] if pending else []
+        if pending is None:
+            return []
+        self._drop_stale(pending, now)
+        return [self._take(pending) for _ in range(len(pending.messages))]
 
     def next_timeout(self) -> float | None:
         """When `handle_timeout` is to be called, or None."""
@@ -81,12 +90,23 @@ class PendingDestinations:
             while pending.messages and now - pending.messages[0][0] >= PENDING_TIMEOUT:
                 self._take(pending)
                 self._counters.drop("unknown_destination", "nobody answered")
+            self._drop_stale(pending, now)
             if pending.messages:
                 probes.append(self._take(pending))
                 pending.next_probe = now + PROBE_INTERVAL
             else:
                 del self._pending[destination]
         return probes
+
+    def _drop_stale(self, pending: _Pending, now: float) -> None:
+        for _ in range(len(pending.messages)):
+            since, datagram = pending.messages[0]
+            self._take(pending)
+            if now - since <= self._max_age or judp.is_acknowledged(datagram):
+                pending.messages.append((since, datagram))
+                self._bytes += len(datagram)
+            else:
+                self._counters.drop("stale", "its destination was unknown")
 
     def _take(self, pending: _Pending) -> bytes:
         _, datagram = pending.messages.popleft()

@@ -9,12 +9,12 @@ from typing import Final
 
 from jauspy.ids import JausID
 from jauspy.protocol import junior
-from jauspy.protocol.addressing import LocalPort, Port, UdpPort, format_port
+from jauspy.protocol.addressing import LocalPort, NetworkPort, Port, UdpPort, format_port
 from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import EgressQueue
 from jauspy.protocol.pending import PendingDestinations
-from jauspy.protocol.sources import TokenBuckets
+from jauspy.protocol.sources import MOVE_TIMEOUT, TokenBuckets
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -29,7 +29,8 @@ class Registrar:
     """Keeps the directory of components; messages that were pending for a new component are delivered.
 
     `root` is the directory of their sockets; `is_dead(path)` is true when nobody listens on a socket any more. With
-    `local_udp`, components may connect by UDP.
+    `local_udp`, components may connect by UDP, from ports for which `may_connect(port)` is true. `holder(id, now)` is
+    the address on a network that has this id.
     """
 
     def __init__(
@@ -43,6 +44,8 @@ class Registrar:
         duplicate_ids: DuplicateIdLog,
         is_dead: Callable[[str], bool],
         local_udp: bool,
+        may_connect: Callable[[UdpPort], bool],
+        holder: Callable[[int, float], NetworkPort | None],
     ) -> None:
         self._root = root.rstrip("/")
         self._components = components
@@ -52,6 +55,8 @@ class Registrar:
         self._duplicate_ids = duplicate_ids
         self._is_dead = is_dead
         self._local_udp = local_udp
+        self._may_connect = may_connect
+        self._holder = holder
 
     def is_local(self, port: UdpPort, control: junior.Control | None) -> bool:
         """True for a component of this machine that uses UDP, or connects by it."""
@@ -79,16 +84,23 @@ class Registrar:
             self._counters["components.lost"] += 1
             _LOGGER.info("component %s is gone", JausID.from_int(id))
 
-    def register(self, id: int, port: ComponentPort, reply: bytes | None = None) -> bool:
-        """Register a component and send it `reply`; false when there are too many components."""
+    def register(self, id: int, port: ComponentPort, now: float, reply: bytes | None = None) -> bool:
+        """Register a component and send it `reply`; false, and counted, when it is not accepted.
+
+        The Junior protocol has no negative answer: its clients take any message of a node manager for an Accept.
+        """
         is_new = id not in self._components
+        if is_new and (holder := self._holder(id, now)) is not None:
+            self._counters.drop("id_taken", f"{JausID.from_int(id)} at {format_port(port)}")
+            self._duplicate_ids.warn_taken(id, port, holder, now)
+            return False
         if not self._components.register(id, port):
             self._counters.drop("component_refused", JausID.from_int(id))
             return False
         if reply is not None:
             self._egress.send(port, reply)
         if is_new:
-            for datagram in self._pending.pop(id):
+            for datagram in self._pending.pop(id, now):
                 self._egress.deliver(port, datagram)
         return True
 
@@ -104,6 +116,10 @@ class Registrar:
 
     def _connect(self, name: JausID, id: int, own: ComponentPort, now: float) -> None:
         known = self._components.port(id)
+        if isinstance(own, UdpPort) and not self._may_connect(own):
+            self._counters.drop("not_permitted", f"{name} from {format_port(own)}")
+            self._duplicate_ids.warn_not_permitted(id, own, now)
+            return
         if (
             isinstance(own, UdpPort) and isinstance(known, LocalPort) and self.is_in_use(id)
         ):  # any user may send UDP, not any use a socket
@@ -112,7 +128,7 @@ class Registrar:
             return
         if known not in (None, own):
             self._duplicate_ids.log_move(id, own, now)
-        if self.register(id, own, junior.accept(name)):
+        if self.register(id, own, now, junior.accept(name)):
             self._counters["connects"] += 1
 
 
@@ -130,6 +146,26 @@ class DuplicateIdLog:
             self._logger.warning(
                 "duplicate id %s: it belongs to a component of this machine, and packets from %s have it too; "
                 "these packets are dropped",
+                JausID.from_int(id),
+                format_port(port),
+            )
+
+    def warn_taken(self, id: int, port: Port, holder: Port, now: float) -> None:
+        """A program of this machine wants to be a component with the id of one on a network."""
+        if self._is_new(id, port, now):
+            self._logger.warning(
+                "id %s is in use at %s; %s is not accepted with it until that is silent for %d s",
+                JausID.from_int(id),
+                format_port(holder),
+                format_port(port),
+                MOVE_TIMEOUT,
+            )
+
+    def warn_not_permitted(self, id: int, port: Port, now: float) -> None:
+        """A user who may not use the local socket tries to connect by UDP."""
+        if self._is_new(id, port, now):
+            self._logger.warning(
+                "component %s may not connect from %s: its user may not use the local socket (local_mode, local_group)",
                 JausID.from_int(id),
                 format_port(port),
             )

@@ -8,6 +8,7 @@ destination is set, packets that shared a datagram are sent one by one, and lega
 from __future__ import annotations
 
 import logging
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, Literal, TypeAlias
 
@@ -16,7 +17,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp, junior
 from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
-from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
+from jauspy.protocol.component_ports import MAX_COMPONENTS, ComponentDirectory, ComponentPort
 from jauspy.protocol.compression import Compression, is_compressed
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
@@ -42,8 +43,13 @@ class Router:
         networks: The names of all networks. Packets cross from one to another only through a `gateway`.
         gateway, sources: What is accepted; both may be replaced at run time.
         local_udp: Whether components of this machine may connect by UDP.
+        may_connect: True for a UDP port whose user may connect.
+        is_abandoned: True for an address of this machine that nobody uses any more who could have connected.
+        own_ids: Ids of this machine, which may have wildcards; they are not accepted from networks.
         compression: The use of header compression on UDP.
+        max_message_age: Seconds for which a message that is not acknowledged may wait for its destination.
         is_dead: True for the path of a socket where nobody listens any more.
+        max_sockets: The number of local sockets that components may have.
         changed: Called with each id whose `cacheable_route` may have changed, or with None for all ids.
     """
 
@@ -57,19 +63,24 @@ class Router:
         sources: SourceChecks | None = None,
         address_lifetime: float = ADDRESS_LIFETIME,
         local_udp: bool = True,
+        may_connect: Callable[[UdpPort], bool] = lambda _: True,
+        is_abandoned: Callable[[NetworkPort], bool] = lambda _: False,
+        own_ids: Sequence[JausID] = (),
         compression: CompressionUse = "accept",
+        max_message_age: float = math.inf,
         is_dead: Callable[[str], bool] = lambda _: False,
+        max_sockets: int = MAX_COMPONENTS,
         changed: Callable[[int | None], None] = lambda _: None,
     ) -> None:
         self.counters = Counters(_LOGGER)
         self._changed = changed
-        self.components = ComponentDirectory(changed)
+        self.components = ComponentDirectory(changed, max_sockets=max_sockets)
         static = {int(id): ports for id, ports in (addresses or {}).items()}
         self.address_book = AddressBook(static, lifetime=address_lifetime)
         self.gateway = gateway
         self.sources = sources or SourceChecks()
         self._networks = tuple(networks)
-        self._pending = PendingDestinations(self.counters)
+        self._pending = PendingDestinations(self.counters, max_message_age)
         self._egress = EgressQueue(self.counters, self.components, self.address_book)
         if compression != "off":
             self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
@@ -83,7 +94,11 @@ class Router:
             duplicate_ids=self._duplicate_ids,
             is_dead=is_dead,
             local_udp=local_udp,
+            may_connect=may_connect,
+            holder=self._holder,
         )
+        self._is_abandoned = is_abandoned
+        self._own_ids = tuple(map(int, own_ids))
 
     def receive(self, data: bytes, source: Port, now: float) -> None:
         """Route one datagram from a component or a network. Never raises; malformed input is counted."""
@@ -177,7 +192,7 @@ class Router:
                 self._duplicate_ids.warn_duplicate(raw.source, own, now)
             elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
                 self.counters.drop("rate", JausID.from_int(raw.source))
-            elif self._registrar.register(raw.source, own):
+            elif self._registrar.register(raw.source, own, now):
                 self._route_from_component(raw, datagram, now)
 
     def _route_from_component(self, raw: RawPacket, datagram: bytes, now: float) -> None:
@@ -225,7 +240,7 @@ class Router:
     def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, *, verified: bool) -> str | None:
         """Why a packet from this address is not accepted, as a counter's name; None if it is."""
         source = raw.source
-        if self._registrar.is_in_use(source):
+        if self._registrar.is_in_use(source) or (not verified and self._is_own(source)):
             self._duplicate_ids.warn_duplicate(source, port, now)
             return "hijack"
         if not verified and not addressing.is_incomplete(source) and not self.sources.check_address(source, port, now):
@@ -264,6 +279,14 @@ class Router:
             self._egress.broadcast_to_static(raw.destination, datagram, onward)
             self.counters["relayed"] += 1
 
+    def _is_own(self, id: int) -> bool:
+        return not addressing.is_incomplete(id) and any(addressing.reaches(pattern, id) for pattern in self._own_ids)
+
+    def _holder(self, id: int, now: float) -> NetworkPort | None:
+        """The address on a network that an id belongs to, until it is silent."""
+        port = self.sources.holder(id, now)
+        return None if port is None or self._is_abandoned(port) else port
+
     # --- addresses -----------------------------------------------------------------------------------------------
 
     def _probe(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
@@ -281,8 +304,9 @@ class Router:
     def _learn(self, id: int, port: NetworkPort, now: float) -> None:
         if addressing.is_incomplete(id):
             return
+        self.sources.heard(id, port, now)
         if self.address_book.learn(id, port, now):
             self._changed(id)
-            for datagram in self._pending.pop(id):
+            for datagram in self._pending.pop(id, now):
                 if port.network in self._probe_networks(judp.first_header(datagram), now):
                     self._egress.forward(port, id, datagram, now)

@@ -86,11 +86,16 @@ class SourceChecks:
         """Remove the ids of an address, as when a connection was closed; they may have another from now on."""
         self._addresses.remove_port(port)
 
+    def holder(self, id: int, now: float) -> NetworkPort | None:
+        """The address that this id has until it is silent for `MOVE_TIMEOUT` seconds; None without address checks."""
+        known = self._addresses.get(id) if self._limits.check_address else None
+        return known[0] if known is not None and now - known[1] < MOVE_TIMEOUT else None
+
     def check_address(self, id: int, port: NetworkPort, now: float) -> bool:
         """False when this id was lately heard from another host or network; another port is accepted."""
-        known, heard = self._addresses.get(id) or (port, now)
-        moved = known.host != port.host or known.network != port.network
-        if moved and self._limits.check_address and now - heard < MOVE_TIMEOUT:
-            return False
+        holder = self.holder(id, now)
+        return holder is None or (holder.host == port.host and holder.network == port.network)
+
+    def heard(self, id: int, port: NetworkPort, now: float) -> None:
+        """Note a packet that was accepted."""
         self._addresses.set(id, port, now)
-        return True

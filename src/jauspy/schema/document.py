@@ -10,15 +10,22 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from pathlib import Path
-from typing import TypeVar
+from typing import Final, TypeVar
 
 from lxml import etree
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
+from jauspy.printable import printable
 from jauspy.schema.model import Location
 
 Value = TypeVar("Value")
+
+MAX_DEPTH: Final = 64
+"""Elements one inside the other, and levels of a message; the deepest public definitions have 13 and 9."""
+
+MAX_ATTRIBUTE: Final = 1000
+"""Characters of an attribute; the longest guard of a public definition has 203. Descriptions may be longer."""
 
 
 def file_of(element: Element) -> str:
@@ -61,9 +68,16 @@ def required(element: Element, name: str) -> str:
     return text
 
 
+_NOT_IN_URIS: Final = re.compile(r'[\s<>"{}|\\^`]')
+"""RFC 3986 and RFC 3987 exclude them."""
+
+
 def identity(element: Element) -> tuple[str, str]:
     """Id (URN) and version; blanks around them mean nothing (xsd:anyURI), and public files have some."""
-    return required(element, "id").strip(), required(element, "version").strip()
+    id, version = required(element, "id").strip(), required(element, "version").strip()
+    if not id or _NOT_IN_URIS.search(id):
+        raise wrong(element, f"id: expected a URI, as in urn:example:Battery, got {id!r}")
+    return id, version
 
 
 def child(element: Element, tag: str) -> Element:
@@ -110,12 +124,16 @@ def flag(element: Element, name: str) -> bool:
 
 def prose(element: Element) -> str:
     """The interpretation of an element as one line."""
-    return " ".join(element.get("interpretation", "").split())
+    return _one_line(element.get("interpretation"))
 
 
 def text_of(parent: Element, tag: str) -> str:
     """The text of a child element as one line; empty when there is none."""
-    return " ".join((parent.findtext(tag) or "").split())
+    return _one_line(parent.findtext(tag))
+
+
+def _one_line(text: str | None) -> str:
+    return printable(" ".join((text or "").split()))
 
 
 class ChildGroup:
@@ -354,7 +372,10 @@ def parse(data: bytes, path: Path) -> tuple[Element, str]:
     version = NAMESPACES.get(etree.QName(root).namespace or "")
     if version is None:
         raise wrong(root, f"expected a JSIDL document (xmlns {' or '.join(NAMESPACES)}), got <{root.tag}>")
-    _strip_namespaces(root)
+    _refuse_deep(root)
+    for element in root.iter():
+        _strip_namespace(element)
+        _normalize_attributes(element)
     if root.tag not in ROOTS:
         raise wrong(root, f"expected {' or '.join(f'<{tag}>' for tag in ROOTS)} as the root, got <{root.tag}>")
     return root, version
@@ -396,10 +417,35 @@ def _parse(data: bytes, path: Path) -> Element:
         raise SchemaError(f"not well-formed XML: {error.msg}", file=path, line=error.lineno) from error
 
 
-def _strip_namespaces(root: Element) -> None:
+_TOO_DEEP: Final = "/".join("*" * MAX_DEPTH)
+"""The path from a root to what is one level too deep."""
+
+
+def _refuse_deep(root: Element) -> None:
+    """Everything that reads elements calls itself for those inside."""
+    element = root.find(_TOO_DEEP)
+    if element is not None:
+        raise wrong(element, f"more than {MAX_DEPTH} elements one inside the other; flatten them")
+
+
+def _strip_namespace(element: Element) -> None:
     """`{urn:jaus:jsidl:1.1}record` becomes `record`; both versions may be mixed, as public files do."""
-    for element in root.iter():
-        namespace, _, name = str(element.tag).rpartition("}")
-        if namespace[1:] not in NAMESPACES:
-            raise wrong(element, f"unknown element <{element.tag}>; it is in no JSIDL namespace")
-        element.tag = name
+    namespace, _, name = str(element.tag).rpartition("}")
+    if namespace[1:] not in NAMESPACES:
+        raise wrong(element, f"unknown element <{element.tag}>; it is in no JSIDL namespace")
+    element.tag = name
+
+
+def _normalize_attributes(element: Element) -> None:
+    """Line breaks become blanks, as XML does with those that are not escaped; nothing else may be invisible."""
+    for key in map(str, element.keys()):
+        text = element.get(key, "")
+        if key == "interpretation":
+            continue
+        if len(text) > MAX_ATTRIBUTE:
+            raise wrong(element, f"{key}: longer than {MAX_ATTRIBUTE} characters")
+        if not text.isprintable():
+            plain = " ".join(text.split())
+            if not plain.isprintable():
+                raise wrong(element, f"{key}: {printable(plain)!r} has characters that are not printable")
+            element.set(key, plain)

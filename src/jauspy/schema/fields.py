@@ -8,7 +8,7 @@ from typing import Final, Literal
 from lxml.etree import _Element as Element
 
 from jauspy.schema.document import DECLARED, bounded, child, choice, flag, prose, required, whole_number, wrong
-from jauspy.schema.library import Scope
+from jauspy.schema.library import Scope, bounded_node
 from jauspy.schema.model import (
     Array,
     BitField,
@@ -294,7 +294,7 @@ def read_content(part: Element, scope: Scope) -> Composite | None:
         home, found = scope.find(part)
         return read_content(found, home)
     for element in part:
-        return read_composite(element, scope)
+        return bounded_node(read_composite(element, scope), element)
     return None
 
 

@@ -12,13 +12,24 @@ import math
 import operator
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field, replace
-from typing import TypeVar, cast
+from typing import Final, TypeVar, cast
 
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
-from jauspy.schema.document import DECLARED, file_of, flag, identity, line_of, prose, required, suggestion, wrong
-from jauspy.schema.model import DeclaredType, Node
+from jauspy.schema.document import (
+    DECLARED,
+    MAX_DEPTH,
+    file_of,
+    flag,
+    identity,
+    line_of,
+    prose,
+    required,
+    suggestion,
+    wrong,
+)
+from jauspy.schema.model import DeclaredType, List, Node, Record, Sequence, Variant
 
 Number = int | float
 Lookup = Callable[[str], Number]
@@ -52,24 +63,23 @@ def evaluate(text: str, lookup: Lookup) -> Number:
         raise ExpressionError(f"expected a number or a constant expression, got {text!r}") from error
     try:
         result = _value(tree.body, lookup)
+        finite = math.isfinite(result)
     except (ZeroDivisionError, OverflowError) as error:
         raise ExpressionError(f"{text!r}: {error}") from error
-    if not math.isfinite(result):
+    if not finite:
         raise ExpressionError(f"{text!r} is not finite")
     return result
 
 
 def _literal(text: str) -> Number | None:
     """Most limits are plain numbers."""
-    try:
-        return int(text)
-    except ValueError:
-        pass
-    try:
-        number = float(text)
-    except ValueError:
-        return None
-    return number if math.isfinite(number) else None
+    for kind in (int, float):
+        try:
+            number: Number = kind(text)
+            return number if math.isfinite(number) else None
+        except (ValueError, OverflowError):  # no such number, or an integer that is above all floats
+            continue
+    return None
 
 
 def _value(node: ast.expr, lookup: Lookup) -> Number:
@@ -167,7 +177,8 @@ class Scope:
                 raise wrong(element, f"'{name}' contains itself")
             self.open.append(name)
             try:
-                self.cache[name] = make()
+                made = make()
+                self.cache[name] = bounded_node(made, element) if isinstance(made, Node) else made
             finally:
                 self.open.pop()
         return cast("Thing", self.cache[name])  # one name is one definition of one kind
@@ -182,6 +193,28 @@ class Scope:
                 raise wrong(element, f"'{path}': no {what} is called '{local}' here{suggestion(local, known)}")
             scope = found
         return scope, name
+
+
+MAX_PARTS: Final = 20_000
+"""Fields and composites of a message; the largest public one has 2020."""
+
+
+def bounded_node(node: AnyNode, element: Element) -> AnyNode:
+    """The node, if it is not too deep or too large to be handled: declared types that use each other multiply."""
+    waiting: list[tuple[Node, int]] = [(node, 1)]
+    for each, depth in waiting:
+        inner: tuple[Node, ...] = ()
+        match each:
+            case Record(fields=inner) | Sequence(items=inner) | Variant(arms=inner):
+                pass
+            case List(element=only):
+                inner = (only,)
+        if inner and depth == MAX_DEPTH:
+            raise wrong(element, f"'{node.name}' has more than {MAX_DEPTH} levels, one inside the other; flatten it")
+        if len(waiting) + len(inner) > MAX_PARTS:
+            raise wrong(element, f"'{node.name}' has more than {MAX_PARTS} fields; divide it into several messages")
+        waiting += [(part, depth + 1) for part in inner]
+    return node
 
 
 def _linked(scope: Scope, local: str, links: str) -> Scope | None:

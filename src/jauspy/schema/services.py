@@ -110,7 +110,7 @@ def read_event(element: Element, scope: Scope) -> InternalEvent:
     )
 
 
-_VERSION = re.compile(r"\d+\.\d+")
+_VERSION = re.compile(r"\d+\.\d+", re.ASCII)
 
 
 def version_key(version: str) -> tuple[int, ...]:

@@ -14,7 +14,7 @@ from operator import attrgetter
 from typing import Final, Literal, TypeAlias
 
 from jauspy.codec.message import Message
-from jauspy.codec.names import snake
+from jauspy.codec.names import method as method_name
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.schema import behavior, model
@@ -72,7 +72,7 @@ class RequiredMethod:
     @property
     def method(self) -> str:
         """The name of the Python method."""
-        return snake(self.jsidl)
+        return method_name(self.jsidl)
 
     @property
     def result(self) -> str:
@@ -292,7 +292,7 @@ class Binder:
         )
 
     def _method(self, owner: model.Service, dotted: str, what: str) -> Callable[..., object]:
-        name = snake(short_name(dotted))
+        name = method_name(short_name(dotted))
         for definition in lineage(owner, self._parent_of):
             service = self._services[definition.id]
             method = getattr(service, name, None)

@@ -12,6 +12,7 @@ from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.codec.message import Message
+from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
@@ -52,7 +53,7 @@ class VirtualNetwork(TestEnvironment):
         self.log: deque[Packet] = deque(maxlen=MAX_LOG)
         self.keeps: Callable[[Packet], bool] = lambda _: True
         """Packets for which it returns false are lost, in addition to random loss."""
-        self._cut: set[JausID] = set()
+        self._disconnected: set[JausID] = set()
         self._random = random.Random(seed)  # noqa: S311 - repeatable, not secret
         self._hub = _Hub(self)
 
@@ -62,10 +63,10 @@ class VirtualNetwork(TestEnvironment):
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
-        from jauspy.modules import robots  # noqa: PLC0415 - needs the extra `robot`
+        from jauspy.modules import robot_files  # noqa: PLC0415 - needs the extra `robot`
         from jauspy.modules.robot import RobotRunner  # noqa: PLC0415
 
-        return RobotRunner(robots.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
+        return RobotRunner(robot_files.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
 
     def now(self) -> float:
         """Seconds of the event loop's clock."""
@@ -99,13 +100,23 @@ class VirtualNetwork(TestEnvironment):
 
         self.keeps = keeps
 
-    def cut(self, id: str | JausID) -> None:
+    def disconnect(self, id: str | JausID) -> None:
         """Lose all that this component sends and all that is sent to it, as if its cable were unplugged."""
-        self._cut.add(JausID.of(id))
+        self._disconnected.add(JausID.of(id))
 
-    def mend(self, id: str | JausID) -> None:
-        """Undo `cut`."""
-        self._cut.discard(JausID.of(id))
+    def reconnect(self, id: str | JausID) -> None:
+        """Undo `disconnect`."""
+        self._disconnected.discard(JausID.of(id))
+
+    def stall(self, id: str | JausID, seconds: float) -> None:
+        """For this time, the component reads nothing, as if its process were stopped; it reads what arrived afterwards.
+
+        Its timers run on. Raises `ConfigError` if no component here has this id.
+        """
+        member = self._hub.members.get(int(JausID.of(id)))
+        if member is None:
+            raise ConfigError(f"no component on this network has the id {id}")
+        member.stall(seconds)
 
     # --- traffic --------------------------------------------------------------------------------------------------
 
@@ -118,7 +129,7 @@ class VirtualNetwork(TestEnvironment):
         """How long this datagram takes, once for each time that it arrives; logs it."""
         packets, _ = unpack_all(datagram)
         self.log += packets
-        if any(each.source in self._cut or each.destination in self._cut for each in packets):
+        if any(each.source in self._disconnected or each.destination in self._disconnected for each in packets):
             return []
         if not all(map(self.keeps, packets)) or self._happens(self.loss):
             return []

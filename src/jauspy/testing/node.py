@@ -13,7 +13,7 @@ from types import TracebackType
 from typing import Any, Self, TypeVar
 
 from jauspy.ids import JausID
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
@@ -65,7 +65,7 @@ class LocalNode(TestEnvironment):
     @asynccontextmanager
     async def robot(self, name: str = "inc1") -> AsyncIterator[RobotRunner]:
         """A whole robot of this name on the `kinematic` backend; it runs in the node manager's thread."""
-        runner = RobotRunner(robots.load(name), self.transport, backend="kinematic")
+        runner = RobotRunner(robot_files.load(name), self.transport, backend="kinematic")
         self._portal.run(runner.open())
         try:
             yield runner

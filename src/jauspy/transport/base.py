@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import asyncio
 import socket
+import time
 from collections import deque
 from collections.abc import Callable, Mapping
-from typing import Any, Final, Protocol, TypeAlias
+from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
+from jauspy.protocol.addressing import Location
+from jauspy.transport.age import MAX_AGE, MAX_DATAGRAM, DatagramReader
 
 Receiver: TypeAlias = Callable[[bytes], None]
 
 DATAGRAMS_PER_WAKEUP: Final = 64
-MAX_DATAGRAM: Final = 65536
 MAX_QUEUED: Final = 512
 MAX_QUEUED_BYTES: Final = 4 << 20
 """Messages of 64 kB would need too much memory at `MAX_QUEUED`."""
@@ -27,11 +29,13 @@ LOW_PRIORITY_TURN: Final = 16
 class Transport(Protocol):
     """Carries JUDP datagrams of one component, one packet each.
 
-    The owner sets `received` before `open`; it is called in the event loop with each received datagram.
+    The owner sets `received` before `open`; it is called in the event loop with each received datagram. Those that
+    waited longer than `max_age` seconds, while nobody read, are dropped unless they are acknowledged.
     """
 
     id: JausID
     received: Receiver
+    max_age: float
 
     async def open(self) -> None:
         """Open sockets or devices; raises `TransportError`."""
@@ -61,33 +65,49 @@ class Transport(Protocol):
         """Counters of sent, received and dropped datagrams, by reason."""
 
 
+@runtime_checkable
+class LocatingTransport(Transport, Protocol):
+    """A transport that knows where other components are."""
+
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        """Call `found`, now or later, with the machine of a component, which may be unknown."""
+
+
 def ignore(datagram: bytes) -> None:
     """The receiver of a transport without an owner."""
 
 
 def start_reading(
     loop: asyncio.AbstractEventLoop,
-    sock: socket.socket,
+    reader: DatagramReader,
     take: Callable[[bytes, Any], None],
     failed: Callable[[OSError], None],
+    *,
+    take_is_fast: bool = False,
 ) -> None:
     """Call `take(datagram, sender)` for each datagram of a non-blocking socket until `stop_reading`.
 
-    `failed` is called with the error of an earlier sent datagram; reading continues.
+    `failed` is called with the error of an earlier sent datagram; reading continues. What the reader finds too old is
+    dropped; unless `take_is_fast`, this holds for what waits during `take`, too.
     """
 
     def drain() -> None:
-        for _ in range(DATAGRAMS_PER_WAKEUP):
+        now, receive = 0.0, reader.receive
+        for count in range(DATAGRAMS_PER_WAKEUP):
             try:
-                datagram, sender = sock.recvfrom(MAX_DATAGRAM)
+                if not (count and take_is_fast):
+                    now = time.monotonic()
+                    receive = reader.receiver(now)
+                datagram, sender = receive(MAX_DATAGRAM)
             except (BlockingIOError, InterruptedError):
+                reader.was_empty(now)
                 return
             except OSError as error:
                 failed(error)
                 return
             take(datagram, sender)
 
-    loop.add_reader(sock, drain)
+    loop.add_reader(reader.socket, drain)
 
 
 def stop_reading(loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:
@@ -99,9 +119,10 @@ def stop_reading(loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:
 class SendQueue:
     """A bounded queue of datagrams for one destination, by priority; in order within a priority."""
 
-    def __init__(self, limit: int = MAX_QUEUED) -> None:
+    def __init__(self, limit: int = MAX_QUEUED, max_age: float = MAX_AGE) -> None:
         self._limit = limit
-        self._queues: tuple[deque[bytes], ...] = tuple(deque() for _ in range(PRIORITIES))
+        self._max_age = max_age
+        self._queues: tuple[deque[tuple[bytes, float]], ...] = tuple(deque() for _ in range(PRIORITIES))
         self._length = 0
         self._bytes = 0
         self._turn = 0
@@ -111,7 +132,7 @@ class SendQueue:
 
     def push(self, datagram: bytes) -> int:
         """Append a datagram; returns how many were dropped for it, the oldest of the lowest priority first."""
-        self._queues[_priority(datagram)].append(datagram)
+        self._queues[_priority(datagram)].append((datagram, time.monotonic()))
         self._length += 1
         self._bytes += len(datagram)
         dropped = 0
@@ -120,9 +141,25 @@ class SendQueue:
             dropped += 1
         return dropped
 
+    def drop_stale(self) -> int:
+        """Remove what has waited too long and is not acknowledged; returns how many. To be called before sending."""
+        oldest, dropped = time.monotonic() - self._max_age, 0
+        for queue in self._queues:
+            if not queue or queue[0][1] >= oldest:
+                continue
+            for _ in range(len(queue)):
+                datagram, since = queue.popleft()
+                if since >= oldest or judp.is_acknowledged(datagram):
+                    queue.append((datagram, since))
+                else:
+                    self._length -= 1
+                    self._bytes -= len(datagram)
+                    dropped += 1
+        return dropped
+
     def peek(self) -> bytes:
         """The datagram to send next; the queue must not be empty."""
-        return self._next()[0]
+        return self._next()[0][0]
 
     def pop(self) -> None:
         """Remove the datagram that `peek` returns."""
@@ -134,19 +171,19 @@ class SendQueue:
         while self._length and count:
             queue = self._next()
             for _ in range(min(count, len(queue), LOW_PRIORITY_TURN - 1 - self._turn or 1)):
-                send(queue[0])
+                send(queue[0][0])
                 self._take(queue)
                 self._turn = (self._turn + 1) % LOW_PRIORITY_TURN
                 count -= 1
 
-    def _next(self) -> deque[bytes]:
+    def _next(self) -> deque[tuple[bytes, float]]:
         low, standard, high, urgent = self._queues
         if self._turn == LOW_PRIORITY_TURN - 1:
             return low or standard or high or urgent
         return urgent or high or standard or low
 
-    def _take(self, queue: deque[bytes]) -> None:
-        self._bytes -= len(queue.popleft())
+    def _take(self, queue: deque[tuple[bytes, float]]) -> None:
+        self._bytes -= len(queue.popleft()[0])
         self._length -= 1
 
 

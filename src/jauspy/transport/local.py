@@ -6,18 +6,22 @@ import asyncio
 import contextlib
 import errno
 import logging
+import os
 import shutil
 import socket
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Final
+from typing import Final, Self
 
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import junior
+from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport import base
+from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, SendQueue, ignore
+from jauspy.transport.node_status import Locator, this_machine
 
 _LOGGER = logging.getLogger(__name__)
 
@@ -47,6 +51,7 @@ class LocalTransport:
     def __init__(self, id: JausID, root: Path = Path("/tmp"), *, timeout: float | None = 2.0) -> None:  # noqa: S108
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
         self._root = Path(root)
         self._node = str(self._root / junior.SOCKET_NAME)
         self._timeout = timeout
@@ -54,6 +59,7 @@ class LocalTransport:
         self._socket: socket.socket | None = None
         self._sender: LocalSender | None = None
         self._keep_alive: asyncio.Task[None] | None = None
+        self._locator = Locator(self._root)
         self._accepted = asyncio.Event()
         self._loss = asyncio.Event()
         self._unanswered = 0
@@ -94,6 +100,7 @@ class LocalTransport:
 
     async def close(self) -> None:
         """Send Cancel, and remove the component's socket."""
+        self._locator.close()
         sock, sender, keep_alive = self._socket, self._sender, self._keep_alive
         self._socket = self._sender = self._keep_alive = None
         if sock is None or sender is None or keep_alive is None:
@@ -125,6 +132,13 @@ class LocalTransport:
         self._counters["sent"] += 1
         self._sender.send(self._node, datagram)
 
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        """Call `found`, now or later, with the machine of a component, as far as the node manager says it."""
+        if is_alive(self._path(id)):
+            found(this_machine())
+        else:
+            self._locator.locate(id, found)
+
     def _path(self, id: JausID) -> Path:
         return self._root / str(int(id))
 
@@ -134,8 +148,9 @@ class LocalTransport:
 
     def _listen(self, loop: asyncio.AbstractEventLoop, sock: socket.socket) -> LocalSender:
         self._socket = sock
-        sender = self._sender = LocalSender(sock, self._counters, self._lost)
-        base.start_reading(loop, sock, self._take, self._failed)
+        sender = self._sender = LocalSender(sock, self._counters, self._lost, self.max_age)
+        reader = DatagramReader(sock, self._counters, self.max_age)
+        base.start_reading(loop, reader, self._take, self._failed)
         return sender
 
     def _disconnect(self, sock: socket.socket, sender: LocalSender) -> None:
@@ -148,6 +163,11 @@ class LocalTransport:
         """Why the node manager may not have answered, and what to do."""
         if (why := refusal(Path(self._node))) is not None:
             return why
+        if is_alive(Path(self._node)):
+            return (
+                f"the node manager on {self._node} does not accept {self.id}: another host uses this id, or it has no "
+                f"room for more components; its log and 'jauspy node-manager --status --local-root {self._root}' tell"
+            )
         return (
             f"no node manager answers on {self._node}; start one with 'jauspy node-manager --local-root {self._root}', "
             "or name the directory with the local sockets of the one that runs"
@@ -191,13 +211,16 @@ class LocalTransport:
 class LocalSender:
     """Sends on one socket to any path, with a bounded queue per path.
 
-    `gone(path)` is called when nobody listens on a path.
+    `on_unbound(path)` is called when nobody listens on a path.
     """
 
-    def __init__(self, sock: socket.socket, counters: Counters, gone: Callable[[str], None]) -> None:
+    def __init__(
+        self, sock: socket.socket, counters: Counters, on_unbound: Callable[[str], None], max_age: float = MAX_AGE
+    ) -> None:
         self._socket = sock
+        self._max_age = max_age
         self._counters = counters
-        self._gone = gone
+        self._on_unbound = on_unbound
         self._queues: dict[str, SendQueue] = {}
         self._retry: asyncio.TimerHandle | None = None
 
@@ -207,7 +230,7 @@ class LocalSender:
         if queue is None:
             if self._try(path, datagram):
                 return
-            queue = self._queues[path] = SendQueue()
+            queue = self._queues[path] = SendQueue(max_age=self._max_age)
         for _ in range(queue.push(datagram)):
             self._counters.drop("queue_full", path)
         self._retry_later()
@@ -234,7 +257,7 @@ class LocalSender:
         except OSError as error:
             self._counters.drop("nobody_listens" if error.errno in _NO_LISTENER else "not_sent", f"{path}: {error}")
             if error.errno in _NO_LISTENER:
-                self._gone(path)
+                self._on_unbound(path)
         return True
 
     def _retry_later(self) -> None:
@@ -244,6 +267,8 @@ class LocalSender:
     def _retry_all(self) -> None:
         self._retry = None
         for path, queue in list(self._queues.items()):
+            for _ in range(queue.drop_stale()):
+                self._counters.drop("stale", path)
             while len(queue) and self._try(path, queue.peek()):
                 queue.pop()
             if not len(queue):
@@ -252,25 +277,66 @@ class LocalSender:
             self._retry_later()
 
 
+class SocketProbe:
+    """Finds out whether somebody listens on a local socket; needs no further descriptor, and never blocks."""
+
+    def __init__(self) -> None:
+        self._socket = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *error: object) -> None:
+        self.close()
+
+    def error(self, path: Path) -> int:
+        """The error number of an attempt to connect; 0 for success."""
+        try:
+            self._socket.connect(str(path))
+        except OSError as error:
+            return error.errno or errno.ENAMETOOLONG
+        return 0
+
+    def is_dead(self, path: Path) -> bool:
+        """True when nobody listens on this socket; false when that cannot be found out."""
+        return self.error(path) in _NO_LISTENER
+
+    def clean_up(self, path: Path) -> None:
+        """Remove a socket that nobody listens on; one that cannot be removed remains."""
+        if path.is_socket() and self.is_dead(path):
+            with contextlib.suppress(OSError):
+                path.unlink()
+
+    def close(self) -> None:
+        """Give up the descriptor; a second call does nothing."""
+        self._socket.close()
+
+
 def is_alive(path: Path) -> bool:
     """True when a process listens on this socket, and this user may send to it."""
     return _probe(path) == 0
 
 
 def is_dead(path: Path) -> bool:
-    """True when nobody listens on this socket; false when that cannot be found out."""
+    """As `SocketProbe.is_dead`."""
     return _probe(path) in _NO_LISTENER
 
 
 def refusal(path: Path) -> str | None:
     """Why this user cannot send to `path`, as one sentence; None when nothing prevents it."""
-    match _probe(path):
+    return _refusal(path, _probe(path))
+
+
+def _refusal(path: Path, error: int) -> str | None:
+    match error:
         case errno.ENOTDIR:
             return f"{path.parent} is not a directory; {OTHER_DIRECTORY}"
         case errno.EACCES | errno.EPERM:
             return f"this user may not use {path}; run as its owner or in its group, or {OTHER_DIRECTORY}"
         case errno.EPROTOTYPE:
             return f"{path} is a socket of another kind; move it, or {OTHER_DIRECTORY}"
+        case errno.EMFILE | errno.ENFILE:
+            return f"cannot find out who uses {path}: {os.strerror(error)}; raise the limit (ulimit -n)"
         case _:
             return None
 
@@ -285,23 +351,25 @@ def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | N
             f"the socket path {path} is longer than {MAX_PATH} bytes; "
             "choose a directory with a shorter name for the local sockets"
         )
-    if is_alive(path):
+    found = _probe(path)
+    if found == 0:
         raise TransportError(f"{owner} is already running on {path}; stop it, or {advice}")
-    if (why := refusal(path)) is not None:
+    if (why := _refusal(path, found)) is not None:
         raise TransportError(why)
     if path.exists() and not path.is_socket():
         raise TransportError(f"{path} exists and is not a socket; move it, or {OTHER_DIRECTORY}")
-    sock = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
-    try:
-        sock.setblocking(False)
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.unlink(missing_ok=True)
-        sock.bind(str(path))
-        if mode is not None:
-            path.chmod(mode)
-    except OSError as error:
-        sock.close()
-        raise TransportError(f"cannot open the socket {path}: {error.strerror}; {OTHER_DIRECTORY}") from error
+    with contextlib.ExitStack() as stack:
+        try:
+            sock = stack.enter_context(socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM))
+            sock.setblocking(False)
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.unlink(missing_ok=True)
+            sock.bind(str(path))
+            if mode is not None:
+                path.chmod(mode)
+        except OSError as error:
+            raise TransportError(f"cannot open the socket {path}: {error.strerror}; {OTHER_DIRECTORY}") from error
+        stack.pop_all()
     return sock
 
 
@@ -318,17 +386,15 @@ def give_to_group(path: Path, group: str | None) -> None:
 
 
 def clean_up(path: Path) -> None:
-    """Remove a socket that nobody listens on; one that cannot be removed remains."""
-    if path.is_socket() and is_dead(path):
-        with contextlib.suppress(OSError):
-            path.unlink()
+    """As `SocketProbe.clean_up`; does nothing without a descriptor for the probe."""
+    with contextlib.suppress(OSError), SocketProbe() as probe:
+        probe.clean_up(path)
 
 
 def _probe(path: Path) -> int:
-    """The error number of an attempt to connect; 0 for success."""
+    """The error number of an attempt to connect, or to make a socket for it; 0 for success."""
     try:
-        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as probe:
-            probe.connect(str(path))
+        with SocketProbe() as probe:
+            return probe.error(path)
     except OSError as error:
-        return error.errno or errno.ENAMETOOLONG
-    return 0
+        return error.errno or errno.EMFILE

@@ -9,7 +9,9 @@ from collections.abc import Callable, Mapping
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import addressing, judp
+from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
+from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import Receiver, ignore
 
 _LOGGER = logging.getLogger(__name__)
@@ -39,6 +41,8 @@ class LoopbackTransport:
     def __init__(self, id: JausID, hub: LoopbackHub) -> None:
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
+        self._stalled_until = float("-inf")
         self._hub = hub
         self._counters = Counters(_LOGGER)
 
@@ -86,15 +90,32 @@ class LoopbackTransport:
         else:
             self._counters["sent"] += 1
 
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        """Call `found`: whoever is on the hub is in this process."""
+        found(Location(is_here=int(id) in self._hub.members))
+
     def _join(self, id: JausID) -> None:
         if self._hub.members.setdefault(int(id), self) is not self:
             raise TransportError(f"another component {id} is already on this loopback hub; choose another id")
 
+    def stall(self, seconds: float) -> None:
+        """From now on read nothing for this time, as when the process does not run; what arrives is read afterwards."""
+        self._stalled_until = asyncio.get_running_loop().time() + seconds
+
     def deliver(self, datagram: bytes) -> None:
         """Called by the hub."""
-        asyncio.get_running_loop().call_soon(self._arrive, datagram)
+        loop = asyncio.get_running_loop()
+        now = loop.time()
+        if now < self._stalled_until:
+            loop.call_at(self._stalled_until, self._arrive, datagram, now)
+        else:
+            loop.call_soon(self._arrive, datagram, now)
 
-    def _arrive(self, datagram: bytes) -> None:
-        if self.connected:
-            self._counters["received"] += 1
-            self.received(datagram)
+    def _arrive(self, datagram: bytes, since: float) -> None:
+        if not self.connected:
+            return
+        if asyncio.get_running_loop().time() - since > self.max_age and not judp.is_acknowledged(datagram):
+            self._counters.drop("stale")
+            return
+        self._counters["received"] += 1
+        self.received(datagram)

@@ -111,6 +111,12 @@ def addresses(chosen: Sequence[str]) -> tuple[str, ...]:
     return tuple(found)
 
 
+def own_addresses() -> frozenset[str]:
+    """All addresses of this machine, IPv4 and IPv6."""
+    families = (socket.AF_INET, socket.AF_INET6)
+    return frozenset(address for family in families for own in _present(family).values() for address in own)
+
+
 def names(chosen: Sequence[str]) -> tuple[str, ...]:
     """The names of the present interfaces with IPv6; `ANY` is kept, for the kernel's choice."""
     present = _present(socket.AF_INET6)

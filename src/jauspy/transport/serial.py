@@ -13,6 +13,7 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.protocol import jserial, judp
 from jauspy.protocol.counters import Counters
+from jauspy.transport.age import MAX_AGE, StallDetector
 from jauspy.transport.base import Receiver, SendQueue, ignore
 
 if TYPE_CHECKING:
@@ -39,17 +40,22 @@ class SerialLine:
 class SerialLink:
     """Sends datagrams, and calls `received(datagram)` for each received one.
 
-    While the device is missing, datagrams are dropped, and opening is retried.
+    While the device is missing, datagrams are dropped, and opening is retried. After the event loop has stood still for
+    more than `max_age` seconds, what the device has received is dropped.
     """
 
-    def __init__(self, line: SerialLine, counters: Counters, received: Callable[[bytes], None]) -> None:
+    def __init__(
+        self, line: SerialLine, counters: Counters, received: Callable[[bytes], None], *, max_age: float = MAX_AGE
+    ) -> None:
         self.line = line
         self._counters = counters
         self._received = received
         self._loop = asyncio.get_running_loop()
         self._port: serial.Serial | None = None
         self._decoder = jserial.FrameDecoder()
-        self._waiting = SendQueue()
+        self._max_age = max_age
+        self._waiting = SendQueue(max_age=max_age)
+        self._stall = StallDetector(max_age)
         self._rest = b""
         self._retry: asyncio.TimerHandle | None = None
 
@@ -93,6 +99,7 @@ class SerialLink:
         if self._retry is not None:
             self._retry.cancel()
             self._retry = None
+        self._stall.close()
         self._release()
 
     def send(self, datagram: bytes) -> bool:
@@ -110,6 +117,10 @@ class SerialLink:
     def _read(self) -> None:
         if self._port is None:
             return
+        if self._stall.has_stalled:
+            self._counters.drop("stale", self.line.device)
+            self._port.reset_input_buffer()
+            self._decoder = jserial.FrameDecoder()
         try:
             data = os.read(self._port.fileno(), READ_SIZE)
         except BlockingIOError:
@@ -128,6 +139,8 @@ class SerialLink:
 
     def _write(self) -> None:
         """Write as much as the line has room for; the rest of a frame is written first next time."""
+        for _ in range(self._waiting.drop_stale()):
+            self._counters.drop("stale", self.line.device)
         while self._port is not None and (self._rest or self._waiting):
             if not self._rest:
                 self._rest = jserial.frame(self._waiting.peek())
@@ -165,7 +178,7 @@ class SerialLink:
         port, self._port = self._port, None
         for _ in range(len(self._waiting)):
             self._counters.drop("serial_closed", self.line.device)
-        self._waiting, self._rest = SendQueue(), b""
+        self._waiting, self._rest = SendQueue(max_age=self._max_age), b""
         if port is not None:
             self._loop.remove_reader(port.fileno())
             self._loop.remove_writer(port.fileno())
@@ -178,6 +191,7 @@ class SerialTransport:
     def __init__(self, id: JausID, line: SerialLine) -> None:
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
         self._line = line
         self._counters = Counters(_LOGGER)
         self._link: SerialLink | None = None
@@ -199,7 +213,7 @@ class SerialTransport:
 
     async def open(self) -> None:
         """Open the device; raises `TransportError` when it cannot be used."""
-        link = SerialLink(self._line, self._counters, self._take)
+        link = SerialLink(self._line, self._counters, self._take, max_age=self.max_age)
         link.open()
         self._link = link
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import socket
 from collections.abc import Callable, Mapping
 from typing import Final, cast
 
@@ -12,6 +13,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import header, jtcp, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
+from jauspy.transport.age import MAX_AGE, StallDetector
 from jauspy.transport.base import Receiver, SendQueue, ignore
 
 _LOGGER = logging.getLogger(__name__)
@@ -21,6 +23,10 @@ HIGH_WATER: Final = 64 * 1024
 READ_SIZE: Final = 2048
 """Bytes read per turn of the event loop: about a hundred of the smallest packets, so that a flood delays nobody."""
 CONNECT_TIMEOUT: Final = 5.0
+KEEP_ALIVE_IDLE: Final = 10
+KEEP_ALIVE_INTERVAL: Final = 5
+KEEP_ALIVE_PROBES: Final = 3
+"""The kernel asks an idle peer after so many seconds, and closes the connection if it does not answer these."""
 MIN_RETRY_INTERVAL: Final = 0.1
 MAX_RETRY_INTERVAL: Final = 10.0
 
@@ -30,7 +36,8 @@ class StreamLink(asyncio.BufferedProtocol):
 
     A stream that has lost the packet boundaries is closed, because nothing restores them. A connection has one version:
     the client sends the version byte of AS5669A; the server, which has the callback `accepted`, sends the version that
-    it has received.
+    it has received. It is closed, too, when the event loop has stood still for more than `max_age` seconds: the packets
+    under way are old, those that wait at the peer as well.
     """
 
     def __init__(
@@ -39,10 +46,14 @@ class StreamLink(asyncio.BufferedProtocol):
         received: Callable[[StreamLink, bytes], None],
         ended: Callable[[StreamLink], None],
         accepted: Callable[[StreamLink], None] | None = None,
+        *,
+        max_age: float = MAX_AGE,
     ) -> None:
         self.peer: Address = ("", 0)
         self.has_received = False
         """True when a complete packet has arrived."""
+        self.active_at = 0.0
+        """Loop time of the last complete packet, or of the connection."""
         self._counters = counters
         self._received = received
         self._ended = ended
@@ -52,7 +63,8 @@ class StreamLink(asyncio.BufferedProtocol):
         self._sent_version: int | None = None
         self._transport: asyncio.Transport | None = None
         self._paused = False
-        self._waiting = SendQueue()
+        self._waiting = SendQueue(max_age=max_age)
+        self._stall = StallDetector(max_age)
 
     @property
     def waiting(self) -> int:
@@ -84,6 +96,8 @@ class StreamLink(asyncio.BufferedProtocol):
         self._transport = cast("asyncio.Transport", transport)
         self.peer = (transport.get_extra_info("peername") or self.peer)[:2]
         self._transport.set_write_buffer_limits(high=HIGH_WATER)
+        self.active_at = asyncio.get_running_loop().time()
+        _detect_dead_peer(self._transport.get_extra_info("socket"))
         if self._accepted is not None:
             self._accepted(self)
         else:
@@ -97,8 +111,13 @@ class StreamLink(asyncio.BufferedProtocol):
         """Pass on complete packets."""
         if self._transport is None or self._transport.is_closing():
             return
+        if self._stall.has_stalled:
+            self._counters.drop("stale", self.peer)
+            self.close()
+            return
         datagrams, error = self._decoder.feed(bytes(self._buffer[:nbytes]))
-        self.has_received = self.has_received or bool(datagrams)
+        if datagrams:
+            self.has_received, self.active_at = True, asyncio.get_running_loop().time()
         for datagram in datagrams:
             self._received(self, datagram)
         if error is not None:
@@ -119,6 +138,8 @@ class StreamLink(asyncio.BufferedProtocol):
     def resume_writing(self) -> None:
         """Send queued packets, those of the highest priority first."""
         self._paused = False
+        for _ in range(self._waiting.drop_stale()):
+            self._counters.drop("stale", self.peer)
         while self._waiting and not self._paused and self._transport is not None:
             datagram = self._waiting.peek()
             self._waiting.pop()
@@ -129,7 +150,16 @@ class StreamLink(asyncio.BufferedProtocol):
         for _ in range(len(self._waiting)):
             self._counters.drop("tcp_closed", self.peer)
         self._transport, self._waiting = None, SendQueue()
+        self._stall.close()
         self._ended(self)
+
+
+def _detect_dead_peer(sock: socket.socket) -> None:
+    """Let the kernel close the connection when the peer's host is gone."""
+    sock.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPIDLE, KEEP_ALIVE_IDLE)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPINTVL, KEEP_ALIVE_INTERVAL)
+    sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPCNT, KEEP_ALIVE_PROBES)
 
 
 class Dialer:
@@ -138,8 +168,16 @@ class Dialer:
     Packets are dropped while there is none: a command that arrives seconds late is worse than a lost one.
     """
 
-    def __init__(self, address: Address, counters: Counters, received: Callable[[StreamLink, bytes], None]) -> None:
+    def __init__(
+        self,
+        address: Address,
+        counters: Counters,
+        received: Callable[[StreamLink, bytes], None],
+        *,
+        max_age: float = MAX_AGE,
+    ) -> None:
         self.address = address
+        self._max_age = max_age
         self.link: StreamLink | None = None
         self.connected = asyncio.Event()
         self.problem = "it does not answer"
@@ -181,7 +219,7 @@ class Dialer:
         self._lost.clear()
         async with asyncio.timeout(CONNECT_TIMEOUT):
             _, link = await loop.create_connection(
-                lambda: StreamLink(self._counters, self._received, self._ended), *self.address
+                lambda: StreamLink(self._counters, self._received, self._ended, max_age=self._max_age), *self.address
             )
         self.link = link
         self.connected.set()
@@ -214,6 +252,7 @@ class TcpTransport:
     def __init__(self, id: JausID, peer: Address, *, timeout: float | None = 5.0) -> None:
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
         self._peer = peer
         self._timeout = timeout
         self._counters = Counters(_LOGGER)
@@ -236,7 +275,7 @@ class TcpTransport:
 
     async def open(self) -> None:
         """Connect; raises `TransportError` if there is no connection in time."""
-        dialer = self._dialer = Dialer(self._peer, self._counters, self._take)
+        dialer = self._dialer = Dialer(self._peer, self._counters, self._take, max_age=self.max_age)
         if self._timeout is None:
             return
         try:

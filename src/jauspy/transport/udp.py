@@ -14,6 +14,7 @@ from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.transport import base, multicast, multicast as memberships
+from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.multicast import Memberships
 
@@ -38,6 +39,7 @@ class UdpTransport:
     ) -> None:
         self.id = id
         self.received: Receiver = ignore
+        self.max_age = MAX_AGE
         self._group = group
         self._peers = [address for address in (peer, group) if address is not None]
         self._bind = bind
@@ -79,7 +81,7 @@ class UdpTransport:
             host, port = self._bind
             raise TransportError(f"cannot use UDP {host}:{port}: {error.strerror}") from error
         self._socket = sock
-        base.start_reading(asyncio.get_running_loop(), sock, self._take, self._failed)
+        self._read(sock)
         if self._group is not None:
             self._listen_to(self._group)
 
@@ -112,6 +114,10 @@ class UdpTransport:
         for address in [(known.host, known.port)] if known else self._peers:
             self._send_to(self._socket, datagram, address)
 
+    def _read(self, sock: socket.socket) -> None:
+        reader = DatagramReader(sock, self._counters, self.max_age)
+        base.start_reading(asyncio.get_running_loop(), reader, self._take, self._failed)
+
     def _listen_to(self, group: Address) -> None:
         """Join the group; if another program has the port for itself, only unicasts are received."""
         try:
@@ -123,8 +129,8 @@ class UdpTransport:
         self._memberships = Memberships(sock, group[0], (self._interface,))
         self._counters["multicast.not_joined"] += not self._memberships.joined
         self._group_socket = sock
+        self._read(sock)
         loop = asyncio.get_running_loop()
-        base.start_reading(loop, sock, self._take, self._failed)
         self._watch = loop.call_later(memberships.WATCH_INTERVAL, self._watch_interfaces)
 
     def _watch_interfaces(self) -> None:

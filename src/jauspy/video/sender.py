@@ -202,16 +202,17 @@ class RtpSender:
             self.counters["packets"] += 1
 
     def _listen(self) -> None:
-        """Read the feedback that receivers send to the port of the reports."""
+        """Read the feedback of receivers; whoever else asks for whole pictures is ignored."""
+        hosts = {receiver.rtcp[0] for receiver in self._receivers.values()}
         for opened in self._sockets.values():
             for _ in range(MAX_FEEDBACK_PACKETS):
                 try:
-                    heard = opened.recv(2048)
+                    heard, source = opened.recvfrom(2048)
                 except BlockingIOError:
                     break
                 except OSError:  # an ICMP error for an earlier packet
                     continue
-                if requests_picture(heard):
+                if source[0] in hosts and requests_picture(heard):
                     self._asked = True
                     self.counters["idr_asked"] += 1
 

@@ -7,7 +7,7 @@ import pytest
 from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import ArmKinematics
 from jauspy.errors import RequestError
-from jauspy.modules.robots import load, robot_model
+from jauspy.modules.robot_files import load, robot_model
 
 
 @pytest.fixture(scope="module")

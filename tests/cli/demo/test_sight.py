@@ -16,21 +16,21 @@ FOV = math.radians(80.0)
 BRICK, CAN = (110, 70, 60), (120, 30, 24)
 
 
-def scene(*spots):
+def scene(*rectangles):
     image = np.full((240, 320, 3), BRICK, np.uint8)
-    for left, top, width, height in spots:
+    for left, top, width, height in rectangles:
         image[top : top + height, left : left + width] = CAN
     return image
 
 
 def test_the_largest_spot_counts() -> None:
-    column, row = grasp.red_spot(scene((10, 10, 3, 3), (200, 150, 20, 40)))
+    column, row = grasp.red_region(scene((10, 10, 3, 3), (200, 150, 20, 40)))
     assert (column, row) == (pytest.approx((210 - 160) / 320), pytest.approx((170 - 120) / 320))
 
 
 def test_bricks_and_specks_are_no_can() -> None:
-    assert grasp.red_spot(scene()) is None
-    assert grasp.red_spot(scene((5, 5, 3, 3))) is None
+    assert grasp.red_region(scene()) is None
+    assert grasp.red_region(scene((5, 5, 3, 3))) is None
 
 
 def test_a_ray_meets_the_can_where_it_is() -> None:
@@ -38,8 +38,8 @@ def test_a_ray_meets_the_can_where_it_is() -> None:
     can = (1.7, 2.6, 0.41)
     x, y, z = camera.inverse().apply(can)
     spread = 2.0 * math.tan(FOV / 2.0)
-    spot = (-y / x / spread, -z / x / spread)
-    assert grasp.at_height(camera, grasp.ray(spot, FOV), 0.41) == pytest.approx(can)
+    point = (-y / x / spread, -z / x / spread)
+    assert grasp.at_height(camera, grasp.ray(point, FOV), 0.41) == pytest.approx(can)
 
 
 def test_a_ray_to_the_sky_meets_nothing() -> None:

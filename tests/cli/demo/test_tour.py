@@ -12,7 +12,7 @@ from jauspy.cli.demo.report import Report, View
 from jauspy.cli.demo.tour import Tour
 from jauspy.errors import ControlRejected, RequestError
 from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robots import load
+from jauspy.modules.robot_files import load
 from jauspy.ocu import OCU
 from jauspy.testing import TestEnvironment
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import random
 from dataclasses import replace
 
+from tests.helpers.robot import described
+
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.geometry.poses import Transform
-from jauspy.modules.robots import load, robot_model
 from jauspy.platform.kinematic import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 
@@ -16,7 +17,7 @@ ROBOTS = ("inc1", "inc1_pprm")
 
 def arm_of(robot: str, start: tuple[float, ...] | None = None) -> Arm:
     """Its arm; `start` as its URDF counts."""
-    model = robot_model(load(robot))
+    _, model = described(robot)
     setup = model.groups["arm"]
     return Arm(KinematicJoints(model.description, replace(setup, start=start or setup.start)))
 

@@ -5,6 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 
 import pytest
+from tests.helpers.sampling import sampled
 from tests.services.manipulator.arms import arm_of
 
 from jauspy.geometry.poses import rotation_vector
@@ -112,7 +113,9 @@ def test_the_motion_profile_holds() -> None:
     assert run.motion.is_finished
 
 
-@pytest.mark.parametrize("moving", [(0.1, 0.0, 0.0), (0.3, 0.2, 0.1), (0.0, 0.0, 0.1), (1.0, 0.0, 0.0)])
+@pytest.mark.parametrize(
+    "moving", sampled([(0.1, 0.0, 0.0), (0.3, 0.2, 0.1), (0.0, 0.0, 0.1), (1.0, 0.0, 0.0)], fast=1)
+)
 def test_at_the_end_of_its_reach_the_tool_stops_on_its_line(moving: Vector) -> None:
     run = Run(arm_of("inc1", OUT_THERE))
     run.go(ZERO, moving, 8.0)

@@ -22,7 +22,7 @@ from jauspy.cli.demo.tour import Tour
 from jauspy.cli.options import DEFAULT_PORT, Port
 from jauspy.cli.processes import ChildFailed, ChildProcess, run
 from jauspy.errors import ConfigError, RequestError
-from jauspy.modules import robots
+from jauspy.modules import robot_files
 from jauspy.ocu import OCU
 from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, FrameSize
 
@@ -111,7 +111,7 @@ async def play(port: int, backend: str, view: View, folder: Path, size: FrameSiz
         )
         ocu = await stack.enter_async_context(OCU(connect=f"udp://127.0.0.1:{port}"))
         view.ocu = ocu
-        tour = make(ocu, robots.load(plan.ROBOT), view, report, folder)
+        tour = make(ocu, robot_files.load(plan.ROBOT), view, report, folder)
         try:
             await _unless_ended(tour.run(), manager, robot)
         except RequestError as error:

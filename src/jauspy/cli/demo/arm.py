@@ -1,4 +1,4 @@
-"""The arm by ManipulatorJointPositionDriver, the gripper by PrimitiveEndEffector, and what they feel."""
+"""The arm by ManipulatorJointPositionDriver, the gripper by PrimitiveEndEffector, and their measurements."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class ArmKinematics:
         """Of the vertical axis, forward of the base link's origin."""
         self._height = chain[turn].origin.z + chain[shoulder].origin.z
         self._upper, self._fore = chain[elbow].origin.x, chain[wrist].origin.x
-        self._hand = sum(joint.origin.x for joint in chain[wrist + 1 :])
+        self._gripper_length = sum(joint.origin.x for joint in chain[wrist + 1 :])
 
     def around(self, target: Vector) -> tuple[float, float, float]:
         """A point of the base link's frame in cylinder coordinates: turn, distance from the vertical axis, height."""
@@ -54,8 +54,8 @@ class ArmKinematics:
 
         Raises `RequestError` if the arm is too short.
         """
-        x = distance - self._hand * math.cos(pitch)
-        z = height - self._height - self._hand * math.sin(pitch)
+        x = distance - self._gripper_length * math.cos(pitch)
+        z = height - self._height - self._gripper_length * math.sin(pitch)
         upper, fore = self._upper, self._fore
         bend = (x * x + z * z - upper**2 - fore**2) / (2.0 * upper * fore)
         if abs(bend) > 1.0:

@@ -57,9 +57,9 @@ class Grasp:
         photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIMEOUT)
         (folder / STILL_FILE).write_bytes(photo.content)
         frames = await self._frames.read()
-        spot = red_spot(decode_image(photo.content))
+        region = red_region(decode_image(photo.content))
         camera = frames.pose(self._setup.link, LOCAL)
-        seen = spot and at_height(camera, ray(spot, self._setup.fov), plan.CAN_POSITION[2])
+        seen = region and at_height(camera, ray(region, self._setup.fov), plan.CAN_POSITION[2])
         if seen is None:
             raise RequestError(f"no red can is in the picture of the camera {ARM_CAMERA!r}; see {folder / STILL_FILE}")
         self._can = seen
@@ -139,27 +139,27 @@ def decode_image(file: bytes) -> Image:
     return cv2.cvtColor(read, cv2.COLOR_BGR2RGB).astype(np.uint8)
 
 
-def red_spot(image: Image) -> tuple[float, float] | None:
+def red_region(image: Image) -> tuple[float, float] | None:
     """Centre of the largest red region from the image centre, as fractions of the width; None if there is none."""
     colours = cv2.cvtColor(image, cv2.COLOR_RGB2HSV)
     red = np.zeros(image.shape[:2], np.uint8)
     for low, high in REDS:
         red |= cv2.inRange(colours, np.array(low), np.array(high)).astype(np.uint8)
-    _, spots, sizes, middles = cv2.connectedComponentsWithStats(red)
+    _, labels, sizes, middles = cv2.connectedComponentsWithStats(red)
     if len(sizes) < 2:
         return None
     largest = 1 + int(np.argmax(sizes[1:, cv2.CC_STAT_AREA]))
     if sizes[largest, cv2.CC_STAT_AREA] < MIN_RED_SHARE * red.size:
         return None
-    height, width = spots.shape[:2]
+    height, width = labels.shape[:2]
     column, row = (float(value) for value in middles[largest])
     return (column + 0.5 - width / 2.0) / width, (row + 0.5 - height / 2.0) / width
 
 
-def ray(spot: tuple[float, float], fov: float) -> Vector:
+def ray(region: tuple[float, float], fov: float) -> Vector:
     """Direction of a point in the camera's frame: x forward, y left, z up. `fov` is horizontal, rad."""
-    spread = 2.0 * math.tan(fov / 2.0)
-    return 1.0, -spread * spot[0], -spread * spot[1]
+    width = 2.0 * math.tan(fov / 2.0)
+    return 1.0, -width * region[0], -width * region[1]
 
 
 def at_height(camera: Transform, direction: Vector, height: float) -> Vector | None:

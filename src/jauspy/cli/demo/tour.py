@@ -12,7 +12,7 @@ from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetLocalWaypoint, SetTravelSpeed
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.robots import robot_model
+from jauspy.modules.robot_files import robot_model
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.subscription import Subscription
@@ -22,7 +22,7 @@ POSE_RATE: Final = 10.0
 X_Y_YAW: Final = 0b0100_0011
 MAX_POSE_STEP: Final = 0.005
 """Metres or radians between two reports below which the robot stands."""
-STANDING_REPORTS: Final = 8
+STATIONARY_REPORTS: Final = 8
 """Consecutive reports in which the robot must stand at its goal."""
 
 
@@ -70,7 +70,7 @@ def _timeout_message(state: DemoState) -> str:
 async def _arrive(poses: Subscription[ReportLocalPose], control: Control, state: DemoState) -> None:
     """Wait until the robot stands at its goal; raises `ControlRejected` if control is lost."""
     still = 0
-    while still < STANDING_REPORTS:
+    while still < STATIONARY_REPORTS:
         control.check()
         pose, before = await poses.get(), state.pose
         state.pose = now = (pose.x or 0.0, -(pose.y or 0.0), -(pose.yaw or 0.0))

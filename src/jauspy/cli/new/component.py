@@ -13,7 +13,9 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli.new import write_new_folder
-from jauspy.codec.names import class_name
+from jauspy.codec.codegen import indent
+from jauspy.codec.names import class_name, unique
+from jauspy.codec.source import docstring, quote
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.messages import registry
@@ -100,7 +102,7 @@ def _find(schema: Schema, name: str, version: str | None, source: Path | None) -
 
 
 _ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
-_RESULTS: Final = {"action": "", "predicate": "        return True\n", "report": "        return None\n"}
+_RESULTS: Final[dict[str, list[str]]] = {"action": [], "predicate": ["return True"], "report": ["return None"]}
 
 
 def package(
@@ -118,15 +120,17 @@ def package(
     mine = [each for each in line if each.id not in core]
     writer = _Writer(mine, line, core, own=source)
     whole = JausID(me.subsystem or 101, me.node or 1, me.component)  # the tests need an id even if it is assigned later
-    urns = "".join(f'            "{each.id}",\n' for each in mine)
+    urns = "".join(f"            {quote(each.id)},\n" for each in mine)
     files: dict[str, str | bytes] = {
-        "__init__.py": f'"""A JAUS component that offers {definition.id}."""\n',
+        "__init__.py": "\n".join([*docstring(f"A JAUS component that offers {definition.id}."), ""]),
         "__main__.py": _MAIN.format(name=name, id=me),
         "services.py": writer.module(),
         f"test_{name}.py": _TEST.format(name=name, id=whole, number=whole.subsystem, last=whole.component, urns=urns),
         "README.md": _README.format(name=name, urn=definition.id, version=definition.version),
     }
     if source is not None:
+        if source.name in files:
+            raise ConfigError(f"{source} has the name of a file of the package; rename it, as in {name}.xml")
         files[source.name] = source.read_bytes()
     return files
 
@@ -146,11 +150,15 @@ class _Writer:
         self._mine, self._line, self._core, self._own = mine, line, core, own
         self._imports: dict[str, set[str]] = {}
         self._any = False
+        taken = {"Any", "DEFINITIONS", "Path", *(message.name for each in line for message in each.messages)}
+        self._names: dict[str, str] = {}
+        for each in mine:
+            taken.add(self._names.setdefault(each.id, unique(class_name(each.name), taken.__contains__)))
 
     def module(self) -> str:
         """The source of the module."""
         classes = "\n\n".join(self._class(each) for each in reversed(self._mine))
-        names = ", ".join(f"{class_name(each.name)}()" for each in self._mine)
+        names = ", ".join(f"{self._names[each.id]}()" for each in self._mine)
         imports = "".join(
             f"from {module} import (\n{''.join(f'    {each},{chr(10)}' for each in sorted(kinds, key=_order))})\n"
             for module, kinds in sorted(self._imports.items())
@@ -162,19 +170,21 @@ class _Writer:
             head += "from typing import Any\n"
         head += "\n" * (self._own is not None or self._any) + "import jauspy\n" + imports
         if self._own is not None:
-            head += f'\nDEFINITIONS = jauspy.load(Path(__file__).with_name("{self._own.name}"))\n'
+            head += f"\nDEFINITIONS = jauspy.load(Path(__file__).with_name({quote(self._own.name)}))\n"
         return f"{head}\n\n{classes}{_SERVICES.format(names=names)}"
 
     def _class(self, definition: Definition) -> str:
         own = self._is_own(definition)
-        keywords = ", definitions=DEFINITIONS" if own else f', version="{definition.version}"'
-        head = f'class {class_name(definition.name)}(jauspy.Service, urn="{definition.id}"{keywords}):\n'
+        more = "definitions=DEFINITIONS" if own else f"version={quote(definition.version)}"
+        needs = {each.method: each for each in reversed(required_methods(definition))}  # the first of each name
         methods = [
-            self._method(definition, each)
-            for each in required_methods(definition)
-            if not self._inherits(definition, each)
+            self._method(definition, each) for each in reversed(needs.values()) if not self._inherits(definition, each)
         ]
-        return head + f'    """{definition.name} {definition.version}."""\n' + "".join(methods)
+        lines = [
+            f"class {self._names[definition.id]}(jauspy.Service, urn={quote(definition.id)}, {more}):",
+            *indent(docstring(f"{definition.name} {definition.version}.")),
+        ]
+        return "\n".join([*lines, *methods, ""])
 
     def _inherits(self, definition: Definition, need: RequiredMethod) -> bool:
         """True if a parent class has this method."""
@@ -201,10 +211,8 @@ class _Writer:
         result = {"action": "None", "predicate": "bool"}.get(kind) or self._optional(definition, need.reports)
         when = ", ".join([*need.messages, *need.events, *(f"state {each}" for each in need.in_states)])
         purpose = {"action": "Action on", "predicate": "Guard of", "report": "The answer to"}[kind]
-        return (
-            f"\n{_signature(need.method, ', '.join(parameters), result)}\n"
-            f'        """{purpose} {_short(when)}{_ENDS[kind]}."""\n{_RESULTS[kind]}'
-        )
+        body = [*docstring(f"{purpose} {_short(when)}{_ENDS[kind]}."), *_RESULTS[kind]]
+        return "\n".join(["", _signature(need.method, ", ".join(parameters), result), *indent(body, 2)])
 
     def _optional(self, definition: Definition, name: str) -> str:
         found = self._type(definition, name) if name else "jauspy.Message"

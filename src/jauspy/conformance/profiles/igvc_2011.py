@@ -53,9 +53,9 @@ COP: Final = "42.1.1"
 """The judge's console."""
 AUTHORITY: Final = 0xDC
 PERIOD: Final = 5.0
-"""s; between two questions of the robot."""
+"""s; between two queries of the robot."""
 X, Y, YAW = 10.0, 20.0, 0.5
-"""m and rad; where the judge says that the robot is."""
+"""m and rad; the pose that the judge sets."""
 CLOSE: Final = 0.1
 """m."""
 FASTEST: Final = 5.0
@@ -71,13 +71,13 @@ IDENTIFICATION: Final = ReportIdentification(
 
 
 def robot_asks(tester: Tester) -> None:
-    """The robot finds the console."""
+    """The robot queries the console."""
     patience = (PERIOD + tester.timeout) / tester.timeout
     tester.client(COP).expect(QueryIdentification, within=patience)
 
 
 def robot_asks_again(tester: Tester) -> None:
-    """It asks every five seconds until it is answered."""
+    """The robot repeats its query every five seconds until it is answered."""
     robot_asks(tester)
     first = tester.now
     robot_asks(tester)
@@ -86,7 +86,7 @@ def robot_asks_again(tester: Tester) -> None:
 
 
 def robot_is_answered(tester: Tester) -> None:
-    """Then it is content."""
+    """Once answered, the robot stops its queries."""
     client = tester.client(COP)
     client.send(IDENTIFICATION, to=tester.component)
     tester.wait(0.1 * tester.timeout)
@@ -99,7 +99,7 @@ def robot_is_answered(tester: Tester) -> None:
 
 
 def becomes(command: Resume | Standby | Shutdown, status: ReportStatus.Status) -> Action:
-    """A command without an answer, whose effect the status shows."""
+    """Send a command without an answer and check its effect in the status."""
 
     def action(tester: Tester) -> None:
         client = tester.client(COP)
@@ -111,7 +111,7 @@ def becomes(command: Resume | Standby | Shutdown, status: ReportStatus.Status) -
 
 
 def in_control(tester: Tester) -> None:
-    """The console takes control, which is confirmed."""
+    """The console requests control, which is confirmed."""
     accepted = has(response_code=ConfirmControl.ResponseCode.CONTROL_ACCEPTED)
     tester.client(COP).ask(RequestControl(AUTHORITY), ConfirmControl, accepted)
 
@@ -122,7 +122,7 @@ POSE_FIELDS: Final = 0x0103
 
 
 def pose_progresses(tester: Tester) -> None:
-    """Positions and times of two reports fit together."""
+    """Check that positions and times of two reports are consistent."""
     client = tester.client(COP)
     fields = carries("x", "y", "time_stamp")
     first = client.ask(QueryLocalPose(POSE_FIELDS), ReportLocalPose, fields)
@@ -151,7 +151,7 @@ def set_list(tester: Tester) -> None:
 
 
 def execute(tester: Tester) -> None:
-    """The list is driven from its first element, with a speed."""
+    """Execute the list from its first element at a given speed."""
     client = tester.client(COP)
     client.send(Resume())
     client.ask(QueryStatus(), ReportStatus, has(status=Status.READY))
@@ -164,7 +164,7 @@ def execute(tester: Tester) -> None:
 
 
 def follow(tester: Tester) -> None:
-    """The robot comes by each waypoint, in order."""
+    """The robot passes each waypoint, in order."""
     client = tester.client(COP)
     corners = tester.recall(CORNERS, "there is no list of waypoints")
     for number, point in enumerate(corners, 1):

@@ -1,7 +1,7 @@
 """IGVC IOP challenge 2015, the judge's interface test: 72 automated steps and 8 performance steps, a point each.
 
-The judge is subsystem 42, with five clients. It multicasts to the wildcard component, and moves on when it is answered
-or after 1.5 s. What is sent is, byte for byte, what a judge's console of 2015 sent.
+The judge is subsystem 42, with five clients. It multicasts to the wildcard component, and continues when it is answered
+or after 1.5 s. The bytes sent are those of a judge's console of 2015.
 """
 
 from __future__ import annotations
@@ -85,25 +85,25 @@ EVERYTHING: Final = 0xFFFF
 
 
 def in_control(client: str | None, authority: int = 0) -> tuple[Check, ...]:
-    """The fields of ReportControl; nobody is all zero."""
+    """The fields of ReportControl; without a controller all are zero."""
     subsystem, node, component = map(int, client.split(".")) if client else (0, 0, 0)
     return has(subsystem_id=subsystem, node_id=node, component_id=component, authority_code=authority)
 
 
 def control(client: str, authority: int, *codes: ConfirmControl.ResponseCode) -> Action:
-    """A request for control, and the codes that are right."""
+    """Request control; one of the `codes` must be confirmed."""
     names = " or ".join(code.name for code in codes)
     right = that(f"says {names}", lambda answer: answer.response_code in codes)
     return ask(client, RequestControl(authority), ConfirmControl, right)
 
 
 def release(client: str) -> Action:
-    """Control is given up."""
+    """Release control."""
     return ask(client, ReleaseControl(), RejectControl, has(response_code=RELEASED))
 
 
 def status(*right: ReportStatus.Status) -> Action:
-    """One of these."""
+    """Query the status, which must be one of these."""
     names = " or ".join(each.name for each in right)
     return ask(C1, QueryStatus(), ReportStatus, that(f"says {names}", lambda answer: answer.status in right))
 
@@ -148,17 +148,17 @@ def identification(level: int) -> Action:
 
 
 def hello(tester: Tester) -> None:
-    """Steps 1, 73 and 74: asked of everybody."""
+    """Steps 1, 73 and 74: a query to all components."""
     tester.client(COP).ask(QueryIdentification(4), ReportIdentification, has(query_type=4), to=EVERYONE)
 
 
 POSE: Final = "pose of step 64"
 ELEMENT: Final = bytes.fromhex("0d0400ffffff0fffffff0f")
-"""SetLocalWaypoint, far away; nobody drives there in this test."""
+"""SetLocalWaypoint, far away; the robot does not drive there in this test."""
 SOMEWHERE: Final = -1000.0
-"""m; x and y of where the judge says that the robot is."""
+"""m; x and y of the pose that the judge sets."""
 CLOSE: Final = 0.05
-"""m; how exactly a robot that stands still must say where it is."""
+"""m; allowed deviation of the reported position of a stationary robot."""
 WHERE: Final = (*carries("x", "y"), that("has no undefined fields", lambda report: not report.reserved_presence))
 
 
@@ -192,7 +192,7 @@ THERE: Final = near(CLOSE, x=SOMEWHERE, y=SOMEWHERE)
 EVENT: Final = "event of step 4"
 PERIODIC: Final = CreateEvent.EventType.PERIODIC
 A_REPORT: Final = bytes.fromhex("02440000")
-"""A report where a query should be."""
+"""A report in place of a query."""
 UNSUPPORTED: Final = CreateEvent(3, PERIODIC, event_streams.HALF_HERTZ, A_REPORT)
 NOT_A_QUERY: Final = has(request_id=3, response_code=RejectEventRequest.ResponseCode.MESSAGE_NOT_SUPPORTED)
 
@@ -206,7 +206,7 @@ def create_event(tester: Tester) -> None:
 
 
 def the_event(tester: Tester) -> int:
-    """The id that step 4 got."""
+    """The event id of step 4."""
     found: int = tester.recall(EVENT, "step 4 got no event")
     return found
 
@@ -229,7 +229,7 @@ def cancel_event(tester: Tester) -> None:
 
 
 def events_are(*, listed: bool) -> Action:
-    """Steps 5 and 10: the event is known, and then it is not."""
+    """Steps 5 and 10: the event is listed, or no longer listed."""
 
     def action(tester: Tester) -> None:
         event = the_event(tester)
@@ -252,7 +252,7 @@ STREAMS: Final[tuple[tuple[int, Message, type[Message]], ...]] = (
 
 
 def stream(request: int, query: Message, report: type[Message]) -> Action:
-    """Steps 75 to 79: one stream more, and its rate."""
+    """Steps 75 to 79: create another stream and check its rate."""
 
     def action(tester: Tester) -> None:
         judge = tester.client(COP)

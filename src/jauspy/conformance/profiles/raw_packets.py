@@ -1,4 +1,4 @@
-"""Packets that a step makes field by field, to test what a node manager and an endpoint do with them."""
+"""Packets that steps make field by field, to test how a node manager and an endpoint handle them."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
 FIRST_NUMBER: Final = 0x8000
-"""First sequence number of such packets; far from those of the clients' endpoints."""
+"""First sequence number of raw packets; far from those of the clients' endpoints."""
 MAX_ARRIVALS: Final = 1024
-"""Packets from the component in one step; far more than any step wants."""
+"""Packets from the component that are kept in one step; far more than any step needs."""
 SETTLE_TIME: Final = 0.1
 """Timeouts to wait for packets that must not come."""
 
@@ -32,10 +32,10 @@ class RawSender:
         self.component = tester.component
         self.ping: bytes = tester.recall("ping", "the target answers no query")
         self._arrivals: list[tuple[Packet, bool]] = []
-        tester.listeners.append(self._hear)
+        tester.listeners.append(self._on_packet)
 
     def number(self, count: int = 1) -> int:
-        """The first of so many sequence numbers that were not used before."""
+        """Reserve `count` unused sequence numbers; returns the first."""
         memory = self.tester.memory
         first: int = memory.get("number", FIRST_NUMBER)
         memory["number"] = first + count & 0xFFFF
@@ -47,24 +47,24 @@ class RawSender:
         return replace(usual, **fields)
 
     def send(self, *packets: Packet) -> None:
-        """All in one datagram, behind one version byte."""
+        """Send all packets in one datagram, after one version byte."""
         self.raw(b"\x02" + b"".join(header.pack(each) for each in packets))
 
     def raw(self, datagram: bytes) -> None:
-        """Any bytes."""
+        """Send any bytes as a datagram."""
         self.client.raw(datagram)
 
     def received(self, ack: Ack = Ack.NONE) -> list[Packet]:
-        """What came from the component to this client in this step, of this kind, in order."""
+        """The packets with these ACK bits that the component sent to this client in this step, in order."""
         return [packet for packet, _ in self.arrivals() if packet.ack is ack]
 
     def arrivals(self) -> list[tuple[Packet, bool]]:
-        """All packets from the component to this client, and whether they came to the second UDP port."""
+        """All packets from the component to this client, each with True if it arrived on the second UDP port."""
         return self._arrivals
 
-    def _hear(self, packet: Packet, other_port: bool) -> None:
-        ours = packet.source == self.component and packet.destination == self.client.id
-        if ours and _answers(packet) and len(self._arrivals) < MAX_ARRIVALS:
+    def _on_packet(self, packet: Packet, other_port: bool) -> None:
+        expected = packet.source == self.component and packet.destination == self.client.id
+        if expected and _is_reply(packet) and len(self._arrivals) < MAX_ARRIVALS:
             self._arrivals.append((packet, other_port))
 
     def answers(self) -> list[Packet]:
@@ -73,29 +73,29 @@ class RawSender:
         return [each for each in self.received() if each.payload[:2] == code]
 
     def expect(self, count: int, what: str) -> None:
-        """So many answers to the ping, no more and no fewer; in twice the time they are late."""
+        """Expect exactly `count` answers to the ping. Raises `Late` if they arrive within twice the timeout."""
         self.tester.expected.append(what)
         deadline = self.tester.now + self.tester.timeout
         if not self.tester.pump(deadline, lambda: len(self.answers()) >= count):
-            self._look_later(count, what, deadline)
+            self._wait_for_late(count, what, deadline)
         self.tester.wait(SETTLE_TIME * self.tester.timeout)
         self._compare(what, count, len(self.answers()))
 
-    def _look_later(self, count: int, what: str, deadline: float) -> None:
+    def _wait_for_late(self, count: int, what: str, deadline: float) -> None:
         if self.tester.pump(deadline + self.tester.timeout, lambda: len(self.answers()) >= count):
             late = f"{self.tester.now - deadline:.2f} s after the deadline of {self.tester.timeout:g} s"
             self.tester.record_check(what, late)
             raise Late(f"{what}: it came {late}")
 
     def expect_none(self, what: str) -> None:
-        """No packet of any kind, and the component still answers another client."""
+        """Expect no packet at all, and that the component still answers another client."""
         self.tester.expected.append(what)
         self.tester.wait(SETTLE_TIME * self.tester.timeout)
         check_others_are_answered(self.tester)
         self._compare(what, 0, len(self.arrivals()))
 
     def expect_acks(self, numbers: Iterable[int], what: str) -> None:
-        """An ACK for each of these sequence numbers."""
+        """Expect an ACK for each of these sequence numbers."""
         wanted = list(numbers)
         self.tester.expected.append(what)
         self.tester.pump(self.tester.now + self.tester.timeout, lambda: len(self.received(Ack.ACK)) >= len(wanted))
@@ -112,22 +112,22 @@ class RawSender:
         self.tester.check(what, "" if got == wanted else f"{got} came, not {wanted}: {what}")
 
 
-def _answers(packet: Packet) -> bool:
-    """Not something that the target asks or reports by itself."""
+def _is_reply(packet: Packet) -> bool:
+    """True unless the packet is a query or event of the target itself."""
     return len(packet.payload) < 2 or is_answer(int.from_bytes(packet.payload[:2], "little"))
 
 
 def check_others_are_answered(tester: Tester) -> None:
-    """The component answers a client that had nothing to do with it."""
+    """Check that the component still answers a client that was not involved."""
     bystander = RawSender(tester, "42.9.9")
     bystander.send(bystander.packet())
     tester.pump(tester.now + tester.timeout, lambda: bool(bystander.answers()))
-    problem = "" if bystander.answers() else f"{bystander.component} answers nobody any more"
+    problem = "" if bystander.answers() else f"{bystander.component} answers no other client any more"
     tester.check("others are still answered", problem)
 
 
 def find_ping(tester: Tester) -> None:
-    """The first query that the target answers."""
+    """Find the first harmless query that the target answers; the other steps use it as `ping`."""
     client = tester.client("42.1.1")
     for ping in HARMLESS_QUERIES:
         client.send(ping)
@@ -165,18 +165,18 @@ A: Final = "42.1.1"
 B: Final = "42.2.1"
 """Two clients."""
 UNKNOWN_MESSAGE: Final = bytes.fromhex("ffee")
-"""A message id that no standard has."""
+"""A message id that no standard defines."""
 
 PacketTest = Callable[[RawSender], None]
 
 
 def with_packets(test: PacketTest, client: str = A) -> Action:
-    """A step that works with packets."""
+    """Make a step from a function of a `RawSender`."""
     return lambda tester: test(RawSender(tester, client))
 
 
 def answered(**fields: Any) -> Action:
-    """A query with these header fields is answered once."""
+    """Send a query with these header fields; it must be answered once."""
 
     def test(sender: RawSender) -> None:
         sender.send(sender.packet(**fields))
@@ -185,6 +185,6 @@ def answered(**fields: Any) -> Action:
     return with_packets(test)
 
 
-def step(id: str, title: str, action: Action, *wants: str) -> Step:
-    """A step of this profile."""
-    return Step(id, title, action, why="AS5669A", wants=frozenset(wants))
+def step(id: str, title: str, action: Action, *features: str) -> Step:
+    """Make a step of this profile; `features` are those that it requires of the wire."""
+    return Step(id, title, action, why="AS5669A", wants=frozenset(features))

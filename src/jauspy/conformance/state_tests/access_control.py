@@ -19,7 +19,7 @@ from jauspy.messages.core import QueryAuthority, ReportAuthority, RequestControl
 
 
 def below_default(explorer: Explorer) -> int:
-    """An authority that is too low for anybody."""
+    """An authority that is below the default authority."""
     if explorer.default_authority == 0:
         raise Skipped("the default authority of the component is 0: nothing is below it")
     return explorer.default_authority - 1
@@ -73,7 +73,7 @@ def _authority_is(level: Callable[[Explorer], int]) -> Callable[[StimulusResult]
 
 
 def control_time(explorer: Explorer) -> float:
-    """Seconds until control ends."""
+    """Seconds until the control of a silent client ends."""
     if not 0 < explorer.timeout <= MAX_TIMER_WAIT:
         raise Skipped(
             f"control times out after {explorer.timeout} s" if explorer.timeout else "control never times out"

@@ -1,4 +1,4 @@
-"""The commands of arms and pan-tilt units, which are taken only where there is a motion profile."""
+"""The commands of arms and pan-tilt units, which are accepted only if a motion profile is set."""
 
 from __future__ import annotations
 
@@ -44,13 +44,13 @@ def _harmless(kind: type[Message], truths: dict[str, bool], before: Prepare) -> 
 
 
 def _hold(explorer: Explorer, role: str) -> None:
-    """A list of one element, when the sender is in control and can set it."""
+    """Set a list of one element, if the sender is in control."""
     if role == CONTROLLER and lists.LIST_MANAGER in explorer.services:
         lists.hold(explorer, role)
 
 
 def _empty(explorer: Explorer, role: str) -> None:
-    """No list, as far as the sender can see to that."""
+    """Delete the list, if the sender is in control."""
     if lists.LIST_MANAGER in explorer.services:
         lists.clear(explorer, role)
 

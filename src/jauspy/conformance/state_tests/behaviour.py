@@ -1,7 +1,7 @@
 """Predictions from the merged state machine of a component: the outputs of an input, and the next state.
 
-The semantics are those of ADR 3. Predicates that only the component can know are undecided, and then several outcomes
-are right.
+The semantics are those of ADR 3. The tester cannot decide every predicate; if one is undecided, several outcomes are
+right.
 """
 
 from __future__ import annotations
@@ -25,15 +25,15 @@ from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 
 RECEIVE_MACHINE: Final = "ReceiveFSM"
 RECEIVE_TRIGGER: Final = "Receive"
-"""The internal event of Transport: a message has come."""
+"""The internal event of Transport for a received message."""
 
 TruthValue: TypeAlias = bool | None
-"""None: not known from outside."""
+"""None: cannot be known from outside."""
 
 
 @dataclass(frozen=True, slots=True)
 class Situation:
-    """What the tester knows about the component: its state, what waits to be popped, and who did what."""
+    """What the tester knows about the component: its state, the pushed states, the controller and the emergencies."""
 
     state: tuple[str, ...]
     pushed: tuple[tuple[str, ...], ...] = ()
@@ -48,7 +48,7 @@ class Situation:
 
 @dataclass(frozen=True, slots=True)
 class Output:
-    """A message that the JSIDL sends: its name, the code it is given, and the role it goes to."""
+    """A message that the JSIDL sends: its name, its code argument, and the role of the receiver."""
 
     message: str
     code: str
@@ -57,13 +57,13 @@ class Output:
 
 @dataclass(frozen=True, slots=True)
 class Prediction:
-    """One right outcome; `rule` says which transition, empty for an input that is ignored."""
+    """One right outcome; `rule` names the transition, and is empty for an input that is ignored."""
 
     outputs: tuple[Output, ...]
     after: Situation
     rule: str = ""
     acts: bool = False
-    """The transition has actions: it does more than ignore the input."""
+    """True if the transition has actions; one without only ignores the input."""
 
 
 class MergedTransition(NamedTuple):
@@ -76,19 +76,19 @@ class MergedTransition(NamedTuple):
 
     @property
     def trigger(self) -> str:
-        """The message or the internal event that it takes."""
+        """The message or internal event that triggers it."""
         return trigger_of(self.transition)
 
     @property
     def is_input(self) -> bool:
-        """True for a message, false for an internal event, and for whatever comes."""
+        """True for a message; false for an internal event and for default transitions."""
         return _is_message(self.transition) and bool(self.transition.parameters)
 
 
 Candidate: TypeAlias = tuple[MergedState, Owned[model.Transition]]
-"""A transition, and the state that has it."""
+"""A transition and the state that has it."""
 Decide: TypeAlias = Callable[[behavior.Call, Situation], TruthValue]
-"""Decides a predicate for the input that is looked at."""
+"""Decides a predicate for the present input."""
 
 
 class BehaviourModel:
@@ -101,9 +101,9 @@ class BehaviourModel:
         self.start = Situation(merged.start().path)
         self._names = _named(self.root)
         self.rules = tuple(self._rules())
-        """Every transition; those of several services that cannot be distinguished have one name."""
+        """Names of all transitions; those of several services that cannot be distinguished share a name."""
         self.ignoring = next((each.name for each in self.rules if each.trigger == RECEIVE_TRIGGER), "")
-        """The transition of Transport that ignores inputs without another transition."""
+        """Name of the default transition of Transport, which ignores inputs."""
 
     def _rules(self) -> Iterator[MergedTransition]:
         for node in self.root.all():
@@ -111,16 +111,16 @@ class BehaviourModel:
                 yield MergedTransition(self._name(owned, node), owned.item, owned.owner, node)
 
     def _name(self, owned: Owned[model.Transition], node: MergedState) -> str:
-        return self._names[_looks(owned.item, node)]
+        return self._names[_description(owned.item, node)]
 
     def predict(self, situation: Situation, trigger: str, role: str, judge: Decide) -> tuple[Prediction, ...]:
-        """All right outcomes of an input: a message name or that of an internal event.
+        """All right outcomes of an input, given by the name of a message or internal event.
 
-        There is one for each way in which the predicates that are not known may turn out.
+        There is one for each combination of values of the undecided predicates.
         """
         ways = [way for way in self._in_order(situation) if trigger_of(way[1].item) == trigger]
-        guesses = _guesses([owned.item.guard for _, owned in ways], situation, judge)
-        return tuple(dict.fromkeys(self._outcome(ways, holds, situation, role) for holds in guesses))
+        evaluators = _evaluators([owned.item.guard for _, owned in ways], situation, judge)
+        return tuple(dict.fromkeys(self._outcome(ways, holds, situation, role) for holds in evaluators))
 
     def _outcome(
         self, ways: Iterable[Candidate], holds: Callable[[str], bool], before: Situation, role: str
@@ -155,7 +155,7 @@ class BehaviourModel:
         return Prediction(tuple(outputs), moved, self._name(owned, node), bool(owned.item.actions))
 
     def _sent(self, action: model.Action, role: str, controller: str | None) -> Output | None:
-        """`Send('Message', 'CODE', transportData)`, or an action that is called `sendMessage`."""
+        """The output of `Send('Message', 'CODE', transportData)`, or of an action called `sendMessage`."""
         arguments = [argument.strip("'\" ") for argument in action.arguments]
         to = role if "transportData" in arguments else controller or role
         name = action.name.rpartition(".")[2]
@@ -184,7 +184,7 @@ class BehaviourModel:
         return self._entered(situation, end.leaf().path)
 
     def _entered(self, situation: Situation, path: tuple[str, ...]) -> Situation:
-        """In a state that was entered; entry actions of what was outside of it before take effect."""
+        """The situation after a state was entered, with the effects of the entry actions that were run."""
         inside = situation.state
         common = next((n for n, (a, b) in enumerate(zip(inside, path, strict=False)) if a != b), len(path))
         for depth in range(common, len(path)):
@@ -193,23 +193,23 @@ class BehaviourModel:
         return replace(situation, state=path)
 
 
-def _looks(transition: model.Transition, node: MergedState) -> str:
-    """`Receiving.Ready: SetEmergency [guard]`: where it is, what it takes and when."""
+def _description(transition: model.Transition, node: MergedState) -> str:
+    """State, trigger and guard of a transition, as in `Receiving.Ready: SetEmergency [guard]`."""
     guard = " ".join(re.sub(r"(\w+\.)+", "", transition.guard).split())
     return f"{node}: {trigger_of(transition)}" + (f" [{guard}]" if guard else "")
 
 
 def _named(root: MergedState) -> dict[str, str]:
-    """The names of transitions by their looks: behind those of all services that have one like it."""
+    """Names of transitions by their description, each with all services that have such a transition."""
     owners: dict[str, dict[str, None]] = {}
     for node in root.all():
         for owned in (*node.transitions, *node.defaults):
-            owners.setdefault(_looks(owned.item, node), {})[owned.owner.name] = None
-    return {looks: f"{'/'.join(names)}, {looks}" for looks, names in owners.items()}
+            owners.setdefault(_description(owned.item, node), {})[owned.owner.name] = None
+    return {description: f"{'/'.join(names)}, {description}" for description, names in owners.items()}
 
 
 def trigger_of(transition: model.Transition) -> str:
-    """The message that a transition takes, or the internal event."""
+    """The message or internal event that triggers a transition."""
     return transition.parameters[0].type if _is_message(transition) and transition.parameters else _event(transition)
 
 
@@ -222,12 +222,12 @@ def _event(transition: model.Transition) -> str:
 
 
 def _short(call: behavior.Call) -> str:
-    """A predicate's name without the services that it is inherited from."""
+    """The name of a predicate without the services that it is inherited from."""
     return call.name.rpartition(".")[2]
 
 
-def _guesses(texts: Iterable[str], situation: Situation, judge: Decide) -> Iterator[Callable[[str], bool]]:
-    """Judges of guards: one for each way in which the predicates that are not known may turn out."""
+def _evaluators(texts: Iterable[str], situation: Situation, judge: Decide) -> Iterator[Callable[[str], bool]]:
+    """Functions that evaluate guards: one for each combination of values of the undecided predicates."""
     calls = [call for text in texts if text.strip() for call in behavior.calls(behavior.parse(text))]
     unknown = list(dict.fromkeys(_short(call) for call in calls if judge(call, situation) is None))
     for values in product((True, False), repeat=len(unknown)):
@@ -257,7 +257,7 @@ def _evaluate(guard: behavior.Guard, decide: Callable[[behavior.Call], bool]) ->
 
 
 def _effect(action: str, situation: Situation, role: str) -> Situation:
-    """What the actions of the core services change that the tester can know."""
+    """The situation after the actions of core services, as far as the tester can know it."""
     match action.rpartition(".")[2].lower():
         case "storeaddress":
             return replace(situation, controller=role)
@@ -272,12 +272,12 @@ def _effect(action: str, situation: Situation, role: str) -> Situation:
 
 
 TRANSPORT: Final = "urn:jaus:jss:core:Transport"
-"""Has no messages, and so is not in the registry."""
+"""This service has no messages, so it is not in the registry."""
 
 
 @dataclass(frozen=True)
 class ComponentUnderTest:
-    """The component under test, as its definitions say it is."""
+    """The component under test as its definitions describe it."""
 
     component: JausID
     definitions: tuple[model.Service, ...]
@@ -285,11 +285,11 @@ class ComponentUnderTest:
     registry: Registry
 
     def transition(self, rule: str) -> str:
-        """A transition of this component, as reports name it."""
+        """The name of a transition of this component in reports."""
         return f"{self.component} {rule}"
 
     def kind(self, name: str) -> type[Message]:
-        """The class of an output, of the version that the component runs."""
+        """The message class of an output, of the service version that the component offers."""
         for definition in self.definitions:
             for message in (*definition.outputs, *definition.inputs):
                 if message.name == name:
@@ -300,7 +300,7 @@ class ComponentUnderTest:
 
 
 def component_under_test(id: JausID, offered: frozenset[ServiceKey]) -> ComponentUnderTest:
-    """The component with everything known that it offers, most derived first."""
+    """The component with all offered services whose definitions are known, most derived first."""
     known = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
     schema = load_needed(frozenset(offered & known))
     services = [schema.service(*key) for key in sorted(offered & known)]

@@ -56,18 +56,18 @@ from jauspy.messages.mobility import (
 
 MOBILITY: Final = "urn:jaus:jss:mobility:"
 FAR: Final = 1000.0
-"""m; nobody gets there during a step."""
+"""m; too far to be reached during a step."""
 LATITUDE, LONGITUDE = 1.0, 2.0
 """Degrees."""
 
 
 def local_loiter(x: float) -> SetLocalLoiter:
-    """Stay over a place."""
+    """A loiter command at a point."""
     return SetLocalLoiter(SetLocalLoiter.LocalLoiterRec(x, FAR), SetLocalLoiter.HoverRec(0, 0.0, 0.0))
 
 
 def global_loiter(latitude: float) -> SetGlobalLoiter:
-    """Stay over a place."""
+    """A loiter command at a point."""
     return SetGlobalLoiter(SetGlobalLoiter.GlobalLoiterRec(latitude, LONGITUDE), SetGlobalLoiter.HoverRec(0, 0.0, 0.0))
 
 
@@ -92,11 +92,11 @@ _SEGMENTS: Final[Mapping[str, Message]] = MappingProxyType(
 _LOITERS: Final[Mapping[str, Message]] = MappingProxyType(
     {"LocalLoiter": local_loiter(FAR), "GlobalLoiter": global_loiter(LATITUDE)}
 )
-"""By how the names begin of the services that take them."""
+"""Commands by the beginning of the names of the services that accept them."""
 
 
 def element(explorer: Explorer) -> Message:
-    """What the lists of its drivers are made of."""
+    """An element that the list drivers of the component accept."""
     return next(_taken(explorer, {**_WAYPOINTS, **_SEGMENTS}), _WAYPOINTS["LocalWaypoint"])
 
 
@@ -106,19 +106,19 @@ def _taken(explorer: Explorer, kinds: Mapping[str, Message]) -> Iterator[Message
             yield made
 
 
-def place(explorer: Explorer, waypoint: Message) -> None:
-    """The one in control sets a waypoint, before anybody drives."""
+def set_goal(explorer: Explorer, waypoint: Message) -> None:
+    """Set a waypoint as the controller."""
     explorer.client(CONTROLLER).send(waypoint, to=explorer.component)
 
 
-def place_all(explorer: Explorer) -> None:
-    """One of each kind that the component takes by itself, without a list."""
+def set_all_goals(explorer: Explorer) -> None:
+    """Set one waypoint and loiter of each kind that the component accepts without a list."""
     for each in _taken(explorer, {**_WAYPOINTS, **_LOITERS}):
-        place(explorer, each)
+        set_goal(explorer, each)
 
 
 def stop(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
-    """Nobody drives any more."""
+    """End all driving: Standby, and an empty list."""
     explorer.client(CONTROLLER).send(Standby(), to=explorer.component)
     lists.clear(explorer, CONTROLLER)
     explorer.where = None
@@ -127,12 +127,12 @@ def stop(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
 # --- waypoints ------------------------------------------------------------------------------------------------------
 
 
-def _left_behind(waypoint: Message) -> Prepare:
-    """Set by a client that has gone since."""
+def _set_before_release(waypoint: Message) -> Prepare:
+    """Prepare a waypoint of a client that has released control since."""
 
     def before(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
         explorer.steer("RequestControl", CONTROLLER)
-        place(explorer, waypoint)
+        set_goal(explorer, waypoint)
         explorer.steer("ReleaseControl", CONTROLLER)
         explorer.observe()
 
@@ -140,12 +140,12 @@ def _left_behind(waypoint: Message) -> Prepare:
 
 
 def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *right: Check) -> tuple[Stimulus, ...]:
-    def of_mine(each: Stimulus) -> Stimulus:
+    def with_waypoint(each: Stimulus) -> Stimulus:
         return replace(
             each,
             variant=f"{each.variant} of one that was set",
             truths={"waypointExists": True},
-            before=lambda explorer, _: place(explorer, waypoint),
+            before=lambda explorer, _: set_goal(explorer, waypoint),
             after=stop,
             by_controller=True,
             only_in="Available",
@@ -156,31 +156,34 @@ def _waypoint(waypoint: Message, kind: type[Message], report: type[Message], *ri
     everything, nothing, some = sample_messages.variants(kind, report)
     return (
         everything,
-        of_mine(replace(everything, checks={report.NAME: right})),
-        of_mine(nothing),
-        of_mine(some),
-        replace(everything, variant="of one that was left", before=_left_behind(waypoint), once=True),
+        with_waypoint(replace(everything, checks={report.NAME: right})),
+        with_waypoint(nothing),
+        with_waypoint(some),
+        replace(everything, variant="of one that was left", before=_set_before_release(waypoint), once=True),
     )
 
 
-_HERE: Final = near(0.01, x=FAR, y=FAR)
-_THERE: Final = near(1e-6, latitude=LATITUDE, longitude=LONGITUDE)
+_LOCAL_GOAL: Final = near(0.01, x=FAR, y=FAR)
+_GLOBAL_GOAL: Final = near(1e-6, latitude=LATITUDE, longitude=LONGITUDE)
 WAYPOINTS: Final = (
-    *_waypoint(SetLocalWaypoint(x=FAR, y=FAR), QueryLocalWaypoint, ReportLocalWaypoint, *_HERE),
-    *_waypoint(SetLocalWaypointExt(x=FAR, y=FAR), QueryLocalWaypointExt, ReportLocalWaypointExt, *_HERE),
+    *_waypoint(SetLocalWaypoint(x=FAR, y=FAR), QueryLocalWaypoint, ReportLocalWaypoint, *_LOCAL_GOAL),
+    *_waypoint(SetLocalWaypointExt(x=FAR, y=FAR), QueryLocalWaypointExt, ReportLocalWaypointExt, *_LOCAL_GOAL),
     *_waypoint(
-        SetGlobalWaypoint(latitude=LATITUDE, longitude=LONGITUDE), QueryGlobalWaypoint, ReportGlobalWaypoint, *_THERE
+        SetGlobalWaypoint(latitude=LATITUDE, longitude=LONGITUDE),
+        QueryGlobalWaypoint,
+        ReportGlobalWaypoint,
+        *_GLOBAL_GOAL,
     ),
     *_waypoint(
         SetGlobalWaypointExt(latitude=LATITUDE, longitude=LONGITUDE),
         QueryGlobalWaypointExt,
         ReportGlobalWaypointExt,
-        *_THERE,
+        *_GLOBAL_GOAL,
     ),
 )
 
 
-# --- the way there --------------------------------------------------------------------------------------------------
+# --- travel --------------------------------------------------------------------------------------------------
 
 
 def _travel(command: Callable[[float], Message], query: Message, report: type[Message], field: str) -> Stimulus:
@@ -191,13 +194,13 @@ def _travel(command: Callable[[float], Message], query: Message, report: type[Me
         field,
         SLOW,
         truths={"waypointExists": True, "loiterExists": True},
-        prepare=lambda explorer, _: place_all(explorer),
+        prepare=lambda explorer, _: set_all_goals(explorer),
         cleanup=stop,
     )
 
 
 def _hold(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
-    """A list of one waypoint, when somebody is in control who can set it."""
+    """Set a list of one waypoint, if a client is in control."""
     explorer.client(CONTROLLER).send(lists.upload(element(explorer)), to=explorer.component)
     explorer.observe()
 
@@ -226,7 +229,7 @@ def _execution(make: Callable[..., Message], speed: Callable[[float], Any]) -> t
         )
 
     return (
-        start("from one that is there", lists.UID, exists=True),
+        start("from an existing one", lists.UID, exists=True),
         start("from an unknown one", UNKNOWN_ID, exists=False),
         effect(
             lambda value: make(speed=speed(value)),
@@ -257,14 +260,14 @@ LOITERING: Final = (
 
 # --- velocities -----------------------------------------------------------------------------------------------------
 
-CURRENT, MOST = 0, 1
+CURRENT, MAXIMUM = 0, 1
 """Kinds of velocity commands."""
 
 
 def _velocity(make: Callable[..., Message], query: Callable[..., Message], report: type[Any]) -> tuple[Stimulus, ...]:
     def limit(explorer: Explorer) -> Message:
-        asked = explorer.client(OBSERVER).ask(query(1, MOST), report, to=explorer.component)
-        return make(command_type=MOST, velocity_x=asked.velocity_x)
+        asked = explorer.client(OBSERVER).ask(query(1, MAXIMUM), report, to=explorer.component)
+        return make(command_type=MAXIMUM, velocity_x=asked.velocity_x)
 
     return (
         effect(
@@ -276,7 +279,7 @@ def _velocity(make: Callable[..., Message], query: Callable[..., Message], repor
             truths={"isCurrentVelocityCmd": True, "isCommandValueValid": True},
             variant="for now",
         ),
-        Stimulus(make(command_type=MOST).NAME, limit, "the limit that it has", {"isCurrentVelocityCmd": False}),
+        Stimulus(make(command_type=MAXIMUM).NAME, limit, "the limit that it has", {"isCurrentVelocityCmd": False}),
     )
 
 

@@ -1,4 +1,4 @@
-"""Commands whose effect a report shows: taken they must have it, and ignored they must not."""
+"""Commands whose effect a report shows: accepted commands must have it, ignored commands must not."""
 
 from __future__ import annotations
 
@@ -56,13 +56,13 @@ from jauspy.messages.mobility import (
 from jauspy.messages.ugv import QuerySkidSteerEffort, ReportSkidSteerEffort, SetSkidSteerEffort
 
 SLOW: Final = 0.05
-"""m/s; a step is over before it shows."""
+"""m/s; too slow for a visible motion during a step."""
 Speed = SetTravelSpeedExt.Speed
 BEFORE: Final = "before the command"
 
 
 def over_ground(speed: float) -> Any:
-    """As the wider messages have it."""
+    """The speed as the messages with more fields encode it."""
     return Speed(Speed.Choice.SPEED_OVER_GROUND, speed)
 
 
@@ -79,7 +79,7 @@ def effect(
     cleanup: Prepare = no_preparation,
     of: str = "",
 ) -> Stimulus:
-    """A command that changes one number by a little; afterwards the client takes the change back."""
+    """A command that changes one number slightly; afterwards the client restores it."""
 
     def reported(explorer: Explorer) -> float:
         found = value_of(explorer.client(OBSERVER).ask(query, report, to=explorer.component), field)
@@ -161,4 +161,4 @@ EFFECTS: Final = (
     ),
     effect(lambda x: SetToolOffset(x, 0.0, 0.0), QueryToolOffset(), ReportToolOffset, "tool_point_coordinate_x", 0.1),
 )
-"""So little effort moves no robot."""
+"""Percent; too little to move a robot."""

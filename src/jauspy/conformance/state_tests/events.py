@@ -38,52 +38,52 @@ from jauspy.messages.core import (
 )
 from jauspy.messages.mobility import SetLocalWaypoint, SetTravelSpeed
 
-CREATE, UPDATE, CANCEL, HELD = 1, 2, 3, 9
+CREATE, UPDATE, CANCEL, PREPARED = 1, 2, 3, 9
 """Request ids."""
 UNKNOWN_ID: Final = 251
 PERIODIC, EVERY_CHANGE = CreateEvent.EventType.PERIODIC, CreateEvent.EventType.EVERY_CHANGE
 QUERY: Final = QueryEventTimeout()
-"""Every component that has Events answers it."""
+"""Every component with Events answers this query."""
 A_REPORT: Final = ReportEventTimeout(1)
 PAUSE: Final = 0.3
-"""Timeouts in which no event must come any more."""
+"""Timeouts in which no further event may arrive."""
 FAST: Final = 10.0
-"""Hertz of a stream that is looked at."""
+"""Hertz of the streams that are checked."""
 
 
-def hold_event(explorer: Explorer, role: str) -> None:
-    """The sender has an event."""
-    wanted = CreateEvent(HELD, EVERY_CHANGE, 0.0, QUERY)
-    made = explorer.client(role).ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=explorer.component)
-    explorer.tester.memory["held"] = made.event_id
+def prepare_event(explorer: Explorer, role: str) -> None:
+    """Create an event on every change for the sender."""
+    wanted = CreateEvent(PREPARED, EVERY_CHANGE, 0.0, QUERY)
+    made = explorer.client(role).ask(wanted, ConfirmEventRequest, has(request_id=PREPARED), to=explorer.component)
+    explorer.tester.memory["prepared_event"] = made.event_id
 
 
-def fast_event(explorer: Explorer, role: str) -> None:
-    """The sender has a periodic event, and its first report has come."""
-    wanted = CreateEvent(HELD, PERIODIC, FAST, QUERY)
+def prepare_stream(explorer: Explorer, role: str) -> None:
+    """Create a periodic event for the sender and wait for its first report."""
+    wanted = CreateEvent(PREPARED, PERIODIC, FAST, QUERY)
     client = explorer.client(role)
-    made = client.ask(wanted, ConfirmEventRequest, has(request_id=HELD), to=explorer.component)
-    explorer.tester.memory["held"] = made.event_id
+    made = client.ask(wanted, ConfirmEventRequest, has(request_id=PREPARED), to=explorer.component)
+    explorer.tester.memory["prepared_event"] = made.event_id
     explorer.tester.memory["rate"] = made.confirmed_periodic_rate
     client.expect(Event)
 
 
-def held(explorer: Explorer) -> int:
-    """Its id."""
-    found: int = explorer.tester.recall("held", "there is no event")
+def prepared_event(explorer: Explorer) -> int:
+    """The id of the prepared event."""
+    found: int = explorer.tester.recall("prepared_event", "there is no event")
     return found
 
 
 def drop_events(explorer: Explorer, role: str) -> None:
-    """Cancel what the step made."""
+    """Cancel the events of the step."""
     client = explorer.client(role)
-    for id in {explorer.tester.memory.pop("held", None), *confirmed(explorer, role)} - {None}:
-        client.send(CancelEvent(HELD, id), to=explorer.component)
+    for id in {explorer.tester.memory.pop("prepared_event", None), *confirmed(explorer, role)} - {None}:
+        client.send(CancelEvent(PREPARED, id), to=explorer.component)
     explorer.observe()
 
 
 def confirmed(explorer: Explorer, role: str) -> list[int]:
-    """The events that were reported to this client in this step, in order."""
+    """The ids of the events that were confirmed to this client in this step, in order."""
     return [each.event_id for each in _confirmations(explorer, role)]
 
 
@@ -96,10 +96,10 @@ def _confirmations(explorer: Explorer, role: str) -> list[ConfirmEventRequest]:
 
 
 def _known(then: StimulusResult, id: int, kind: int | None) -> None:
-    """The component tells the client that it has this event, of this kind; or, for None, that it has it no more."""
+    """Check that the component lists this event with this kind; with None, that it does not list it any more."""
     wanted = [] if kind is None else [(id, kind)]
     right = that(
-        "lists the event, as it is" if wanted else "lists the event no more",
+        "lists the event" if wanted else "does not list the event any more",
         lambda report: [(each.event_id, each.event_type) for each in report.event_list] == wanted,
     )
     client = then.explorer.client(then.role)
@@ -111,12 +111,12 @@ def _is_made(then: StimulusResult) -> None:
 
 
 def _is_kept(then: StimulusResult) -> None:
-    _known(then, held(then.explorer), EVERY_CHANGE)
+    _known(then, prepared_event(then.explorer), EVERY_CHANGE)
 
 
 def _is_changed(then: StimulusResult) -> None:
-    """It is another event now, under its old id."""
-    explorer, id = then.explorer, held(then.explorer)
+    """Check that the event was changed and has its old id."""
+    explorer, id = then.explorer, prepared_event(then.explorer)
     confirmation = _confirmations(explorer, then.role)[-1]
     same = confirmation.event_id == id
     explorer.tester.check("the event keeps its id", "" if same else f"{id} has become {confirmation.event_id}")
@@ -125,20 +125,20 @@ def _is_changed(then: StimulusResult) -> None:
 
 
 def _is_gone(then: StimulusResult) -> None:
-    _known(then, held(then.explorer), None)
+    _known(then, prepared_event(then.explorer), None)
     event_streams.check_stopped(
-        then.explorer.client(then.role), held(then.explorer), PAUSE * then.explorer.tester.timeout
+        then.explorer.client(then.role), prepared_event(then.explorer), PAUSE * then.explorer.tester.timeout
     )
 
 
 def _changes_are_reported(then: StimulusResult) -> None:
-    """The authority changes once; that is reported once."""
+    """Check that one change of the authority causes one report."""
     explorer, client = then.explorer, then.explorer.client(then.role)
     if not any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
         return
     id = confirmed(explorer, then.role)[-1]
     explorer.tester.wait(0.1 * explorer.tester.timeout)
-    client.forget(Event)  # the first report of such an event is of what is there already
+    client.forget(Event)  # the first report of such an event has the present value
     lower = explorer.authority - 1
     client.send(SetAuthority(lower), to=explorer.component)
     new = that("carries the new value", lambda event: _carried(event) == ReportAuthority(lower).encode())
@@ -168,7 +168,7 @@ EVENTS: Final = (
         lambda _: CreateEvent(CREATE, EVERY_CHANGE, 0.0, QUERY),
         "one that is there",
         {"isSupported": True, "eventExists": True},
-        before=hold_event,
+        before=prepare_event,
         after=drop_events,
         checks={"ConfirmEventRequest": has(request_id=CREATE)},
     ),
@@ -181,10 +181,10 @@ EVENTS: Final = (
     ),
     Stimulus(
         "UpdateEvent",
-        lambda explorer: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, FAST, held(explorer), QUERY),
+        lambda explorer: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, FAST, prepared_event(explorer), QUERY),
         "one that is there",
         {"isSupported": True, "eventExists": True},
-        before=hold_event,
+        before=prepare_event,
         after=drop_events,
         checks={"ConfirmEventRequest": has(request_id=UPDATE)},
         verify=_is_changed,
@@ -198,20 +198,22 @@ EVENTS: Final = (
     ),
     Stimulus(
         "UpdateEvent",
-        lambda explorer: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, held(explorer), A_REPORT),
+        lambda explorer: UpdateEvent(
+            UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, prepared_event(explorer), A_REPORT
+        ),
         "to a report instead of a query",
         {"isSupported": False, "eventExists": True},
-        before=hold_event,
+        before=prepare_event,
         after=drop_events,
         checks={"RejectEventRequest": has(request_id=UPDATE)},
         verify=_is_kept,
     ),
     Stimulus(
         "CancelEvent",
-        lambda explorer: CancelEvent(CANCEL, held(explorer)),
+        lambda explorer: CancelEvent(CANCEL, prepared_event(explorer)),
         "one that is there",
         {"eventExists": True},
-        before=fast_event,
+        before=prepare_stream,
         after=drop_events,
         checks={"ConfirmEventRequest": has(request_id=CANCEL)},
         verify=_is_gone,
@@ -249,12 +251,12 @@ EVENTS: Final = (
 def _stream_is_right(then: StimulusResult) -> None:
     explorer = then.explorer
     event_streams.check_stream(
-        explorer.client(then.role), held(explorer), explorer.tester.memory["rate"], ReportEventTimeout
+        explorer.client(then.role), prepared_event(explorer), explorer.tester.memory["rate"], ReportEventTimeout
     )
 
 
 def event_time(explorer: Explorer) -> float:
-    """Seconds until an event ends."""
+    """Seconds until an event expires."""
     report = explorer.client(OBSERVER).ask(QueryEventTimeout(), ReportEventTimeout, to=explorer.component)
     minutes = int(report.timeout)
     if not 0 < minutes * 60 <= MAX_TIMER_WAIT:
@@ -266,7 +268,7 @@ NOT_RENEWED: Final = Stimulus(
     "Timeout",
     None,
     "an event is not renewed",
-    before=hold_event,
+    before=prepare_event,
     after=drop_events,
     seconds=event_time,
     earliest=MIN_TIMER_FRACTION,
@@ -277,7 +279,7 @@ DUE: Final = Stimulus(
     None,
     "an event is due",
     {"eventExists": True},
-    before=fast_event,
+    before=prepare_stream,
     after=drop_events,
     verify=_stream_is_right,
     seconds=lambda _: 1.0,
@@ -288,39 +290,41 @@ DURATION: Final = 1
 """Seconds that a command may take."""
 WAYPOINTS: Final = "urn:jaus:jss:mobility:LocalWaypointDriver"
 FAR: Final = 1000.0
-"""m; of a waypoint that nobody drives to: the speed is zero."""
-LASTING: Final = SetTravelSpeed(0.0)
-"""The way to a waypoint, at no speed: carried out when the waypoint is reached."""
-AT_ONCE: Final = 0.1
-"""Timeouts in which a command ends that takes no time."""
+"""m; of a waypoint that is not driven to, because the speed is zero."""
+ENDLESS_COMMAND: Final = SetTravelSpeed(0.0)
+"""A command to drive to a waypoint at speed 0, so it does not end by itself."""
+IMMEDIATE_TIME: Final = 0.1
+"""Timeouts within which an immediate command ends."""
 Result = CommandEvent.CommandResult
 
 
-def start_lasting(explorer: Explorer, role: str) -> None:
-    """A command with an event is under way, and will not end by itself."""
+def start_endless_command(explorer: Explorer, role: str) -> None:
+    """Start a command with a command event that does not end by itself."""
     if WAYPOINTS not in explorer.services:
-        raise Skipped("no command is known that takes its time on a component without LocalWaypointDriver")
+        raise Skipped("no endless command is known for a component without LocalWaypointDriver")
     client = explorer.client(role)
     client.send(SetLocalWaypoint(x=FAR, y=FAR), to=explorer.component)
     try:
-        event = client.ask(CreateCommandEvent(HELD, DURATION, LASTING), ConfirmEventRequest, to=explorer.component)
+        event = client.ask(
+            CreateCommandEvent(PREPARED, DURATION, ENDLESS_COMMAND), ConfirmEventRequest, to=explorer.component
+        )
     except StepOutcome as outcome:
-        raise Skipped(f"the way to a waypoint has no command event: {outcome}") from outcome
-    explorer.tester.memory["held"] = event.event_id
-    explorer.tester.wait(AT_ONCE * explorer.tester.timeout)
+        raise Skipped(f"the component makes no command event for a waypoint: {outcome}") from outcome
+    explorer.tester.memory["prepared_event"] = event.event_id
+    explorer.tester.wait(IMMEDIATE_TIME * explorer.tester.timeout)
     if any(each.code == CommandEvent.CODE for each in client.pending):
-        raise Skipped("the component says at once that it has carried out the way to a waypoint: no command lasts")
+        raise Skipped("the component reports at once that it has reached the waypoint, so no endless command is known")
 
 
-def end_lasting(explorer: Explorer, role: str) -> None:
-    """Nobody drives to the waypoint any more."""
+def stop_endless_command(explorer: Explorer, role: str) -> None:
+    """Cancel the command event and stop driving."""
     drop_events(explorer, role)
     explorer.client(role).send(Standby(), to=explorer.component)
     explorer.where = None
 
 
 def _end_is_reported(then: StimulusResult) -> None:
-    """A command event that was confirmed ends in time, one way or the other, and that is reported to its client."""
+    """Check that the end of a confirmed command event is reported to its client in time."""
     if any(output.message == "ConfirmEventRequest" for output in then.outcome.outputs):
         events = confirmed(then.explorer, then.role)
         within = 1.0 + DURATION / then.explorer.tester.timeout
@@ -333,7 +337,7 @@ def _end_is_reported(then: StimulusResult) -> None:
 
 def _is_the_same(then: StimulusResult) -> None:
     explorer = then.explorer
-    before, after = held(explorer), confirmed(explorer, then.role)[-1]
+    before, after = prepared_event(explorer), confirmed(explorer, then.role)[-1]
     explorer.tester.check("the event keeps its id", "" if before == after else f"{before} has become {after}")
 
 
@@ -366,11 +370,11 @@ COMMANDS: Final = (
     ),
     Stimulus(
         "CreateCommandEvent",
-        lambda _: CreateCommandEvent(CREATE, DURATION, LASTING),
+        lambda _: CreateCommandEvent(CREATE, DURATION, ENDLESS_COMMAND),
         "one that is there",
         {"isCommandSupported": True, "eventExists": True},
-        before=start_lasting,
-        after=end_lasting,
+        before=start_endless_command,
+        after=stop_endless_command,
         checks={"ConfirmEventRequest": has(request_id=CREATE)},
         verify=_is_the_same,
         by_controller=True,
@@ -382,8 +386,8 @@ EXPIRED: Final = Stimulus(
     "CommandExpired",
     None,
     "a command does not end",
-    before=start_lasting,
-    after=end_lasting,
+    before=start_endless_command,
+    after=stop_endless_command,
     checks={"CommandEvent": has(command_result=Result.UNSUCCESSFUL)},
     by_controller=True,
     only_in="Ready",

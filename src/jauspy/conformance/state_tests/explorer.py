@@ -1,4 +1,4 @@
-"""Brings a component from state to state, and observes where it is; the stimuli that are sent there."""
+"""Brings a component from state to state and observes its state; the stimuli that are sent in each state."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ from jauspy.schema import behavior
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
 MIN_AUTHORITY: Final = 200
-"""Authority of the controller, when the default authority of the component is less."""
+"""Authority of the controller, if the default authority of the component is lower."""
 STATUS: Final[Mapping[str, ReportStatus.Status]] = {
     "Init": ReportStatus.Status.INITIALIZE,
     "Ready": ReportStatus.Status.READY,
@@ -47,7 +47,7 @@ STATUS: Final[Mapping[str, ReportStatus.Status]] = {
     "Failure": ReportStatus.Status.FAILURE,
     "Emergency": ReportStatus.Status.EMERGENCY,
 }
-"""What Management reports in a state, by the state's name (AS5710)."""
+"""Status that Management reports, by the name of the state (AS5710)."""
 MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
 
 STEERING_INPUTS: Final[tuple[tuple[str, str], ...]] = (
@@ -65,7 +65,7 @@ STEERING_INPUTS: Final[tuple[tuple[str, str], ...]] = (
 
 @dataclass(frozen=True, slots=True)
 class ObservedState:
-    """What the component says of itself; None where it has no service that tells."""
+    """Status and controller as the component reports them; None without a service that reports them."""
 
     status: ReportStatus.Status | int | None
     controller: JausID | None
@@ -84,10 +84,10 @@ class Explorer:
         self.start = start
         self.services = services
         self._measured = False
-        self._start_missed = False
-        self._lost: set[Situation] = set()
+        self._start_failed = False
+        self._unreachable_situations: set[Situation] = set()
         self.where: Situation | None = None
-        """Where the last step has left it."""
+        """The situation after the last step, if it is known."""
         self.default_authority = 0
         self.timeout = 0
         """Seconds after which control ends; 0: never."""
@@ -102,8 +102,8 @@ class Explorer:
         return self.tester.client(CLIENTS[role])
 
     def reach(self, goal: Situation, path: tuple[tuple[str, str], ...]) -> None:
-        """Be in this situation, by steering along `path` from the start; the step is skipped when that fails."""
-        self._be_at_start()
+        """Bring the component to a situation, along `path` from the start. Skips the step if that fails."""
+        self._reach_start()
         try:
             self._measure()
             where, self.where = self.where, None
@@ -114,47 +114,47 @@ class Explorer:
                 self.steer("RequestControl", CONTROLLER)
         except StepOutcome as outcome:
             if not path:
-                raise  # where the component begins it must at least say where it is
+                raise  # in its first state the component must at least report its state
             first = Silent if isinstance(outcome, Silent) else Failed
-            raise self._out_of_reach(goal, str(outcome), first) from outcome
+            raise self._unreachable(goal, str(outcome), first) from outcome
         if not self.agrees(seen, goal):
-            raise self._out_of_reach(goal, f"it reports {seen}")
-        self.quiet()
+            raise self._unreachable(goal, f"it reports {seen}")
+        self.discard_received()
 
-    def _be_at_start(self) -> None:
-        """Before the first step; as long as that fails nothing can be reached, which is one failure and no more."""
+    def _reach_start(self) -> None:
+        """Bring the component to the start before the first step. If that fails, the other steps are skipped."""
         if self._measured or ACCESS_CONTROL not in self.services:
             return
-        again, self._start_missed = self._start_missed, True
+        again, self._start_failed = self._start_failed, True
         try:
-            seen = self._go_home()
+            seen = self._return_to_start()
         except StepOutcome as outcome:
             raise Skipped(str(outcome)) if again else outcome from None
-        self._start_missed = not self.agrees(seen, self.start)
-        if self._start_missed:
-            raise (Skipped if again else Failed)(self._away(seen))
+        self._start_failed = not self.agrees(seen, self.start)
+        if self._start_failed:
+            raise (Skipped if again else Failed)(self._not_at_start(seen))
 
-    def _away(self, seen: ObservedState) -> str:
+    def _not_at_start(self, seen: ObservedState) -> str:
         if seen.status == STATUS["Shutdown"]:
-            return f"{self.component} is shut down, and nothing leads out of that: start it again before a test"
+            return f"{self.component} is shut down, which it cannot leave: restart it before a test"
         return f"{self.component} reports {seen}, and a test begins in {self.start}"
 
-    def _out_of_reach(self, goal: Situation, why: str, first: type[StepOutcome] = Failed) -> StepOutcome:
-        """Every situation can be reached, so the first step that wants it fails, and the others have their reason."""
-        kind = Skipped if goal in self._lost else first
-        self._lost.add(goal)
+    def _unreachable(self, goal: Situation, why: str, first: type[StepOutcome] = Failed) -> StepOutcome:
+        """The outcome if a situation cannot be reached: the first step that needs it fails, the others are skipped."""
+        kind = Skipped if goal in self._unreachable_situations else first
+        self._unreachable_situations.add(goal)
         return kind(f"the component cannot be brought to {goal}: {why}")
 
     def _travel(self, path: tuple[tuple[str, str], ...]) -> ObservedState:
-        seen = self._go_home()
+        seen = self._return_to_start()
         if self.agrees(seen, self.start):
             for message, role in path:
                 self.steer(message, role)
             return self.observe()
-        return seen  # some states are never left, and may be the goal
+        return seen  # some states cannot be left, and may be the goal
 
     def steer(self, message: str, role: str) -> None:
-        """One input on the way."""
+        """Send one steering input."""
         made = self.steering(message)
         client = self.client(role)
         if isinstance(made, RequestControl):
@@ -178,7 +178,7 @@ class Explorer:
         return made[message]
 
     def observe(self) -> ObservedState:
-        """Ask the component where it is; what it was told before, it has heard when it answers."""
+        """Query the state of the component; its answer also shows that it has handled all earlier messages."""
         with self.tester.unreported():
             return self._ask()
 
@@ -197,7 +197,7 @@ class Explorer:
         return ObservedState(status, controller)
 
     def agrees(self, seen: ObservedState, situation: Situation) -> bool:
-        """True when what the component says fits a situation; initialization may be over at once."""
+        """True if the reported state fits a situation; initialization may have ended already."""
         wanted = status_of(situation)
         client = JausID.parse(CLIENTS[situation.controller]) if situation.controller else None
         fits = seen.status in (wanted, STATUS["Standby"]) if wanted == STATUS["Init"] else seen.status == wanted
@@ -214,16 +214,16 @@ class Explorer:
             seen = self.observe()
         return seen
 
-    def quiet(self) -> None:
-        """What has come so far belongs to the way here."""
+    def discard_received(self) -> None:
+        """Discard pending messages and checks, which belong to earlier inputs."""
         for role in CLIENTS:
             self.client(role).pending.clear()
         self.tester.why.clear()
         self.tester.checks.clear()
         self.tester.expected.clear()
 
-    def _go_home(self) -> ObservedState:
-        """Undo everything that the tester may have done."""
+    def _return_to_start(self) -> ObservedState:
+        """Clear emergencies and release control, to return to the start."""
         if MANAGEMENT in self.services:
             for role in CLIENTS:
                 self.client(role).send(ClearEmergency(STOP), to=self.component)
@@ -233,7 +233,7 @@ class Explorer:
         return self.settle(self.start)
 
     def _measure(self) -> None:
-        """Once, before anybody is in control: what only the component knows."""
+        """Query default authority and timeout of the component, once, before a client takes control."""
         if self._measured or ACCESS_CONTROL not in self.services:
             return
         observer = self.client(OBSERVER)
@@ -252,80 +252,80 @@ def explorer_of(subject: ComponentUnderTest, tester: Tester) -> Explorer:
 
 
 def status_of(situation: Situation) -> ReportStatus.Status | None:
-    """What Management reports: the innermost state that it names, below `Receiving.Ready`, which everything has."""
+    """The status that Management reports: the innermost state with a status, below `Receiving.Ready`."""
     return next((STATUS[name] for name in reversed(situation.state[2:]) if name in STATUS), None)
 
 
 Make: TypeAlias = Callable[[Explorer], Message]
 Prepare: TypeAlias = Callable[[Explorer, str], None]
-"""Takes the role of the sender, too."""
+"""The second parameter is the role of the sender."""
 
 SENDER_PREDICATES: Final = frozenset({"isControllingClient"})
 EMERGENCY_PREDICATES: Final = frozenset({"isIDStored"})
-"""Predicates about who sends."""
+"""Predicates about the sender."""
 
 
 MAX_TIMER_WAIT: Final = 70.0
 """Seconds that a step may wait for a timer of the component: the default of events is a minute."""
 MIN_TIMER_FRACTION: Final = 0.8
-"""Of a timer: the part of its time that must have passed."""
+"""Part of a timer's time that must have passed."""
 
 
 def no_preparation(explorer: Explorer, role: str) -> None:
-    """The usual preparation."""
+    """The default preparation."""
 
 
 @dataclass(frozen=True, slots=True)
 class StimulusResult:
-    """What is known when an input has been answered: who sent it, where that was, and the outcome that fits."""
+    """The result of an input: its sender, the situation before, and the outcome that fits."""
 
     explorer: Explorer
     role: str
     before: Situation
     outcome: Prediction
     took: Callable[[str], None]
-    """To be called when the input has brought about an internal event as well, by its name."""
+    """To be called with the name of an internal event that the input has also caused."""
 
 
 @dataclass(frozen=True, slots=True)
 class Stimulus:
-    """One kind of input. `message` is its name in the JSIDL, `make` None for an event that comes by itself."""
+    """One kind of input. `message` is its name in the JSIDL; `make` is None for an internal event."""
 
     message: str
     make: Make | None
     variant: str = ""
     truths: Mapping[str, TruthValue] = field(default_factory=dict)
-    """What is known of predicates, by name."""
+    """Known values of predicates, by name."""
     before: Prepare = no_preparation
     after: Prepare = no_preparation
     checks: Mapping[str, tuple[Check, ...]] = field(default_factory=dict)
-    """What to look at in outputs, by message name."""
+    """Checks of the outputs, by message name."""
     verify: Callable[[StimulusResult], None] | None = None
-    """Looks at the effect."""
+    """Checks the effect."""
     by_controller: bool = False
-    """Can only be prepared by the client in control."""
+    """True if only the client in control can prepare it."""
     only_in: str = ""
-    """The name of the state, below Receiving.Ready, in which alone it shows anything."""
+    """The only state, below Receiving.Ready, in which it has a visible effect."""
     moves: bool = False
-    """Something may move in Ready, whatever the message says."""
+    """True if it may cause motion in Ready, whatever its values."""
     of: str = ""
-    """How the URN of the service begins that is meant, when messages of others have the same name."""
+    """Beginning of the service's URN, if other services have messages of the same name."""
     also: tuple[str, ...] = ()
-    """Internal events that it may bring about as well."""
+    """Internal events that it may also cause."""
     seconds: Callable[[Explorer], float] | None = None
-    """How long to wait: for an event that comes by itself, or an answer that takes its time."""
+    """Seconds to wait for an internal event or a slow answer."""
     earliest: float = 0.0
-    """The part of that time before which it must not come."""
+    """Part of that time within which no answer may arrive."""
     once: bool = False
-    """Tried in the first state alone: the others would show nothing more."""
+    """True if it is tested in the first state only."""
 
     def fits(self, situation: Situation) -> bool:
-        """True where it can be prepared and shows something."""
+        """True if it can be prepared in this situation and has a visible effect."""
         controlled = situation.controller is not None or not self.by_controller
         return controlled and (not self.only_in or self.only_in in situation.state[2:])
 
     def judge(self, role: str) -> Decide:
-        """Decides predicates for this input from this sender."""
+        """Return the function that decides predicates for this input from this sender."""
 
         def decide(call: behavior.Call, situation: Situation) -> TruthValue:
             name = call.name.rpartition(".")[2]

@@ -29,11 +29,11 @@ from jauspy.messages.core import (
 
 LIST_MANAGER: Final = "urn:jaus:jss:core:ListManager"
 UID: Final = 7
-"""Of the element that the test keeps in the list."""
+"""UID of the element that the test sets."""
 ALL: Final = 65535
-"""Deletes the whole list (AS5710)."""
+"""UID that deletes the whole list (AS5710)."""
 UNKNOWN: Final = bytes.fromhex("ffee")
-"""A message that no list takes: nobody has defined it."""
+"""A message that no service defines, so no list accepts it."""
 CANDIDATES: Final = (
     "SetLocalWaypoint",
     "SetGlobalWaypoint",
@@ -43,22 +43,22 @@ CANDIDATES: Final = (
     "SetEndEffectorPose",
     "Standby",
 )
-"""Commands that lists are made of; which ones a component takes only it knows."""
+"""Commands that elements may contain; the test tries which ones the component accepts."""
 COUNT: Final = "elements before"
 
 
 WAYPOINT_LIST: Final = "WaypointListDriver"
-"""How the URNs end of the drivers whose lists must take a waypoint, whatever it says."""
+"""Ends of the URNs of drivers whose lists must accept any waypoint."""
 
 
 def upload(content: Message | bytes, uid: int = UID, previous: int = 0) -> SetElement:
-    """One element, alone or behind another one."""
+    """A command that sets one element, alone or after another one."""
     data = ElementRec.ElementData(0, content)
     return SetElement(SetElement.RequestIDRec(CREATE), [ElementRec(uid, previous, 0, data)])
 
 
 def delete(uid: int) -> DeleteElement:
-    """Without one element, or without all."""
+    """A command that deletes one element, or all."""
     return DeleteElement(DeleteElement.RequestIDRec(CREATE), [DeleteElement.DeleteElementRec(uid)])
 
 
@@ -67,13 +67,13 @@ def _content_of(explorer: Explorer) -> str:
 
 
 def content(explorer: Explorer) -> Message:
-    """What this component's list takes, once that is known."""
+    """A command that this component's list accepts, once it is known."""
     found: Message = explorer.tester.memory.get(_content_of(explorer), Standby())
     return found
 
 
 def clear(explorer: Explorer, role: str) -> None:
-    """An empty list, as far as the sender may do that."""
+    """Delete the list, if the sender is in control."""
     if role == CONTROLLER:
         for uid in (UID, ALL):
             explorer.client(role).send(delete(uid), to=explorer.component)
@@ -81,11 +81,11 @@ def clear(explorer: Explorer, role: str) -> None:
 
 
 def find(explorer: Explorer, role: str) -> None:
-    """An empty list, and content that it takes; those who are not in control send anything."""
+    """Delete the list, and find a command that it accepts if the sender is in control."""
     clear(explorer, role)
     if role == CONTROLLER and _content_of(explorer) not in explorer.tester.memory:
-        taken = (each for each in map(_harmless, CANDIDATES) if _is_taken(explorer, each))
-        found = next(taken, None)
+        accepted = (each for each in map(_harmless, CANDIDATES) if _is_accepted(explorer, each))
+        found = next(accepted, None)
         if found is None:
             must = any(each.endswith(WAYPOINT_LIST) for each in explorer.services)
             raise (Failed if must else Skipped)(f"the list takes none of {', '.join(CANDIDATES)}")
@@ -98,7 +98,7 @@ def _harmless(name: str) -> Message:
     return neutral(registry.by_name(name))
 
 
-def _is_taken(explorer: Explorer, candidate: Message) -> bool:
+def _is_accepted(explorer: Explorer, candidate: Message) -> bool:
     client, answers = explorer.client(CONTROLLER), (ConfirmElementRequest.CODE, RejectElementRequest.CODE)
     client.pending.clear()
     client.send(upload(candidate), to=explorer.component)
@@ -108,14 +108,14 @@ def _is_taken(explorer: Explorer, candidate: Message) -> bool:
 
 
 def hold(explorer: Explorer, role: str) -> None:
-    """The list has one element."""
+    """Set a list of one element."""
     find(explorer, role)
     client = explorer.client(role)
     client.ask(upload(content(explorer)), ConfirmElementRequest, has(request_id=CREATE), to=explorer.component)
 
 
-def _left_behind(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
-    """By a client that has gone since; whether it stays, the component decides."""
+def _set_before_release(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
+    """Set a list as a client that then releases control; the component may keep or delete it."""
     explorer.steer("RequestControl", CONTROLLER)
     hold(explorer, CONTROLLER)
     explorer.steer("ReleaseControl", CONTROLLER)
@@ -135,13 +135,13 @@ def _count(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     explorer.tester.memory[COUNT] = report.element_count
 
 
-def _leaves(*uids: int) -> Callable[[StimulusResult], None]:
-    """What the list holds when the one in control has sent this; others change nothing."""
+def _check_elements(*uids: int) -> Callable[[StimulusResult], None]:
+    """Check that the list contains these elements if the controller sent the command, and is unchanged otherwise."""
 
     def verify(then: StimulusResult) -> None:
         explorer = then.explorer
-        observer, mine = explorer.client(OBSERVER), then.role == CONTROLLER
-        if not mine:
+        observer, is_controller = explorer.client(OBSERVER), then.role == CONTROLLER
+        if not is_controller:
             unchanged = has(element_count=explorer.tester.memory[COUNT])
             observer.ask(QueryElementCount(), ReportElementCount, unchanged, to=explorer.component)
         else:
@@ -163,7 +163,7 @@ LISTS: Final = (
         before=find,
         after=clear,
         checks=_CONFIRMED,
-        verify=_leaves(UID),
+        verify=_check_elements(UID),
     ),
     Stimulus(
         "SetElement",
@@ -172,7 +172,7 @@ LISTS: Final = (
         {"isValidElementRequest": False},
         before=find,
         checks=_REJECTED,
-        verify=_leaves(),
+        verify=_check_elements(),
     ),
     Stimulus(
         "SetElement",
@@ -181,7 +181,7 @@ LISTS: Final = (
         {"isValidElementRequest": True, "isElementSupported": False},
         before=find,
         checks=_REJECTED,
-        verify=_leaves(),
+        verify=_check_elements(),
     ),
     Stimulus(
         "DeleteElement",
@@ -191,7 +191,7 @@ LISTS: Final = (
         before=hold,
         after=clear,
         checks=_CONFIRMED,
-        verify=_leaves(),
+        verify=_check_elements(),
         by_controller=True,
     ),
     Stimulus(
@@ -212,7 +212,12 @@ LISTS: Final = (
         by_controller=True,
     ),
     Stimulus(
-        "QueryElement", lambda _: QueryElement(UID), "one that was left", before=_left_behind, after=_removed, once=True
+        "QueryElement",
+        lambda _: QueryElement(UID),
+        "one that was left",
+        before=_set_before_release,
+        after=_removed,
+        once=True,
     ),
     Stimulus("QueryElement", lambda _: QueryElement(UNKNOWN_ID), "an unknown one", {"elementExists": False}),
 )

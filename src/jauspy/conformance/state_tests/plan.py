@@ -1,4 +1,4 @@
-"""Every step for the services that a target offers: each reachable state, each input, each sender that matters."""
+"""Generates the steps for the services that a target offers: each reachable state, input and distinguished sender."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def untried(
     steps: Iterable[Step],
     situations: Collection[Situation],
 ) -> Iterator[Step]:
-    """A step for each trigger and state; `services` are those whose transitions are of interest."""
+    """A skipped step for each trigger and state of the transitions of `services` that no step takes."""
     tried = {name for step in steps for name in step.transitions}
     left = [
         rule
@@ -76,10 +76,10 @@ def _reason(machine: BehaviourModel, rule: MergedTransition, situations: Collect
     if not inside:
         return f"no input leads to {rule.node}"
     if not any(rule.name == each.rule for here in inside for each in _outcomes(machine, here, rule.trigger)):
-        return f"{rule.trigger} never gets that far: an inner state takes it first"
+        return f"{rule.trigger} never reaches this transition: an inner state handles it first"
     if rule.is_input:
         return f"no {rule.trigger} is known of which this holds: {rule.transition.guard}"
-    return f"{rule.trigger} comes from inside of the component, and cannot be brought about there from outside"
+    return f"{rule.trigger} is raised by the component itself and cannot be caused there from outside"
 
 
 def _outcomes(machine: BehaviourModel, situation: Situation, trigger: str) -> Iterable[Prediction]:
@@ -87,7 +87,7 @@ def _outcomes(machine: BehaviourModel, situation: Situation, trigger: str) -> It
 
 
 def skip(reason: str) -> Callable[[Tester], None]:
-    """An action that is not tried."""
+    """An action that skips its step."""
 
     def action(tester: Tester) -> None:  # noqa: ARG001 - nothing is tried
         raise Skipped(reason)
@@ -105,11 +105,11 @@ _STEERED: Final = {
 
 @dataclass(frozen=True)
 class Routes:
-    """By the inputs of `STEERING_INPUTS` alone."""
+    """Paths through the state machine by `STEERING_INPUTS`."""
 
     machine: BehaviourModel
 
-    def ways(self) -> dict[Situation, Path]:
+    def paths(self) -> dict[Situation, Path]:
         """One situation for each state that can be reached, and the inputs that lead there."""
         machine = self.machine
         found: dict[Situation, Path] = {machine.start: ()}
@@ -125,7 +125,7 @@ class Routes:
         return found
 
     def moves(self, situation: Situation) -> Iterator[tuple[Situation, tuple[str, str]]]:
-        """Where single inputs lead, and which; those whose outcome is not known are left out."""
+        """The situations after single inputs, with the inputs; inputs with several possible outcomes are omitted."""
         for message, role in STEERING_INPUTS:
             stimulus = _STEERED.get(message) or Stimulus(message, None)
             (first, *others) = self.machine.predict(situation, message, role, stimulus.judge(role))
@@ -134,13 +134,13 @@ class Routes:
                 yield after, (message, role)
 
     def _settled(self, situation: Situation) -> Situation:
-        """Initialization is over by itself."""
+        """The situation after initialization has ended."""
         done = Stimulus("Initialized", None)
         (first, *_) = self.machine.predict(situation, done.message, "", done.judge(""))
         return first.after
 
     def returns(self, situation: Situation) -> bool:
-        """True when inputs lead from there to the start."""
+        """True if inputs lead from the situation to the start."""
         seen, waiting = {situation}, [situation]
         while waiting:
             here = waiting.pop()
@@ -154,7 +154,7 @@ class Routes:
 
 
 def _one(message: Message, variant: str = "", **fields: object) -> Stimulus:
-    """A message with fields that matter; `fields` are what its report must say."""
+    """A message with the given fields; `fields` are checked in its report."""
     checks = {message.NAME.replace("Query", "Report", 1): has(**fields)} if fields else {}
     return Stimulus(message.NAME, lambda _: message, variant, checks=checks)
 
@@ -177,10 +177,10 @@ STIMULI: Final[tuple[Stimulus, ...]] = (
     *(_one(QueryConfiguration(level), f"level {level}") for level in (2, 3)),
     _one(ALL_SERVICES, "everything"),
 )
-"""Of all other inputs the neutral message is sent; queries with presence vectors ask for all and for none."""
+"""Inputs with specific content. Other inputs are sent as neutral messages, queries with all and no presence bits."""
 
 INTERNAL_EVENTS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
-"""Internal events that can be brought about from outside."""
+"""Internal events that can be caused from outside."""
 
 
 STANDARD: Final = "urn:jaus:jss:"
@@ -190,7 +190,7 @@ ROLE_NOTE: Final = (
     f"{CLIENTS[OBSERVER]}, which only sends queries"
 )
 PREFIX: Final = ("Receiving", "Ready")
-"""What every state is inside of; left out of names."""
+"""States that contain all others; omitted in names."""
 
 
 def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
@@ -225,37 +225,37 @@ def _services(set_name: str, version: str) -> frozenset[ServiceKey]:
 
 @dataclass(frozen=True)
 class Planner:
-    """Steps for one component; `services` are the ones whose inputs are tried."""
+    """Steps for one component; `services` are those whose inputs are tested."""
 
     subject: ComponentUnderTest
     services: frozenset[ServiceKey]
 
     def steps(self) -> list[Step]:
-        """States that can be left again come first; what ends the component comes last."""
+        """All steps: states that can be left come first, steps that end the component last."""
         routes = Routes(self.subject.machine)
-        ways = routes.ways()
-        ends = {situation for situation in ways if not routes.returns(situation)}
-        lasting = [each for each in ways if each not in ends]
-        tests = [test for situation in lasting for test in self._trials(situation, ways[situation])]
+        paths = routes.paths()
+        ends = {situation for situation in paths if not routes.returns(situation)}
+        lasting = [each for each in paths if each not in ends]
+        tests = [test for situation in lasting for test in self._state_tests(situation, paths[situation])]
         fatal = [test for test in tests if any(each.after in ends for each in test.predictions)]
         steps = [_step(test) for test in tests if test not in fatal]
         steps += [_skipped(_step(test), _step(fatal[-1])) for test in fatal[:-1]]
         steps += [_step(test) for test in fatal[-1:]]
         if fatal:
-            steps += [_step(test) for end in sorted(ends, key=str) for test in self._trials(end, ways[end])]
-        return [*steps, *untried(self.subject, self.services, steps, ways)]
+            steps += [_step(test) for end in sorted(ends, key=str) for test in self._state_tests(end, paths[end])]
+        return [*steps, *untried(self.subject, self.services, steps, paths)]
 
-    def _trials(self, situation: Situation, path: Path) -> Iterator[StateTest]:
+    def _state_tests(self, situation: Situation, path: Path) -> Iterator[StateTest]:
         for stimulus in (*self._stimuli(), *self._spontaneous()):
             if stimulus.fits(situation) and (not stimulus.once or situation == self.subject.machine.start):
                 for role in self._roles(stimulus, situation):
                     yield StateTest(self.subject, situation, path, stimulus, role)
 
     def _stimuli(self) -> Iterator[Stimulus]:
-        """Each input of the services, in all variants that matter."""
-        mine = [each for each in self.subject.definitions if each.key in self.services]
-        names = [message.name for definition in mine for message in definition.inputs]
-        names += [rule.trigger for rule in self.subject.machine.rules if rule.is_input and rule.owner in mine]
+        """Each input of the services, in all its variants."""
+        definitions = [each for each in self.subject.definitions if each.key in self.services]
+        names = [message.name for definition in definitions for message in definition.inputs]
+        names += [rule.trigger for rule in self.subject.machine.rules if rule.is_input and rule.owner in definitions]
         for name in dict.fromkeys(names):
             yield from self._variants(name)
 
@@ -269,12 +269,12 @@ class Planner:
         return sample_messages.variants(kind, self.subject.kind(name.replace("Query", "Report", 1)))
 
     def _spontaneous(self) -> Iterator[Stimulus]:
-        """Internal events of these services that can be brought about."""
+        """Internal events of these services that can be caused from outside."""
         awaited = {rule.trigger for rule in self.subject.machine.rules if rule.owner.key in self.services}
         yield from (each for each in INTERNAL_EVENTS if each.message in awaited)
 
     def _roles(self, stimulus: Stimulus, situation: Situation) -> tuple[str, ...]:
-        """The senders that the guards distinguish."""
+        """The roles of senders that the guards distinguish."""
         if stimulus.by_controller:
             return (CONTROLLER,)
         if stimulus.make is None:
@@ -301,7 +301,7 @@ def _step(test: StateTest) -> Step:
 
 
 def _moves(test: StateTest) -> bool:
-    """A command in Ready may make something move, however harmless it is; those of the core services do not."""
+    """True if the step may cause motion: in Ready, by any command that is not of a core service."""
     if not set(test.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
         return False
     if test.stimulus.moves or test.stimulus.make is None:
@@ -311,7 +311,7 @@ def _moves(test: StateTest) -> bool:
 
 
 def _skipped(step: Step, instead: Step) -> Step:
-    return replace(step, run=skip(f"it would end the component; {instead.id} is tried, at the end"))
+    return replace(step, run=skip(f"it would end the component; {instead.id} is run, at the end"))
 
 
 CORE: Final = profile_of("core-1.1", "core services 1.1: every transition; shuts the target down", "core", "1.1")

@@ -1,4 +1,4 @@
-"""The most harmless message of a kind: zero where zero is allowed, nothing where nothing is."""
+"""Neutral messages: zeros where they are allowed, and no optional parts; variants of queries by presence vector."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from jauspy.conformance.tester import OBSERVER
 PRESENCE: Final = "presence_vector"
 
 
-def neutral(kind: type[Message], *, asks_for: int = 0) -> Message:
-    """The message; what queries call a presence vector is `asks_for`, cut to its size."""
+def neutral(kind: type[Message], *, presence_bits: int = 0) -> Message:
+    """The neutral message; presence vectors of queries get the value `presence_bits`, cut to their size."""
     out = bytearray(kind.CODE.to_bytes(2, "little"))
     _write(kind.layout(), out)
     message = kind.decode(bytes(out))
     for name, size in presence_fields(kind).items():
-        setattr(message, name, asks_for & limits(size)[1])
+        setattr(message, name, presence_bits & limits(size)[1])
     return message
 
 
@@ -39,7 +39,7 @@ def presence_fields(kind: type[Message]) -> dict[str, str]:
 
 
 def _write(item: Item, out: bytearray) -> None:
-    """Append the harmless value of an item."""
+    """Append the neutral value of an item."""
     _WRITERS[type(item)](item, out)
 
 
@@ -126,7 +126,7 @@ def _packed(code: str, value: float) -> bytes:
 
 
 def _nearest_zero(values: Values, low: int, high: int) -> int:
-    """Zero, or the allowed value that is nearest to it."""
+    """Zero, or the allowed value nearest to it."""
     options = [int(member) for member in values.enum or ()]
     for lower, upper in values.intervals:
         options.append(max(math.ceil(lower), min(0, math.floor(upper))))
@@ -141,15 +141,15 @@ def _float(values: Values) -> float:
 EVERYTHING: Final = -1
 
 Bit = tuple[str, int]
-"""A vector of a query, and the number of a bit in it."""
+"""A presence vector of a query, and the number of a bit in it."""
 
 
 def variants(kind: type[Message], report: type[Message]) -> tuple[Stimulus, ...]:
-    """The query for all, for nothing, and for parts; empty when it has no presence vector."""
+    """The query with all, no and some presence bits; empty if it has no presence vector."""
     vectors = presence_fields(kind)
     if not vectors:
         return ()
-    everything = neutral(kind, asks_for=EVERYTHING)
+    everything = neutral(kind, presence_bits=EVERYTHING)
     nothing = neutral(kind)
     return (
         Stimulus(kind.NAME, lambda _: everything, "all fields"),
@@ -159,7 +159,7 @@ def variants(kind: type[Message], report: type[Message]) -> tuple[Stimulus, ...]
 
 
 class _Parts:
-    """Asks for half of the fields after the other: any two fields are told apart by one of the questions."""
+    """Queries half of the fields at a time, so that one of the queries distinguishes any two fields."""
 
     def __init__(self, kind: type[Message], report: type[Message]) -> None:
         self._kind = kind
@@ -170,22 +170,22 @@ class _Parts:
             return
         vectors, explorer = presence_fields(self._kind), then.explorer
         observer = explorer.client(OBSERVER)
-        full = observer.ask(neutral(self._kind, asks_for=EVERYTHING), self._report, to=explorer.component)
+        full = observer.ask(neutral(self._kind, presence_bits=EVERYTHING), self._report, to=explorer.component)
         has = frozenset(bit for bit, _, value in _fields(full, vectors) if value is not None)
         for asked in _halves(max((place for (_, place), _, _ in _fields(full, vectors)), default=0) + 1):
-            query = neutral(self._kind, asks_for=asked)
+            query = neutral(self._kind, presence_bits=asked)
             right = _carries(vectors, asked, has)
             observer.ask(query, self._report, right, to=explorer.component)
 
 
 def _halves(count: int) -> Iterator[int]:
-    """Presence vectors with the bits whose number has a one in the first place, in the second place, and so on."""
+    """Presence vectors with the bits whose number has bit 0 set, bit 1 set, and so on."""
     for place in range((count - 1).bit_length()):
         yield sum(1 << bit for bit in range(count) if bit >> place & 1)
 
 
 def _carries(vectors: Iterable[str], asked: int, has: frozenset[Bit]) -> Check:
-    """Of the optional fields that were asked for those that the component has, and no others."""
+    """Check that the report has the requested optional fields that the component supports, and no others."""
 
     def problem(report: Message) -> str:
         wrong = [name for bit, name, value in _fields(report, vectors) if (value is not None) != _right(bit)]
@@ -199,7 +199,7 @@ def _carries(vectors: Iterable[str], asked: int, has: frozenset[Bit]) -> Check:
 
 
 def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str, object]]:
-    """Bit, name and value of each optional field in the parts of a report that the vectors of its query are about."""
+    """Bit, name and value of each optional field that the presence vectors of the query select."""
     for vector in vectors:
         name = vector.removesuffix(PRESENCE).rstrip("_")
         part = report if not name and _optional(report) else _part(report, name)
@@ -208,7 +208,7 @@ def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str,
 
 
 def _inside(report: Message, vectors: Iterable[str]) -> list[str]:
-    """All optional fields in parts of several records. Not each has a bit, but without any bit none is asked for."""
+    """All optional fields in parts of several records. Not each has a bit; without any bit, none is requested."""
     names = [each for vector in vectors if (each := vector.removesuffix(PRESENCE).rstrip("_"))]
     parts = (getattr(report, slot.name) for slot in _slots(report) if any(name in slot.name for name in names))
     several = (part for part in parts if isinstance(part, Struct) and not _optional(part))
@@ -218,7 +218,7 @@ def _inside(report: Message, vectors: Iterable[str]) -> list[str]:
 
 
 def _part(whole: Struct, name: str) -> Struct | None:
-    """The first record in `whole` that has optional fields and lies in what is called `name`."""
+    """The first record with optional fields inside the part of `whole` with this name."""
     members = (getattr(whole, slot.name) for slot in _slots(whole) if name in slot.name)
     records = (each for each in members if isinstance(each, Struct))
     found = (each if _optional(each) else _part(each, name) for each in records)

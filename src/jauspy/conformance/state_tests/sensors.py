@@ -1,4 +1,4 @@
-"""Settings of sensors and still images: what is confirmed must be in use, what is refused or ignored must not."""
+"""Settings of sensors and still images: confirmed settings must be in use, refused or ignored ones must not."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
 
 CURRENT_SETTING: Final = "setting of a sensor"
 PRECISION: Final = 0.01
-"""Part of a number that may be lost on the wire and in a sensor."""
+"""Allowed relative error of a value by its resolution on the wire and in the sensor."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,13 +53,13 @@ class Setting:
 
     field: str
     command: Callable[[int, Any], Message]
-    """From the id of a sensor, and the value."""
+    """Makes the command from the id of a sensor and the value."""
     query: Message
     report: type[Message]
     records: Callable[[Any], Iterable[Any]]
-    """Of the report: one for each sensor."""
+    """The records of a report, one for each sensor."""
     other: Callable[[Any], Any]
-    """Another value, for the moment of a step; the sensor may refuse it."""
+    """Another value, set during the step; the sensor may refuse it."""
 
     def stimulus(self) -> Stimulus:
         """The command that sets it."""
@@ -69,18 +69,18 @@ class Setting:
             before=self._read,
             after=self._set_back,
             checks={"ConfirmSensorConfiguration": has(request_id_rec__request_id=CREATE)},
-            verify=self._is_used,
+            verify=self._check_setting,
         )
 
-    def _told(self, report: Message) -> dict[int, Any]:
+    def _values(self, report: Message) -> dict[int, Any]:
         return {each.sensor_id: getattr(each, self.field) for each in self.records(report)}
 
     def _read(self, explorer: Explorer, role: str) -> None:  # noqa: ARG002 - a Prepare
         explorer.tester.memory.pop(CURRENT_SETTING, None)
         report = explorer.client(OBSERVER).ask(self.query, self.report, to=explorer.component)
-        known = next((item for item in self._told(report).items() if item[1] is not None), None)
+        known = next((item for item in self._values(report).items() if item[1] is not None), None)
         if known is None:
-            raise Skipped(f"{self.report.NAME} tells the {self.field} of no sensor, which would show what is set")
+            raise Skipped(f"{self.report.NAME} contains no {self.field}, so the setting cannot be verified")
         explorer.tester.memory[CURRENT_SETTING] = known
 
     def _set_back(self, explorer: Explorer, role: str) -> None:
@@ -88,13 +88,13 @@ class Setting:
             explorer.client(role).send(self.command(_sensor(explorer), _value(explorer)), to=explorer.component)
             explorer.observe()
 
-    def _is_used(self, then: StimulusResult) -> None:
+    def _check_setting(self, then: StimulusResult) -> None:
         explorer = then.explorer
         taken = then.outcome.acts and _is_confirmed(then)
         wanted = self.other(_value(explorer)) if taken else _value(explorer)
 
         def problem(report: Message) -> str:
-            value = self._told(report).get(_sensor(explorer))
+            value = self._values(report).get(_sensor(explorer))
             same = value is not None and abs(value - wanted) <= PRECISION * abs(wanted)
             return "" if same else f"{self.field} of sensor {_sensor(explorer)} is {value}, not {wanted}"
 
@@ -112,7 +112,7 @@ def _value(explorer: Explorer) -> Any:
 
 
 def _is_confirmed(then: StimulusResult) -> bool:
-    """Whether the sensor says that it is set so; the answer must be about that one alone."""
+    """True if the sensor confirms the setting. Checks that the answer is about that sensor alone."""
     explorer = then.explorer
     answer = ConfirmSensorConfiguration.decode(explorer.client(then.role).confirmed[-1].payload)
     about = [getattr(each, "sensor_id", None) for each in answer.confirm_sensor_list]
@@ -122,7 +122,7 @@ def _is_confirmed(then: StimulusResult) -> bool:
 
 
 ALL: Final = 0
-"""Stands for every sensor."""
+"""The sensor id that means every sensor."""
 JPEG, PNG = SetStill.StillImageFormat.JPEG, SetStill.StillImageFormat.PNG
 
 SETTINGS: Final = (
@@ -188,10 +188,10 @@ SENSORS: Final = tuple(each.stimulus() for each in SETTINGS)
 
 
 IMAGE_TIMEOUT: Final = 10.0
-"""Seconds that a picture may take, from a camera that has to be switched on."""
+"""Seconds until the first image of a camera that has to be started."""
 
 _ANY: Final = {"isCoordinateTransformSupported": False}
-"""Whether it is makes no difference to what is sent."""
+"""Its value makes no difference to the outputs."""
 
 _ALL: Final = QueryStillImageDataExt.QueryStillImageDataRec(
     QueryStillImageDataExt.SensorID.ALL_SENSORS, QueryStillImageDataExt.ReportCoordinateSystem.NATIVE, 0xFF
@@ -214,6 +214,6 @@ STILL_IMAGES: Final = (
             "ReportStillImageDataExt": (that("has a picture of each camera, or where to fetch it", _has_pictures),)
         },
         seconds=lambda _: IMAGE_TIMEOUT,
-        once=True,  # control would time out meanwhile
+        once=True,  # control would time out in the meantime
     ),
 )

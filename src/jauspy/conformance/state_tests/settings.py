@@ -30,7 +30,7 @@ LIMITS_BEFORE: Final = "limits before"
 
 @dataclass(frozen=True, slots=True)
 class Limit:
-    """`part` is what has the `field`, in the command as in the report: their bodies are the same."""
+    """A limit in `field` of `part`. Command and report have the same body, so `part` applies to both."""
 
     command: type[Message]
     query: Message
@@ -39,20 +39,20 @@ class Limit:
     part: Callable[[Any], Any] = lambda message: message
 
     def stimulus(self) -> Stimulus:
-        """The command with the half."""
+        """The command that halves the limit."""
         return Stimulus(
             self.command.NAME, self._halved, before=self._read, after=self._set_back, verify=self._is_in_force
         )
 
     def _read(self, explorer: Explorer, role: str) -> None:  # noqa: ARG002 - a Prepare
-        """What it tells; nothing where there is no limit yet."""
+        """Remember the reported limits, if there are any."""
         explorer.tester.memory.pop(LIMITS_BEFORE, None)
         try:
-            told = explorer.client(OBSERVER).ask(self.query, self.report, to=explorer.component)
+            limits = explorer.client(OBSERVER).ask(self.query, self.report, to=explorer.component)
         except StepOutcome:
-            return  # the step of the query says so, if that is wrong
-        if self._value(told) is not None:
-            explorer.tester.memory[LIMITS_BEFORE] = told
+            return  # the step of the query fails if this is wrong
+        if self._value(limits) is not None:
+            explorer.tester.memory[LIMITS_BEFORE] = limits
 
     def _value(self, message: Message) -> float | None:
         part = self.part(message)
@@ -61,24 +61,24 @@ class Limit:
     def _halved(self, explorer: Explorer) -> Message:
         if LIMITS_BEFORE not in explorer.tester.memory:
             return neutral(self.command)
-        command = self._as_told(explorer)
+        command = self._original(explorer)
         setattr(self.part(command), self.field, getattr(self.part(command), self.field) / 2)
         return command
 
-    def _as_told(self, explorer: Explorer) -> Message:
+    def _original(self, explorer: Explorer) -> Message:
         body: bytes = explorer.tester.memory[LIMITS_BEFORE].encode()[2:]
         return self.command.decode(self.command.CODE.to_bytes(2, "little") + body)
 
     def _set_back(self, explorer: Explorer, role: str) -> None:
         if LIMITS_BEFORE in explorer.tester.memory:
-            explorer.client(role).send(self._as_told(explorer), to=explorer.component)
+            explorer.client(role).send(self._original(explorer), to=explorer.component)
             explorer.observe()
 
     def _is_in_force(self, then: StimulusResult) -> None:
         explorer = then.explorer
-        if (told := explorer.tester.memory.get(LIMITS_BEFORE)) is None:
+        if (limits := explorer.tester.memory.get(LIMITS_BEFORE)) is None:
             return
-        before = getattr(self.part(told), self.field)
+        before = getattr(self.part(limits), self.field)
         wanted = before / 2 if then.outcome.acts else before
 
         def problem(report: Message) -> str:
@@ -87,7 +87,7 @@ class Limit:
             return "" if right else f"{self.field} is {value}, not {wanted:g}"
 
         explorer.client(OBSERVER).ask(
-            self.query, self.report, Check("tells the limit that is in force", problem), to=explorer.component
+            self.query, self.report, Check("contains the limit that is in force", problem), to=explorer.component
         )
 
 
@@ -113,7 +113,7 @@ LIMITS: Final = tuple(
 
 
 CLOCK_STEP: Final = 20.0
-"""Timeouts that the clock is put forward; put back at the end of the step."""
+"""Timeouts by which the clock is put forward; it is put back at the end of the step."""
 TOLERANCE: Final = 5.0
 """Timeouts; an answer alone may take one."""
 BOTH: Final = 3
@@ -125,11 +125,11 @@ def _ask(explorer: Explorer, *checks: Check) -> ReportTime:
     return explorer.client(OBSERVER).ask(QueryTime(BOTH), ReportTime, *checks, to=explorer.component)
 
 
-def _moment(report: ReportTime) -> datetime:
-    """What it tells; without a date that day of some month. Raises `ValueError` for a time that there is not."""
+def _date_and_time(report: ReportTime) -> datetime:
+    """The reported time; without a date, that day of January 2000. Raises `ValueError` if there is no such time."""
     time, date = report.time_stamp, report.date_stamp
     if time is None:
-        raise Skipped("ReportTime has no time of day, which would show what SetTime does")
+        raise Skipped("ReportTime has no time of day, so the effect of SetTime cannot be verified")
     year, month, day = (2000 + date.year, date.month, date.day) if date else (2000, 1, time.day)
     return datetime(year, month, day, time.hour, time.minutes, time.seconds, time.milliseconds * 1000)  # noqa: DTZ001 - only differences count
 
@@ -138,14 +138,14 @@ def _read(explorer: Explorer, role: str) -> None:  # noqa: ARG001 - a Prepare
     explorer.tester.memory.pop(CLOCK, None)
     report = _ask(explorer)
     try:
-        told = _moment(report)
+        reported = _date_and_time(report)
     except ValueError as error:
-        raise Failed(f"ReportTime tells a time that there is not: {error}") from error
-    explorer.tester.memory[CLOCK] = told - timedelta(seconds=explorer.tester.now), report.date_stamp is not None
+        raise Failed(f"ReportTime has an invalid time: {error}") from error
+    explorer.tester.memory[CLOCK] = reported - timedelta(seconds=explorer.tester.now), report.date_stamp is not None
 
 
 def _set(explorer: Explorer, ahead: float) -> SetTime:
-    """The time that the component has told, and that has passed since, and some more."""
+    """The present time of the component's clock, plus `ahead` seconds."""
     began, dated = explorer.tester.memory[CLOCK]
     wanted = began + timedelta(seconds=explorer.tester.now + ahead)
     return SetTime(time_stamp=time_stamp(wanted), date_stamp=date_stamp(wanted) if dated else None)
@@ -158,7 +158,7 @@ def _is_set(then: StimulusResult) -> None:
     def problem(report: ReportTime) -> str:
         began, _ = explorer.tester.memory[CLOCK]
         try:
-            off = (_moment(report) - began).total_seconds() - explorer.tester.now - ahead
+            off = (_date_and_time(report) - began).total_seconds() - explorer.tester.now - ahead
         except ValueError as error:
             return f"it tells a time that there is not: {error}"
         return f"it is {off:+.1f} s off" if abs(off) > TOLERANCE * explorer.tester.timeout else ""

@@ -1,4 +1,4 @@
-"""One step made from JSIDL: a situation, an input, and whether what follows is one of the right outcomes."""
+"""One step made from JSIDL: a situation, an input, and a check that the outcome is a right one."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from jauspy.conformance.trace import ReceivedMessage, message_name
 from jauspy.errors import DecodeError
 
 INIT, INITIALIZED = "Init", "Initialized"
-"""A state that is left by itself, and the internal event that leaves it."""
+"""The state of initialization, and the internal event that ends it."""
 
 
 @dataclass(frozen=True)
 class StateTest:
-    """Callable as the action of a step."""
+    """One generated step; its instance is the action of the step."""
 
     subject: ComponentUnderTest
     situation: Situation
@@ -44,14 +44,14 @@ class StateTest:
 
     @property
     def transitions(self) -> tuple[str, ...]:
-        """Those that may be taken, with the id of the component."""
+        """Names of the transitions that may be taken, with the id of the component."""
         found = [name for each in self.predictions if (name := self._transition(each))]
         found += [self._internal(event, self.situation) for event in self.stimulus.also]
         found += [self._internal(INITIALIZED, each.after) for each in self.predictions if each.after.state[-1] == INIT]
         return tuple(dict.fromkeys(found))
 
     def _internal(self, event: str, where: Situation) -> str:
-        """The transition that takes an internal event there."""
+        """Name of the transition that an internal event triggers in a situation."""
         (first, *_) = self.subject.machine.predict(where, event, self.role, lambda *_: None)
         return self.subject.transition(first.rule)
 
@@ -68,7 +68,7 @@ class StateTest:
             self.stimulus.before(explorer, self.role)
             seconds = self.stimulus.seconds(explorer) if self.stimulus.seconds else 0.0
             made = self.stimulus.make(explorer) if self.stimulus.make else None
-            explorer.quiet()
+            explorer.discard_received()
             nothing = f"{self.situation}: nothing takes {self.stimulus.message}"
             tester.why += [each.rule or nothing for each in self.predictions]
             explorer.where = self.attempt(explorer, made, seconds)
@@ -76,12 +76,12 @@ class StateTest:
             self.stimulus.after(explorer, self.role)
 
     def attempt(self, explorer: Explorer, made: Message | None, seconds: float) -> Situation | None:
-        """Send the input, if it is one that is sent, and look; where the component is then, when that is known."""
+        """Send the input, if it is a message, and check the outcome. Returns the situation afterwards, if known."""
         if made is not None:
             explorer.client(self.role).send(made, to=self.subject.component)
-        return self._look(explorer, seconds)
+        return self._check_outcome(explorer, seconds)
 
-    def _look(self, explorer: Explorer, seconds: float) -> Situation | None:
+    def _check_outcome(self, explorer: Explorer, seconds: float) -> Situation | None:
         fitting = list(self.predictions)
         if len(fitting) == 1:
             self._taken(explorer, fitting)
@@ -89,7 +89,7 @@ class StateTest:
         else:
             fitting = self._compare(explorer, seconds)
             self._taken(explorer, fitting)
-        self._end(explorer, fitting)
+        self._check_state(explorer, fitting)
         return fitting[0].after if len(fitting) == 1 else None
 
     def _taken(self, explorer: Explorer, fitting: list[Prediction]) -> None:
@@ -98,7 +98,7 @@ class StateTest:
         explorer.tester.taken += names if len(names) == 1 else ()
 
     def _expect(self, explorer: Explorer, prediction: Prediction, seconds: float) -> None:
-        """The outputs that were declared, and no others."""
+        """Check that the predicted outputs arrive, and no others."""
         tester, began = explorer.tester, explorer.tester.now
         if not prediction.outputs and seconds:
             tester.wait(seconds * 1.05)
@@ -124,7 +124,7 @@ class StateTest:
         return checks
 
     def _compare(self, explorer: Explorer, seconds: float) -> list[Prediction]:
-        """The outcomes that fit what came, when the tester cannot know which one is right."""
+        """Return the outcomes that fit the received messages, if several outcomes are right."""
         tester = explorer.tester
         alternatives = " or ".join(
             dict.fromkeys(", ".join(out.message for out in each.outputs) or "no answer" for each in self.predictions)
@@ -133,23 +133,25 @@ class StateTest:
         if all(each.outputs for each in self.predictions):
             self._await(explorer, alternatives, seconds)
         explorer.observe()
-        came = Counter((role, heard.code) for role in CLIENTS for heard in self._heard(explorer, role))
-        fitting = [each for each in self.predictions if self._wanted(each) == came]
-        names = [explorer.client(role).name_of(heard) for role in CLIENTS for heard in self._heard(explorer, role)]
+        came = Counter((role, received.code) for role in CLIENTS for received in self._answers(explorer, role))
+        fitting = [each for each in self.predictions if self._expected_counts(each) == came]
+        names = [
+            explorer.client(role).name_of(received) for role in CLIENTS for received in self._answers(explorer, role)
+        ]
         problem = "" if fitting else f"{', '.join(names) or 'nothing'} came, and not {alternatives}"
         tester.check(f"what comes is {alternatives}", problem)
         for role in CLIENTS:
-            for heard in self._heard(explorer, role):
-                self._readable(explorer, heard)
-                explorer.client(role).pending.remove(heard)
+            for received in self._answers(explorer, role):
+                self._check_answer(explorer, received)
+                explorer.client(role).pending.remove(received)
         return fitting
 
     def _await(self, explorer: Explorer, alternatives: str, seconds: float) -> None:
-        """One of several answers comes, and in time."""
+        """Wait for one of several answers, and check that it is in time."""
         tester = explorer.tester
         deadline = tester.now + tester.timeout + seconds
-        tester.pump(2 * deadline - tester.now, lambda: any(self._heard(explorer, role) for role in CLIENTS))
-        times = [heard.at for role in CLIENTS for heard in self._heard(explorer, role)]
+        tester.pump(2 * deadline - tester.now, lambda: any(self._answers(explorer, role) for role in CLIENTS))
+        times = [received.at for role in CLIENTS for received in self._answers(explorer, role)]
         name = f"{alternatives} comes"
         tester.record_check(name, "" if times else "nothing came")
         if not times:
@@ -159,25 +161,25 @@ class StateTest:
         if late > 0:
             raise Late(f"{alternatives} came {late:.2f} s after the deadline of {tester.timeout + seconds:g} s")
 
-    def _wanted(self, prediction: Prediction) -> Counter[tuple[str, int]]:
+    def _expected_counts(self, prediction: Prediction) -> Counter[tuple[str, int]]:
         return Counter((output.to, self.subject.kind(output.message).CODE) for output in prediction.outputs)
 
-    def _readable(self, explorer: Explorer, heard: ReceivedMessage) -> None:
+    def _check_answer(self, explorer: Explorer, received: ReceivedMessage) -> None:
         kind = next(
             self.subject.kind(output.message)
             for each in self.predictions
             for output in each.outputs
-            if heard.code == self.subject.kind(output.message).CODE
+            if received.code == self.subject.kind(output.message).CODE
         )
         try:
-            message = kind.decode(heard.payload)
+            message = kind.decode(received.payload)
         except DecodeError as error:
             explorer.tester.record_check(f"{message_name(kind)} is as its definition says", str(error))
-            raise Malformed(f"{message_name(kind)} from {heard.source} is malformed: {error}") from error
+            raise Malformed(f"{message_name(kind)} from {received.source} is malformed: {error}") from error
         for check in self.stimulus.checks.get(kind.NAME, ()):
             explorer.tester.check(f"{message_name(kind)} {check.name}", check.problem(message))
 
-    def _heard(self, explorer: Explorer, role: str) -> list[ReceivedMessage]:
+    def _answers(self, explorer: Explorer, role: str) -> list[ReceivedMessage]:
         return [
             each
             for each in explorer.client(role).pending
@@ -185,12 +187,12 @@ class StateTest:
         ]
 
     def _note_initialized(self, explorer: Explorer, after: Situation, seen: ObservedState) -> None:
-        """Initialization ends by itself, and the state shows that."""
+        """Record the end of initialization if the state shows it."""
         if after.state[-1] == INIT and seen.status == STATUS["Standby"]:
             explorer.tester.taken.append(self._internal(INITIALIZED, after))
 
-    def _end(self, explorer: Explorer, fitting: list[Prediction]) -> None:
-        """The state afterwards; and the effect, where it can be seen."""
+    def _check_state(self, explorer: Explorer, fitting: list[Prediction]) -> None:
+        """Check the state afterwards, and the effect if it is visible."""
         after = [each.after for each in fitting]
         seen = explorer.settle(after[0])
         self._note_initialized(explorer, after[0], seen)

@@ -150,7 +150,7 @@ class EventRates:
         return _on_wire(asked, self.change) if asked else 0.0
 
 
-def _on_wire(rate: float, most: float) -> float:
+def _on_wire(rate: float, max_rate: float) -> float:
     """The nearest rate that a message can carry, at most the allowed one unless that is less than one step."""
-    steps = min(round(rate / RATE_STEP), int(most / RATE_STEP + 1e-6))
+    steps = min(round(rate / RATE_STEP), int(max_rate / RATE_STEP + 1e-6))
     return max(1, steps) * RATE_STEP

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import ipaddress
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass
 from enum import Enum
-from typing import Final
+from functools import partial
+from typing import Final, TypeAlias
 from urllib.parse import urlsplit
 
 from jauspy.errors import ConfigError
@@ -17,8 +19,13 @@ from jauspy.messages.environment_sensing.v2_0.digital_resource_discovery import 
     RemoveDigitalResourceEndpoint,
     ReportDigitalResourceEndpoint,
 )
+from jauspy.protocol import judp
+from jauspy.protocol.addressing import Location
+from jauspy.services.deferred import Deferred
 from jauspy.services.environment_sensing.visual_sensor import Address, Cameras
 from jauspy.services.service import Service
+
+Network: TypeAlias = ipaddress.IPv4Network | ipaddress.IPv6Network
 
 _Record = ReportDigitalResourceEndpoint.DigitalResourceEndpointRec
 
@@ -27,6 +34,12 @@ RTP: Final = 201
 
 MAX_END_POINTS: Final = 32
 """End points of a component; they are numbered from 1, and 0 stands for none."""
+
+MAX_END_POINTS_PER_CLIENT: Final = 4
+"""End points of one client, and of all clients of one other machine; one more replaces the oldest of them."""
+
+FIRST_PORT: Final = 1024
+"""Lower ports are those of system services."""
 
 END_POINT_TIMEOUT: Final = 300.0
 """Seconds that an end point lasts after its client last registered it."""
@@ -42,28 +55,40 @@ class StreamState(Enum):
 
 @dataclass(slots=True)
 class EndPoint:
-    """The address to which one camera's stream is sent for one client."""
+    """The address to which one camera's stream is sent for one client, which is at `location`."""
 
     client: JausID
     sensor: int
     url: str
     address: Address
+    location: Location
     state: StreamState = StreamState.PLAY
 
 
 class VideoStreams:
-    """The end points of a component's cameras; the cameras send to those in state PLAY."""
+    """The end points of a component's cameras; the cameras send to those in state PLAY.
 
-    def __init__(self, cameras: Cameras) -> None:
+    Clients have video sent to their own machine only, or into the networks `targets`.
+    """
+
+    def __init__(self, cameras: Cameras, targets: Iterable[Network] = ()) -> None:
         self.cameras = cameras
         self.end_points: dict[int, EndPoint] = {}
+        """In the order in which they were registered."""
+        self._targets = tuple(targets)
+        self._number = 0
 
-    def register(self, client: JausID, sensor: int, url: str) -> int:
+    def register(
+        self, client: JausID, sensor: int, url: str, location: Location, operators: Collection[JausID] = ()
+    ) -> int:
         """Add an end point in state PLAY and return its number, or that of the existing one.
 
-        Raises `ConfigError` for a bad URL, an unknown sensor, another client's end point, or too many end points.
+        When there is no room, an operator's replaces one of a client that is none, and one of an operator's subsystem
+        replaces one of another subsystem. Raises `ConfigError` for an address that is not the client's, an unknown
+        sensor, another client's end point, or too many end points.
         """
         address = parse_rtp_url(url)
+        self._check_target(address[0], location, client)
         if sensor not in self.cameras:
             raise ConfigError(f"there is no sensor {sensor}; there are: {', '.join(map(str, self.cameras))}")
         for number, known in self.end_points.items():
@@ -71,12 +96,59 @@ class VideoStreams:
                 if known.client != client:
                     raise ConfigError(f"{url} was entered by {known.client}")
                 return number
-        number = next((each for each in range(1, MAX_END_POINTS + 1) if each not in self.end_points), 0)
-        if not number:
-            raise ConfigError(f"there are {MAX_END_POINTS} end points already; one must be removed first")
-        self.cameras[sensor].source.watch(address)
-        self.end_points[number] = EndPoint(client, sensor, url, address)
+        self._keep_to_share(client, location)
+        self._watch(sensor, address, replaceable=self._ranking_below(client, operators))
+        number = self._number = self._free_number()
+        self.end_points[number] = EndPoint(client, sensor, url, address, location)
         return number
+
+    def _check_target(self, host: str, location: Location, client: JausID) -> None:
+        address = ipaddress.ip_address(host)
+        if location.has(host) or any(address in each and address != each.broadcast_address for each in self._targets):
+            return
+        known = f"which is at {', '.join(sorted(location.hosts))}" if location.hosts else "whose machine is not known"
+        raise ConfigError(f"{host} is no address of {client}, {known}; video_targets may allow networks")
+
+    def _keep_to_share(self, client: JausID, location: Location) -> None:
+        """Remove the client's oldest end point if it has its share, or its machine has."""
+        is_shared = not location.is_here and bool(location.hosts)
+        own = [number for number, each in self.end_points.items() if each.client == client]
+        same = [n for n, each in self.end_points.items() if is_shared and each.location == location]
+        for numbers in (own, same):
+            if len(numbers) >= MAX_END_POINTS_PER_CLIENT and numbers[0] in self.end_points:
+                self.remove(numbers[0])
+
+    def _watch(self, sensor: int, address: Address, replaceable: list[int]) -> None:
+        """Have the camera send there, if need be in place of another end point."""
+        source = self.cameras[sensor].source
+        try:
+            self._check_room()
+            source.watch(address)
+        except ConfigError:
+            replaced = next((each for each in replaceable if self.end_points[each].sensor == sensor), None)
+            if replaced is None:
+                raise
+            self.remove(replaced)
+            source.watch(address)
+
+    def _free_number(self) -> int:
+        """The number that was free for the longest time: clients may still use that of one that was replaced."""
+        following = (1 + (self._number + each) % MAX_END_POINTS for each in range(MAX_END_POINTS))
+        return next(each for each in following if each not in self.end_points)
+
+    def _check_room(self) -> None:
+        if len(self.end_points) >= MAX_END_POINTS:
+            raise ConfigError(f"there are {MAX_END_POINTS} end points already; one must be removed first")
+
+    def _ranking_below(self, client: JausID, operators: Collection[JausID]) -> list[int]:
+        """End points of clients that rank below this one, the least and newest first."""
+        subsystems = {each.subsystem for each in operators}
+
+        def rank(each: JausID) -> int:
+            return 2 if each in operators else int(each.subsystem in subsystems)
+
+        newest_first = [(rank(each.client), number) for number, each in reversed(self.end_points.items())]
+        return [number for own, number in sorted(newest_first, key=lambda each: each[0]) if own < rank(client)]
 
     def remove(self, number: int) -> None:
         """Stop sending to an end point; unknown numbers are ignored."""
@@ -112,12 +184,18 @@ def parse_rtp_url(url: str) -> Address:
     try:
         parts = urlsplit(url)
         host, port = parts.hostname or "", parts.port or 0
-        ipaddress.ip_address(host)
+        address = ipaddress.ip_address(host)
     except ValueError as error:
         raise ConfigError(f"{url!r} is not rtp://ADDRESS:PORT with an address in numbers: {error}") from error
     if parts.scheme != "rtp" or not 1 <= port <= 65534:
         raise ConfigError(f"{url!r} is not rtp://ADDRESS:PORT with a port of 1..65534")
-    return host, port
+    if port < FIRST_PORT or judp.PORT in (port, port + 1):
+        raise ConfigError(f"{url!r}: video is sent to ports from {FIRST_PORT}, and not to that of JAUS, {judp.PORT}")
+    if isinstance(address, ipaddress.IPv6Address) and address.ipv4_mapped:
+        address = address.ipv4_mapped
+    if address.is_multicast or address.is_unspecified or str(address) == "255.255.255.255":
+        raise ConfigError(f"{url!r}: video is sent to one machine, so its address is no group, broadcast or 0")
+    return str(address), port
 
 
 class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"):
@@ -131,33 +209,43 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
     def __init__(self, streams: VideoStreams) -> None:
         self._streams = streams
         self._confirmed_number = 0
+        self._reply: Deferred | None = None
+        self.operators: Callable[[], Iterable[JausID | None]] = lambda: (self.host.controller,)
+        """Returns the clients that come first when there is no room: those in control."""
 
-    def send_report_digital_resource_endpoint(self) -> ReportDigitalResourceEndpoint:
-        """Return all end points."""
+    def send_report_digital_resource_endpoint(self, source: JausID) -> ReportDigitalResourceEndpoint:
+        """Return the client's end points; where others watch is not for everybody."""
         own = self.host.id
         component = JAUS_ID(own.component, own.node, own.subsystem)
-        return ReportDigitalResourceEndpoint(
-            [_Record(RTP, point.url, component, point.sensor) for point in self._streams.end_points.values()]
-        )
+        points = [each for each in self._streams.end_points.values() if each.client == source]
+        return ReportDigitalResourceEndpoint([_Record(RTP, each.url, component, each.sensor) for each in points])
 
     def add_digital_resource_endpoint(self, msg: RegisterDigitalResourceEndpoint, source: JausID) -> None:
-        """Add an end point, or restart the timeout of an existing one."""
-        record = msg.digital_resource_endpoint_rec
-        self._confirmed_number = 0
-        if record.server_type != RTP:
-            self.host.count(
-                "endpoint_refused", f"{source}: server type {record.server_type} is not {RTP}, RTP over UDP"
-            )
+        """Add an end point, or restart the timeout of an existing one, when it is known where the client is."""
+        self._confirmed_number, self._reply = 0, None
+        server = msg.digital_resource_endpoint_rec.server_type
+        if server != RTP:
+            self.host.count("endpoint_refused", f"{source}: server type {server} is not {RTP}, RTP over UDP")
             return
+        self._reply = reply = self.host.defer(partial(_confirmation, msg, 0))
+        if reply.report is None:
+            self.host.locate(source, partial(self._register, msg, source, reply))
+
+    def _register(
+        self, msg: RegisterDigitalResourceEndpoint, source: JausID, reply: Deferred, location: Location
+    ) -> None:
+        if reply.report is not None:  # too late: 0 was confirmed
+            return
+        record, number = msg.digital_resource_endpoint_rec, 0
+        operators = {each for each in self.operators() if each is not None}
         try:
-            self._confirmed_number = self._streams.register(source, record.resource_id or 1, record.server_url)
+            number = self._streams.register(source, record.resource_id or 1, record.server_url, location, operators)
         except ConfigError as error:
             self.host.count("endpoint_refused", f"{source}: {error}")
-            return
-        number = self._confirmed_number
-        self.host.set_timer(
-            ("end point", number), self.host.now + END_POINT_TIMEOUT, lambda: self._streams.remove(number)
-        )
+        else:
+            until = self.host.now + END_POINT_TIMEOUT
+            self.host.set_timer(("end point", number), until, partial(self._streams.remove, number))
+        reply.set_result(_confirmation(msg, number))
 
     def remove_digital_resource_endpoint(self, msg: RemoveDigitalResourceEndpoint, source: JausID) -> None:
         """Remove an end point that the same client registered."""
@@ -172,7 +260,14 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
 
     def send_confirm_digital_resource_endpoint(
         self, msg: RegisterDigitalResourceEndpoint | RemoveDigitalResourceEndpoint
-    ) -> ConfirmDigitalResourceEndpoint:
+    ) -> ConfirmDigitalResourceEndpoint | Deferred:
         """Return the number of the end point that was registered or removed; 0 if the request failed."""
-        head = msg.request_id_rec if isinstance(msg, RegisterDigitalResourceEndpoint) else msg
-        return ConfirmDigitalResourceEndpoint(self._confirmed_number, head.request_id)
+        reply, self._reply = self._reply, None
+        return reply or _confirmation(msg, self._confirmed_number)
+
+
+def _confirmation(
+    msg: RegisterDigitalResourceEndpoint | RemoveDigitalResourceEndpoint, number: int
+) -> ConfirmDigitalResourceEndpoint:
+    head = msg.request_id_rec if isinstance(msg, RegisterDigitalResourceEndpoint) else msg
+    return ConfirmDigitalResourceEndpoint(number, head.request_id)

@@ -183,8 +183,8 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
             maximum_vertical_field_of_view_stop_angle=0.0,
             miniumum_update_rate=0.0,
             maximum_update_rate=setup.rate,
-            minimum_range=setup.least,
-            maximum_range=setup.most,
+            minimum_range=setup.min_range,
+            maximum_range=setup.max_range,
             supported_compression=ReportRangeSensorCapabilities.SupportedCompression(1, 1, 1, 1),
             coordinate_transformation_supported=1,
         )
@@ -204,8 +204,8 @@ class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
             horizontal_field_of_view_stop_angle=-now.start,
             **PLANAR,
             update_rate=now.rate,
-            minimum_range=now.least,
-            maximum_range=now.most,
+            minimum_range=now.min_range,
+            maximum_range=now.max_range,
             sensor_state=self._states[sensor],
         )
 
@@ -259,7 +259,7 @@ def points(scan: RangeScan, lidar: RangeFinder, presence_vector: int, frame: Tra
 def _point(number: int, ray: tuple[float, float], lidar: RangeFinder, frame: Transform | None) -> Point:
     angle, distance = ray
     limits = lidar.settings
-    metres = min(limits.most, max(limits.least, distance))
+    metres = min(limits.max_range, max(limits.min_range, distance))
     bearing, inclination = -angle, 0.0  # JAUS counts clockwise
     if frame is not None:
         metres, bearing, inclination = _polar(frame, metres, bearing)
@@ -307,8 +307,8 @@ def apply_settings(requested: RequestedSettings, present: ScanSettings) -> ScanS
         "start": None if stop is None else -stop,
         "stop": None if start is None else -start,
         "rate": requested.update_rate,
-        "least": requested.minimum_range,
-        "most": requested.maximum_range,
+        "min_range": requested.minimum_range,
+        "max_range": requested.maximum_range,
         "active": None if requested.sensor_state is None else requested.sensor_state == State.ACTIVE,
     }
     return replace(present, **{name: value for name, value in given.items() if value is not None})
@@ -332,6 +332,10 @@ def _find_problems(requested: RequestedSettings, new: ScanSettings, setup: Lidar
         problems.append((Code.INVALID_VERTICAL_FOV, "it scans in one plane; vertical angles are 0"))
     if not 0.0 < new.rate <= setup.rate + RATE_STEP:
         problems.append((Code.INVALID_UPDATE_RATE, f"rates are more than 0 and at most {setup.rate:g} Hz"))
-    if new.least < setup.least - RANGE_STEP or new.most > setup.most + RANGE_STEP or new.least >= new.most:
-        problems.append((Code.INVALID_SENSOR_RANGE, f"distances are within {setup.least:g}..{setup.most:g} m"))
+    if (
+        new.min_range < setup.min_range - RANGE_STEP
+        or new.max_range > setup.max_range + RANGE_STEP
+        or new.min_range >= new.max_range
+    ):
+        problems.append((Code.INVALID_SENSOR_RANGE, f"distances are within {setup.min_range:g}..{setup.max_range:g} m"))
     return problems

@@ -70,16 +70,22 @@ class ToolMotion:
         return self._rates
 
     def _unlimited(self, now: KinematicState, dt: float) -> list[float]:
-        lack = max(0.0, 1.0 - _isotropy(now) / MIN_ISOTROPY)
-        escape = self._escape() if lack and any(self._line.linear) else None
-        return escape or self._solve(now, DAMPING + (SINGULAR_DAMPING - DAMPING) * lack * lack, dt)
+        deficit = max(0.0, 1.0 - _isotropy(now) / MIN_ISOTROPY)
+        escape = self._escape() if deficit and any(self._line.linear) else None
+        return escape or self._solve(now, DAMPING + (SINGULAR_DAMPING - DAMPING) * deficit * deficit, dt)
 
     def _escape(self) -> list[float] | None:
         """Velocities to a pose further on the line, if there is one: a singular Jacobian shows no way back."""
         arm, positions = self._arm, self._arm.state().positions
         goal = self._line.ahead(LOOK_AHEAD)
         search = InverseKinematics(
-            arm.geometry.links, arm.tool, goal, self._bent(), arm.limits, starts=1, weights=((ATTITUDE_WEIGHT,),)
+            arm.geometry.links,
+            arm.tool,
+            goal,
+            self._start_positions(),
+            arm.limits,
+            starts=1,
+            weights=((ATTITUDE_WEIGHT,),),
         )
         found = search.advance(MAX_ESCAPE_STEPS)
         if found is None or not found.reaches_point:
@@ -87,7 +93,7 @@ class ToolMotion:
         rate = math.hypot(*self._line.linear) / LOOK_AHEAD
         return [rate * (there - here) for there, here in zip(found.positions, positions, strict=True)]
 
-    def _bent(self) -> list[float]:
+    def _start_positions(self) -> list[float]:
         """The present positions, bent a little to the side of greater isotropy."""
         arm, positions = self._arm, self._arm.state().positions
         sides = (

@@ -31,10 +31,10 @@ MIN_ACCELERATION_LIMIT: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class VelocityRange:
-    """The least and the greatest velocity of both axes."""
+    """The minimal and maximal velocity of both axes."""
 
-    least: PlanarVelocity
-    most: PlanarVelocity
+    minimum: PlanarVelocity
+    maximum: PlanarVelocity
 
     @classmethod
     def of(cls, chassis: Chassis) -> VelocityRange:
@@ -46,13 +46,13 @@ class VelocityRange:
 
     def contains(self, velocity: PlanarVelocity) -> bool:
         """True for a velocity within the range, but for `ROUNDING`."""
-        return _within(self.least.speed, velocity.speed, self.most.speed) and _within(
-            self.least.turn_rate, velocity.turn_rate, self.most.turn_rate
+        return _within(self.minimum.speed, velocity.speed, self.maximum.speed) and _within(
+            self.minimum.turn_rate, velocity.turn_rate, self.maximum.turn_rate
         )
 
 
-def _within(least: float, value: float, most: float) -> bool:
-    return least - ROUNDING <= value <= most + ROUNDING
+def _within(minimum: float, value: float, maximum: float) -> bool:
+    return minimum - ROUNDING <= value <= maximum + ROUNDING
 
 
 def updated_limits(limits: AccelerationLimits, msg: SetAccelerationLimit, chassis: Chassis) -> AccelerationLimits:
@@ -71,8 +71,8 @@ def updated_limits(limits: AccelerationLimits, msg: SetAccelerationLimit, chassi
     )
 
 
-def _limit(wanted: float | None, present: float, most: float) -> float:
-    return present if wanted is None else min(most, max(MIN_ACCELERATION_LIMIT, abs(wanted)))
+def _limit(wanted: float | None, present: float, limit: float) -> float:
+    return present if wanted is None else min(limit, max(MIN_ACCELERATION_LIMIT, abs(wanted)))
 
 
 Command: TypeAlias = SetVelocityCommand | SetVelocityCommandExt
@@ -132,9 +132,9 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
         """Keep a limit, at most that of the chassis, or the default."""
         match _kind(msg):
             case CommandKind.MAX:
-                self._range = VelocityRange(self._range.least, self._limited(msg, self._range.most))
+                self._range = VelocityRange(self._range.minimum, self._limited(msg, self._range.maximum))
             case CommandKind.MIN:
-                self._range = VelocityRange(self._limited(msg, self._range.least), self._range.most)
+                self._range = VelocityRange(self._limited(msg, self._range.minimum), self._range.maximum)
             case CommandKind.DEFAULT:
                 self._default = _velocity(msg)
 
@@ -185,8 +185,8 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
     def _queried(self, kind: int) -> tuple[CommandKind, PlanarVelocity]:
         commands = {
             CommandKind.CURRENT: self._current,
-            CommandKind.MAX: self._range.most,
-            CommandKind.MIN: self._range.least,
+            CommandKind.MAX: self._range.maximum,
+            CommandKind.MIN: self._range.minimum,
             CommandKind.DEFAULT: self._default,
         }
         known = CommandKind(kind) if kind in tuple(CommandKind) else CommandKind.CURRENT

@@ -1,4 +1,4 @@
-"""Finds and reads the descriptions of robots: those that come with jauspy, and a user's own TOML files."""
+"""Finds, reads and checks TOML files that describe robots: those that come with jauspy, and a user's own."""
 
 from __future__ import annotations
 
@@ -24,18 +24,18 @@ SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
 
 MAX_EXTENSIONS: Final = 8
-"""Length of a chain of files that extend each other."""
+"""Maximal length of a chain of files that extend each other."""
 
 
 def known() -> list[str]:
-    """Names of the robots that come with jauspy, sorted."""
+    """Return the names of the robots that come with jauspy, sorted."""
     return sorted(each.name.removesuffix(SUFFIX) for each in _FOLDER.iterdir() if each.name.endswith(SUFFIX))
 
 
 def load(name_or_path: str | Path) -> RobotConfig:
-    """The robot of that name, or of that TOML file; `ConfigError` names the key that is wrong and what it may be.
+    """Return the robot of that name or TOML file. Raises `ConfigError` with the invalid key and its permitted values.
 
-    A file may say `extends = "inc1"` (a name or a path): it has all keys of that file that it does not set itself.
+    With `extends = "inc1"` (a name or a path), a file inherits all keys of that file that it does not set itself.
     """
     source = _find(name_or_path, Path())
     data = _read(source, MAX_EXTENSIONS)
@@ -53,7 +53,7 @@ def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
 
 
 def _read(source: Traversable, extensions: int) -> dict[str, Any]:
-    """The keys of a file and of those that it extends; `urdf` starts at the file that sets it."""
+    """Return the keys of a file and of those that it extends; `urdf` is relative to the file that sets it."""
     try:
         data = tomllib.loads(source.read_text(encoding="utf-8"))
     except OSError as error:
@@ -86,7 +86,7 @@ MAX_AXIS_COSINE: Final = 1e-3
 
 
 def robot_model(config: RobotConfig) -> RobotModel:
-    """The robot that a TOML file describes; `ConfigError` names the key that does not fit the URDF."""
+    """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
     description = _read_urdf(config.urdf)
     _check_tracks(config, description)
     for name, group in config.groups.items():
@@ -121,7 +121,7 @@ def _expanded(path: str) -> str:
         raise ConfigError(f"urdf: {path}: there is no such file")
     try:
         return str(xacro.process_file(path).toxml())
-    except Exception as error:  # xacro evaluates expressions: anything may come out of them
+    except Exception as error:  # xacro evaluates expressions, which may raise any exception
         raise ConfigError(f"urdf: {path}: xacro cannot expand it: {error}") from error
 
 
@@ -142,17 +142,17 @@ def _check_link(key: str, link: str, description: RobotDescription) -> None:
 
 
 def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: RobotDescription) -> None:
-    """Two revolute joints at right angles that carry the camera."""
+    """Check that the group has two revolute joints at right angles that carry the camera."""
     moving = [description.joint(joint.name) for joint in group.joints]
     if [joint.kind for joint in moving] != [JointKind.REVOLUTE] * 2:
-        raise ConfigError(f"{key}.joints: to pan and tilt a camera takes two revolute joints, no more and no others")
+        raise ConfigError(f"{key}.joints: a pan-tilt unit has exactly two joints, both revolute")
     if moving[1] not in description.chain(description.root(), camera):
         raise ConfigError(f"{key}: the camera is on {camera!r}, which {moving[1].name!r} does not move")
     frame = Transform()
     for joint in description.chain(moving[0].child, moving[1].child):
         frame = frame @ Transform.from_pose(joint.origin)
     if abs(dot(moving[0].axis, frame.rotate(moving[1].axis))) > MAX_AXIS_COSINE:
-        raise ConfigError(f"{key}.joints: their axes are not at right angles; one pans, the other one tilts")
+        raise ConfigError(f"{key}.joints: their axes are not at right angles")
 
 
 def _check_carried(key: str, link: str, description: RobotDescription) -> None:
@@ -169,7 +169,7 @@ def _check_group(key: str, group: GroupConfig, description: RobotDescription) ->
     moving = [j.name for j in description.chain(group.base, group.tip) if j.kind is not JointKind.FIXED]
     if moving != [joint.name for joint in group.joints]:
         raise ConfigError(
-            f"{key}.joints: between {group.base} and {group.tip} move, in this order: {', '.join(moving)}"
+            f"{key}.joints: the joints from {group.base} to {group.tip} that move are, in order: {', '.join(moving)}"
         )
 
 

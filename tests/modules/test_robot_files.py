@@ -3,7 +3,7 @@
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.robots import known, load
+from jauspy.modules.robot_files import known, load
 
 GOOD = """
 name = "mine"

@@ -1,0 +1,106 @@
+"""The age of what is received: commands that waited while this process did not run are dropped (ADR 84)."""
+
+from __future__ import annotations
+
+import asyncio
+import socket
+import struct
+import time
+from collections.abc import Callable
+from typing import Any, Final, TypeAlias
+
+from jauspy.protocol import judp
+from jauspy.protocol.counters import Counters
+
+MAX_AGE: Final = 0.5
+"""Seconds for which a datagram may wait in a socket or queue, unless it is acknowledged."""
+UNCHECKED_TIME: Final = 0.05
+"""Seconds after a socket was empty in which the age of what it has is not checked: it is no older than that."""
+MAX_DATAGRAM: Final = 65536
+_SO_TIMESTAMPNS: Final = 35
+"""From asm-generic/socket.h."""
+_TIMESTAMP: Final = struct.Struct("@qq")
+_CONTROL_SPACE: Final = 64
+
+Receive: TypeAlias = Callable[[int], tuple[bytes, Any]]
+
+
+class DatagramReader:
+    """Reads a non-blocking socket, UDP or Unix; datagrams older than `max_age` seconds are dropped and counted.
+
+    Linux stamps each datagram when it arrives. The stamp is read only if the socket was not seen empty for a while, so
+    that reading costs the same as without. On other systems nothing is dropped. `skip` bytes precede the version byte.
+    """
+
+    def __init__(self, sock: socket.socket, counters: Counters, max_age: float = MAX_AGE, *, skip: int = 0) -> None:
+        self.socket = sock
+        self.skip = skip
+        self.receive: Receive = sock.recvfrom
+        """Receives without a check of age."""
+        self._counters = counters
+        self._max_age = max_age
+        self._empty_at = float("-inf")
+        try:
+            sock.setsockopt(socket.SOL_SOCKET, _SO_TIMESTAMPNS, 1)
+        except OSError:
+            self._max_age = float("inf")
+
+    def receiver(self, now: float) -> Receive:
+        """The function to receive with: the socket's `recvfrom`, or one that drops what is too old.
+
+        Both raise `OSError` like `recvfrom`, as does this method. `now` is the time of a monotonic clock.
+        """
+        if now - self._empty_at < UNCHECKED_TIME or self._max_age == float("inf"):
+            return self.receive
+        _, control, *_ = self.socket.recvmsg(0, _CONTROL_SPACE, socket.MSG_PEEK)
+        return self._receive_new if _age(control) > self._max_age else self.receive
+
+    def was_empty(self, now: float) -> None:
+        """To be called when `recvfrom` has found nothing, with the time before that."""
+        self._empty_at = now
+
+    def _receive_new(self, size: int) -> tuple[bytes, Any]:
+        while True:
+            data, control, _, sender = self.socket.recvmsg(size, _CONTROL_SPACE)
+            if _age(control) <= self._max_age or judp.is_acknowledged(data, self.skip):
+                return data, sender
+            self._counters.drop("stale", sender)
+
+
+class StallDetector:
+    """Tells that the event loop has stood still for longer than `max_age` seconds, from when it runs until `close`.
+
+    A stream has no stamps: after a stall, all that it has in the kernel may be old.
+    """
+
+    def __init__(self, max_age: float) -> None:
+        self._loop = asyncio.get_running_loop()
+        self._interval = max_age / 2
+        self._timer: asyncio.TimerHandle | None = None
+        if max_age < float("inf"):
+            self._tick()
+
+    @property
+    def has_stalled(self) -> bool:
+        """True in the turn of the event loop that follows a stall."""
+        return self._timer is not None and self._loop.time() - self._timer.when() > 2 * self._interval
+
+    def close(self) -> None:
+        """Stop; a second call does nothing."""
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
+
+    def _tick(self) -> None:
+        self._timer = self._loop.call_later(self._interval, self._tick)
+
+
+def _age(control: list[tuple[int, int, bytes]]) -> float:
+    """Seconds since a datagram has arrived; 0 when the kernel does not say."""
+    for level, kind, data in control:
+        if level == socket.SOL_SOCKET and kind == _SO_TIMESTAMPNS and len(data) == _TIMESTAMP.size:
+            seconds: int
+            nanoseconds: int
+            seconds, nanoseconds = _TIMESTAMP.unpack(data)
+            return time.time() - seconds - nanoseconds * 1e-9
+    return 0.0

@@ -1,0 +1,95 @@
+"""Reads the status of the node manager of a local root, and finds in it where components are."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, Final
+
+from jauspy.errors import TransportError
+from jauspy.ids import JausID
+from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
+from jauspy.transport import multicast
+
+SOCKET_NAME: Final = "JuniorRTE.status"
+"""In the directory of the node manager's own socket."""
+READ_TIMEOUT: Final = 2.0
+"""Seconds for one reader."""
+READ_INTERVAL: Final = 0.5
+"""Seconds from one read to the next one of a component: whoever sends requests must not keep a node manager busy."""
+MAX_LOOKUPS: Final = 64
+"""Components that are looked up at once; of more, the location is unknown."""
+
+
+async def read(root: Path) -> dict[str, Any]:
+    """The status of the node manager of a local root; raises `TransportError` if it does not answer."""
+    path = root / SOCKET_NAME
+    try:
+        async with asyncio.timeout(READ_TIMEOUT):
+            reader, writer = await asyncio.open_unix_connection(path)
+            text = await reader.read()
+            writer.close()
+        status: dict[str, Any] = json.loads(text)
+    except (OSError, TimeoutError, ValueError) as error:
+        raise TransportError(
+            f"no node manager serves its status at {path}: {getattr(error, 'strerror', None) or 'no answer'}; "
+            "is it running, with `status` on, and is this its --local-root?"
+        ) from None
+    return status
+
+
+class Locator:
+    """Looks up where components are: what the node manager has learned, and all addresses of this machine.
+
+    Requests that arrive during a read share the next one.
+    """
+
+    def __init__(self, root: Path) -> None:
+        self._root = root
+        self._requests: list[tuple[JausID, Callable[[Location], None]]] = []
+        self._task: asyncio.Task[None] | None = None
+
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
+        """Call `found` with the location, in a later turn of the event loop unless there are too many requests."""
+        if len(self._requests) >= MAX_LOOKUPS:
+            found(UNKNOWN_LOCATION)
+            return
+        self._requests.append((id, found))
+        if self._task is None:
+            self._task = asyncio.get_running_loop().create_task(self._answer(), name="locate")
+
+    def close(self) -> None:
+        """End; requests that are under way are not answered."""
+        self._requests.clear()
+        if self._task is not None:
+            self._task.cancel()
+            self._task = None
+
+    async def _answer(self) -> None:
+        while self._requests:
+            requests, self._requests = self._requests, []
+            try:
+                status = await read(self._root)
+            except TransportError:  # a node manager of others, or none
+                status = {}
+            here = this_machine()
+            components = {str(each["id"]) for each in status.get("components", ())}
+            peers = {str(each["id"]): str(each["address"]) for each in status.get("peers", ())}
+            for id, found in requests:
+                found(here if str(id) in components else _location(peers.get(str(id)), here))
+            await asyncio.sleep(READ_INTERVAL)
+        self._task = None
+
+
+def this_machine() -> Location:
+    """The location of this process, with all addresses of its machine."""
+    return Location(is_here=True, hosts=multicast.own_addresses())
+
+
+def _location(address: str | None, here: Location) -> Location:
+    if address is None:
+        return UNKNOWN_LOCATION
+    host = address.rpartition(":")[0].strip("[]")
+    return here if here.has(host) else Location(hosts=frozenset({host}))

@@ -1,0 +1,83 @@
+"""The command line in tests: verbs in this process or in one of their own, and a robot that runs beside them."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import psutil
+import pytest
+from tests.helpers.ports import unused_port
+from typer.testing import CliRunner, Result
+
+from jauspy.cli import client
+from jauspy.cli.main import app
+
+JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
+
+
+def jauspy(*arguments: str, status: int = 0) -> Result:
+    """Run a verb in this process, which must exit with this status; `stdout` and `stderr` are in the result."""
+    result = CliRunner(env={"COLUMNS": "80"}).invoke(app, arguments)
+    while client._claims:  # of the client's id, which a process holds until it ends
+        client._claims.pop().close()
+    if result.exception is not None and not isinstance(result.exception, SystemExit):
+        raise result.exception
+    assert result.exit_code == status, result.stderr
+    return result
+
+
+def start(*arguments: str, **options: Any) -> subprocess.Popen[str]:
+    """Start a verb in a process of its own, whose output is piped."""
+    return subprocess.Popen([*JAUSPY, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+
+def wait_for(process: subprocess.Popen[str], text: str) -> list[psutil.Process]:
+    """Read lines until one has `text`; returns the processes below it that run by then."""
+    assert process.stdout is not None
+    assert process.stderr is not None
+    for line in process.stdout:
+        if text in line:
+            return psutil.Process(process.pid).children(recursive=True)
+    pytest.fail(f"{text!r} was never printed: {process.stderr.read()}")
+
+
+def assert_gone(processes: list[psutil.Process]) -> None:
+    _, alive = psutil.wait_procs(processes, timeout=30)
+    assert not alive
+
+
+class RunningRobot:
+    """A process `jauspy up`, with its node manager."""
+
+    def __init__(self, port: int, root: Path, name: str = "inc1") -> None:
+        self.port = port
+        self.root = root
+        self.local = f"local:{root}"
+        self.udp = f"udp://127.0.0.1:{port}"
+        where = ("--port", str(port), "--interface", "127.0.0.1", "--local-root", str(root))
+        self.process = start("up", name, "--backend", "kinematic", *where)
+        self.family = wait_for(self.process, "stop it")
+
+    def close(self) -> None:
+        self.process.kill()
+        self.process.communicate()
+        assert_gone(self.family)
+
+
+@contextmanager
+def shared_robot(name: str = "inc1") -> Iterator[RunningRobot]:
+    """A robot for several tests, which leave it as they found it; port and folder are its own."""
+    root = Path(tempfile.mkdtemp(prefix="jauspy-"))
+    robot = RunningRobot(unused_port(), root, name)
+    try:
+        yield robot
+    finally:
+        robot.close()
+        shutil.rmtree(root)
