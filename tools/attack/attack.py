@@ -62,7 +62,7 @@ class BoundBroken(Exception):
 
 
 class NotPossible(Exception):
-    """This machine does not permit an attack; the message says why."""
+    """An attack is not permitted on this machine; the message says why."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -2,9 +2,9 @@
 
 python honest.py '{"settings": {...}, "id": "42.1.1", "robot": "101.1.102", "rate": 50}'
 
-It prints `ready` at the first answer. The line `begin` on its standard input starts to count, after `end` it prints
-`QUERIES ANSWERED SILENCE` (the longest one, in seconds). Each query asks for another set of fields of the pose and is sent once: the answer shows which
-query it belongs to.
+It prints `ready` at the first answer. The line `begin` on its standard input starts to count; after `end` it prints
+`QUERIES ANSWERED SILENCE` (the longest one, in seconds). Each query asks for another set of fields of the pose: the
+answer shows which query it belongs to.
 """
 
 from __future__ import annotations
@@ -27,6 +27,7 @@ ALL_FIELDS: Final = 0x1FF
 PATIENCE: Final = 2.0
 """Seconds in which an answer has to come."""
 START_TIMEOUT: Final = 20.0
+_PAUSE: Final = 0.02
 
 
 class Operator:
@@ -68,10 +69,12 @@ class Operator:
         """Queries since `begin`, those answered in time, and the longest silence in seconds."""
         now, asked, waiting = time.monotonic(), self.asked, list(self._waiting.items())
         silence = max(self.silence, now - self._heard_at)
-        while (late := self._unanswered(waiting)) and time.monotonic() < now + PATIENCE:
-            await asyncio.sleep(0.02)
-        lost = self._given_up + late
-        return asked, asked - lost, round(silence, 3)
+        lost = self._given_up
+        for _ in range(round(PATIENCE / _PAUSE)):
+            if not self._unanswered(waiting):
+                break
+            await asyncio.sleep(_PAUSE)
+        return asked, asked - lost - self._unanswered(waiting), round(silence, 3)
 
     def _unanswered(self, queries: list[tuple[int, float]]) -> int:
         """How many of these queries wait for an answer."""

@@ -20,6 +20,7 @@ from .attack import BoundBroken
 from .hosts import Host
 
 OBSERVED: Final = str(Path(__file__).with_name("observed.py"))
+SUBSCRIBER: Final = str(Path(__file__).with_name("subscriber.py"))
 HONEST: Final = str(Path(__file__).with_name("honest.py"))
 _START_TIMEOUT: Final = 40.0
 _ANSWER_TIMEOUT: Final = 20.0
@@ -160,7 +161,6 @@ def run_command(arguments: Sequence[str], folder: Path, *, timeout: float, memor
             stderr=output,
             preexec_fn=limit,  # noqa: PLW1509 - this program has no threads
         )
-        used = resource.struct_rusage
         while True:
             pid, status, used = os.wait4(process.pid, os.WNOHANG)
             if pid:

@@ -1,4 +1,4 @@
-"""Reads files as jauspy's commands do: `python readers.py KIND FILE...`. An error of jauspy is one sentence and status 2.
+"""Reads files as jauspy's commands do: `python readers.py KIND FILE...`. For a refused file the status is 2.
 
 Before each file its name is printed, so that the last one is that of a file which ends the program.
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import shutil
+import struct
 import sys
 from collections.abc import Callable, Mapping
 from importlib import import_module
@@ -18,7 +19,9 @@ import jauspy
 from jauspy.cli.main import main as command
 from jauspy.codec.source import generate
 from jauspy.errors import CodecError, JausError
-from jauspy.modules import robots
+from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping.mapper import Mapper
+from jauspy.modules import robot_files
 from jauspy.node import config_file
 from jauspy.node.address_books import load_address_book
 from jauspy.schema.loader import load_own
@@ -62,12 +65,12 @@ def decode(path: Path) -> None:
 
 def robot(path: Path) -> None:
     """Read the description and its URDF."""
-    robots.robot_model(robots.load(path))
+    robot_files.robot_model(robot_files.load(path))
 
 
 def urdf(path: Path) -> None:
     """Read the URDF of a robot."""
-    robots.robot_model(robots.load(ROBOT).model_copy(update={"urdf": str(path)}))
+    robot_files.robot_model(robot_files.load(ROBOT).model_copy(update={"urdf": str(path)}))
 
 
 def addresses(path: Path) -> None:
@@ -80,8 +83,16 @@ def node_manager(path: Path) -> None:
     config_file.load(path).known_addresses()
 
 
+def scan(path: Path) -> None:
+    """Map with this scan: pairs of angle and distance, float32."""
+    rays = list(struct.iter_unpack("<ff", path.read_bytes()))
+    mapper = Mapper()
+    for at in (0.0, 1.0, 2.0):
+        mapper.add(PlanarPose(at, 0.0, 0.0), PlanarPose(), [angle for angle, _ in rays], [far for _, far in rays])
+
+
 READERS: Final[Mapping[str, Callable[[Path], None]]] = {
-    each.__name__: each for each in (definition, decode, robot, urdf, addresses, node_manager)
+    each.__name__: each for each in (definition, decode, robot, urdf, addresses, node_manager, scan)
 }
 
 

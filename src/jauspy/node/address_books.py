@@ -16,6 +16,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort, UdpPort
+from jauspy.user_files import read_file
 
 AddressEntries = dict[JausID, tuple[NetworkPort, ...]]
 _Pairs = Iterator[tuple[JausID, NetworkPort]]
@@ -38,9 +39,13 @@ def load_address_book(path: Path) -> AddressEntries:
     if reader is None:
         raise ConfigError(f"address book {path}: use one of {', '.join(readers)}")
     try:
-        return _collect(reader(path.read_bytes()))
-    except OSError as error:
-        raise ConfigError(f"address book {path}: {error.strerror}") from error
+        data = read_file(path)
+    except ConfigError as error:
+        raise ConfigError(f"address book {error}") from None
+    try:
+        return _collect(reader(data))
+    except RecursionError:
+        raise ConfigError(f"address book {path}: is nested too deeply") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, etree.XMLSyntaxError, yaml.YAMLError) as error:
         raise ConfigError(f"address book {path}: {error}") from error
     except ConfigError as error:
@@ -76,11 +81,9 @@ def parse_address(text: str) -> NetworkPort:
 
 
 def _collect(pairs: Iterable[tuple[JausID, NetworkPort]]) -> AddressEntries:
-    found: dict[JausID, list[NetworkPort]] = {}
+    found: dict[JausID, dict[NetworkPort, None]] = {}
     for id, port in pairs:
-        known = found.setdefault(id, [])
-        if port not in known:
-            known.append(port)
+        found.setdefault(id, {})[port] = None
     return {id: tuple(ports) for id, ports in found.items()}
 
 

@@ -7,6 +7,7 @@ from typing import Final
 from ..attack import Attack
 from . import (
     captures,
+    clouds,
     compression,
     configurations,
     definitions,
@@ -25,6 +26,7 @@ from . import (
     other_user,
     replay,
     robot_files,
+    scans,
     serial,
     services,
     status_readers,
@@ -55,6 +57,8 @@ ALL: Final[tuple[Attack, ...]] = (
     local_udp.ATTACK,
     other_user.ATTACK,
     status_readers.ATTACK,
+    clouds.ATTACK,
+    scans.ATTACK,
     definitions.ATTACK,
     captures.ATTACK,
     robot_files.ATTACK,

@@ -1,4 +1,4 @@
-"""Packets of made-up sources to made-up destinations: each would fill tables of addresses, probes and pending messages."""
+"""Packets of made-up sources to made-up destinations: each could fill tables of addresses, probes and messages."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Valid messages of all services, with random contents, to all components of a robot, from a stranger without control."""
+"""Valid messages of all services, with random contents, to all components of a robot, of a client without control."""
 
 from __future__ import annotations
 
