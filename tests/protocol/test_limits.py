@@ -4,13 +4,13 @@ import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
+from jauspy.logs import MAX_LINES_AT_ONCE
 from jauspy.protocol import (
     address_book,
     authentication,
     component_ports,
     judp,
     junior,
-    registrar,
     sources,
     sources as buckets,
 )
@@ -120,7 +120,7 @@ def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_count
     assert len(caplog.records) == 1
     for number in range(1000):
         node.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 1.0)
-    assert len(caplog.records) <= registrar.LOG_BURST + 1
+    assert len(caplog.records) <= MAX_LINES_AT_ONCE + 1
     assert node.counters["dropped.hijack"] == 2000
 
 

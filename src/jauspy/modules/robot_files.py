@@ -7,7 +7,6 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, Final
 
-import xacro
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
@@ -17,6 +16,7 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import JointKind, RobotDescription, parse_urdf
 from jauspy.geometry.vectors import dot
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig
+from jauspy.modules.xacro_files import expand
 from jauspy.platform.description import RobotModel
 from jauspy.user_files import read_toml
 
@@ -103,20 +103,11 @@ def robot_model(config: RobotConfig) -> RobotModel:
 
 
 def _read_urdf(path: str) -> RobotDescription:
-    text = _expanded(path)
+    text = expand(path)
     try:
         return parse_urdf(text)
     except ConfigError as error:
         raise ConfigError(f"urdf: {path}: {error}") from error
-
-
-def _expanded(path: str) -> str:
-    if not Path(path).is_file():
-        raise ConfigError(f"urdf: {path}: there is no such file")
-    try:
-        return str(xacro.process_file(path).toxml())
-    except Exception as error:  # xacro evaluates expressions, which may raise any exception
-        raise ConfigError(f"urdf: {path}: xacro cannot expand it: {error}") from error
 
 
 def _check_tracks(config: RobotConfig, description: RobotDescription) -> None:

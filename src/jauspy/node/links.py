@@ -5,13 +5,13 @@ from __future__ import annotations
 import asyncio
 import errno
 import ipaddress
-import logging
 import os
 import socket
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from jauspy.errors import ConfigError, TransportError
+from jauspy.logs import get_logger
 from jauspy.node.config import NodeConfig
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
@@ -21,7 +21,7 @@ from jauspy.transport.listener import Listener
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 MAX_CONNECTIONS: Final = 64
 """Accepted connections; see `TcpPeers` for what happens to further ones."""

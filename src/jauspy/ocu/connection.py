@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections import Counter, deque
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -17,6 +16,7 @@ from jauspy.codec.registry import Registry
 from jauspy.component import Component
 from jauspy.errors import ConfigError, ControlRejected, JausError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages.core import (
     CancelEvent,
     ClearEmergency,
@@ -29,7 +29,7 @@ from jauspy.messages.core import (
 from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 
-_LOG: Final = logging.getLogger("jauspy.ocu")
+_LOG: Final = get_logger("jauspy.ocu")
 
 QUERY_EACH_INTERVAL: Final = 0.5
 """Seconds after which `query_each` sends its query again."""

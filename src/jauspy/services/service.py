@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import logging
 import math
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import dataclass
@@ -14,6 +13,7 @@ from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
+from jauspy.logs import get_logger
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
@@ -32,7 +32,7 @@ from jauspy.services.state_machine import (
 )
 from jauspy.services.timers import Timers
 
-_LOG: Final = logging.getLogger("jauspy.services")
+_LOG: Final = get_logger("jauspy.services")
 
 S = TypeVar("S", bound="Service")
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from typing import TYPE_CHECKING, Final
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import jserial, judp
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE, StallDetector
@@ -19,7 +19,7 @@ from jauspy.transport.base import Receiver, SendQueue, ignore
 if TYPE_CHECKING:
     import serial
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 READ_SIZE: Final = 4096
 REOPEN_INTERVAL: Final = 1.0

@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import socket
 from collections.abc import Callable, Mapping
 from typing import Final, cast
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import header, jtcp, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE, StallDetector
 from jauspy.transport.base import Receiver, SendQueue, ignore
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 HIGH_WATER: Final = 64 * 1024
 """Bytes in asyncio's write buffer above which packets wait in a bounded queue, by priority."""
