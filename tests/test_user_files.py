@@ -63,3 +63,12 @@ def test_many_addresses_of_one_id_take_no_time_to_speak_of(tmp_path: Path) -> No
     path.write_text(f"<c>{entries}</c>")
     ((ports,)) = load_address_book(path).values()
     assert len(ports) == 59_999
+
+
+def test_aliases_that_grow_are_refused(tmp_path: Path) -> None:
+    """The text of this list of lists would have gigabytes."""
+    lists = "".join(f"a{n}: &a{n} [{', '.join([f'*a{n - 1}'] * 10)}]\n" for n in range(1, 10))
+    path = tmp_path / "book.yaml"
+    path.write_text(f'a0: &a0 [101.1.1]\n{lists}addrbook: {{udp: {{"10.0.0.5:3794": *a9}}}}\n')
+    with pytest.raises(ConfigError, match="aliases are not read"):
+        load_address_book(path)

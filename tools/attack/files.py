@@ -14,12 +14,15 @@ from .arena import Arena
 READERS: Final = str(Path(__file__).with_name("readers.py"))
 TIMEOUT: Final = 60.0
 """Seconds for all files of a round."""
+MAX_SECONDS: Final = 10.0
+"""Seconds for one of them; a large file that is read as it should takes one."""
 MAX_MEMORY: Final = 400.0
 """MiB at the peak of the program, with what Python and the libraries need."""
 CANARY: Final = "canary"
 """The file that hostile files try to write, in the folder of the program."""
 EXPRESSION: Final = f"__import__('pathlib').Path('{CANARY}').touch()"
 _READING: Final = re.compile(r"^reading (.*)$", re.MULTILINE)
+_TOOK: Final = re.compile(r"^took (.*) s$", re.MULTILINE)
 _KILLED: Final = -9
 
 Make = Callable[[random.Random], bytes]
@@ -52,9 +55,11 @@ class FileKind:
         arena.memory = max(arena.memory, outcome.memory)
         read = _READING.findall(outcome.output)
         where = f"{names.get(read[-1], '') if read else 'no file'} ({self.reader})"
+        slowest = max([0.0, *map(float, _TOOK.findall(outcome.output))])
         last = outcome.output.strip().rpartition("\n")[2]
         arena.require(outcome.status != _KILLED, f"{where}: takes longer than {TIMEOUT:g} s")
         arena.require("Traceback" not in outcome.output and outcome.status in (0, 2), f"{where}: {last}")
+        arena.require(slowest <= MAX_SECONDS, f"{self.reader}: a file takes {slowest:.1f} s")
         arena.require(outcome.memory <= MAX_MEMORY, f"{self.reader}: reading needs {outcome.memory:.0f} MiB")
         arena.require("\x1b" not in outcome.output, f"{self.reader}: the output has escape sequences of a terminal")
         arena.require(not (arena.folder / CANARY).exists(), f"{self.reader}: a file is run as code")

@@ -1,6 +1,6 @@
 """Reads files as jauspy's commands do: `python readers.py KIND FILE...`. For a refused file the status is 2.
 
-Before each file its name is printed, so that the last one is that of a file which ends the program.
+Before each file its name is printed, so that the last one is that of a file which ends the program; then the time.
 """
 
 from __future__ import annotations
@@ -9,6 +9,7 @@ import contextlib
 import shutil
 import struct
 import sys
+import time
 from collections.abc import Callable, Mapping
 from importlib import import_module
 from itertools import islice
@@ -102,11 +103,13 @@ def main(kind: str, *files: str) -> int:
     status = 0
     for file in files:
         print(f"reading {file}", flush=True)
+        begin = time.monotonic()
         try:
             READERS[kind](Path(file))
         except JausError as error:
             print(f"refused: {error}"[:500], flush=True)
             status = 2
+        print(f"took {time.monotonic() - begin:.2f} s", flush=True)
     return status
 
 

@@ -113,9 +113,18 @@ def _xml(data: bytes) -> _Pairs:
             yield JausID.from_int(int(number)), parse_address(str(value))
 
 
+class _YamlLoader(yaml.SafeLoader):
+    """Refuses aliases: with them, a small file has texts of gigabytes."""
+
+    def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
+        if self.check_event(yaml.AliasEvent):
+            raise yaml.YAMLError("write out what the alias stands for; aliases are not read")
+        return super().compose_node(parent, index)
+
+
 def _yaml(data: bytes) -> _Pairs:
     """`addrbook: {udp: {"10.0.0.5:3794": 101.1.255}}`: one id or a list of ids by address."""
-    content = yaml.safe_load(data)
+    content = yaml.load(data, _YamlLoader)  # noqa: S506 - a safe loader
     book = _unwrap(content.get("addrbook")) if isinstance(content, dict) else None
     if not isinstance(book, dict):
         raise ConfigError("it has no key 'addrbook'")
