@@ -74,8 +74,11 @@ def module_host(
         AccessControl(default_authority=access.default_authority, timeout=access.timeout),
         Management(),
     ]
-    optional: dict[str, Callable[[], Service]]
-    optional = {"Discovery": lambda: Discovery(identities), "Time": Time, "Liveness": Liveness}
+    optional: dict[str, Callable[[], Service]] = {
+        "Discovery": lambda: Discovery(identities, registrants=config.registrants),
+        "Time": Time,
+        "Liveness": Liveness,
+    }
     core += [make() for name, make in optional.items() if config.offers(name)]
     try:
         services = catalogue.make(config.type, config.services, context)
