@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections.abc import Callable, Mapping
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp
 from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import Receiver, ignore
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 
 class LoopbackHub:
@@ -114,7 +114,7 @@ class LoopbackTransport:
     def _arrive(self, datagram: bytes, since: float) -> None:
         if not self.connected:
             return
-        if asyncio.get_running_loop().time() - since > self.max_age and not judp.is_acknowledged(datagram):
+        if asyncio.get_running_loop().time() - since > self.max_age and not judp.may_be_late(datagram):
             self._counters.drop("stale")
             return
         self._counters["received"] += 1
