@@ -19,6 +19,7 @@ from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetu
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
 from jauspy.transport.age import MAX_AGE
 
@@ -243,6 +244,8 @@ class ModuleConfig(StrictConfig):
     camera: UrdfName | None = None
     """Name of the camera that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
+    registrants: Registrants = "machine"
+    """Whose registrations the module's Discovery lists: those of components on its machine, or of its subsystem."""
     announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
     """The id of a console that the module queries for its identification until it answers, to be discovered by it."""
 
@@ -316,7 +319,7 @@ class RobotConfig(StrictConfig):
     backend: Name = "kinematic"
     world: Name = "empty"
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
-    """Seconds for which a message may wait while the robot's process does not run; 0 is no limit."""
+    """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
     """Without an origin there are no services with global poses."""
     operators: Annotated[str, Field(min_length=1)] | None = None
