@@ -8,8 +8,8 @@ from typing import Annotated, Final
 
 import typer
 
-from jauspy.cli import client
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli import client, console
+from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
@@ -30,6 +30,7 @@ def still(
     sensor: Annotated[int, typer.Option("--sensor", min=1, max=65535, help="The sensor id of the camera.")] = 1,
     connect: Connect = None,
     own_id: OwnId = None,
+    operator_key: OperatorKey = None,
     timeout: Timeout = 20.0,
 ) -> None:
     """Take a picture with a camera and save it.
@@ -45,7 +46,7 @@ def still(
     if component.is_wildcard:
         raise ConfigError(f"{component} has wildcards; name one component")
     wanted = size_of(size), format_of(save)
-    ocu = OCU(client.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY)
+    ocu = OCU(client.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY, operator=operator_key)
     run(take_picture(ocu, component, sensor, *wanted, file=save, max_wait=timeout))
 
 
@@ -83,7 +84,8 @@ async def take_picture(
     _write(file, photo.content)
     at = photo.taken
     when = f", taken at {at.hour:02}:{at.minutes:02}:{at.seconds:02}.{at.milliseconds:03} UTC" if at else ""
-    print(f"{file}: {photo.format} by sensor {photo.sensor} of {camera}, {len(photo.content):,} bytes{when}")
+    what = f"{photo.format} by sensor {photo.sensor} of {camera}, {len(photo.content):,} bytes{when}"
+    console.print_lines(f"{file}: {what}")
 
 
 def _write(file: Path, content: bytes) -> None:

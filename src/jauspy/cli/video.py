@@ -15,7 +15,7 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli import client, console
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
@@ -59,6 +59,7 @@ def video(
     ] = None,
     connect: Connect = None,
     own_id: OwnId = None,
+    operator_key: OperatorKey = None,
     timeout: Timeout = 2.0,
 ) -> None:
     """Request the video of a camera, and print commands that show it; or record it.
@@ -77,7 +78,7 @@ def video(
     if save is not None and show:
         raise typer.BadParameter("it cannot be combined with --save: a port has one receiver", param_hint="--show")
     address = parse_rtp_url(f"rtp://{to}")
-    ocu = client.make_ocu(own_id, connect, timeout)
+    ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
     if save is not None:
         run(record(ocu, component, sensor, address, file=save, seconds=seconds))
         return
@@ -130,7 +131,7 @@ async def registered(ocu: OCU, camera: JausID, sensor: int, url: str) -> AsyncIt
 async def watch(ocu: OCU, camera: JausID, sensor: int, address: tuple[str, int], seconds: float | None) -> None:
     """Keep the endpoint registered until the time is up."""
     async with ocu, registered(ocu, camera, sensor, url_of(address)):
-        print(f"{camera} sends to {url_of(address)}; Ctrl-C ends it", flush=True)
+        console.print_lines(f"{camera} sends to {url_of(address)}; Ctrl-C ends it")
         await _sleep(seconds)
 
 
@@ -156,7 +157,7 @@ async def record(
         loop.add_reader(receiver.fileno(), take)
         try:
             async with ocu, registered(ocu, camera, sensor, url_of(address)):
-                print(f"recording {camera} to {file}; Ctrl-C ends it", flush=True)
+                console.print_lines(f"recording {camera} to {file}; Ctrl-C ends it")
                 with suppress(TimeoutError):
                     await asyncio.wait_for(started.wait(), START_TIMEOUT)
                     await asyncio.wait_for(ended.wait(), seconds)
@@ -178,10 +179,12 @@ def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> N
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error}; choose another file with --sdp") from error
     ffplay = ["ffplay", *ffmpeg_source(file)]
-    print(f"wrote {file}; watch the video with one of these commands (GStreamer has the lowest delay):")
-    print(f"  {shlex.join(ffplay)}")
-    print(f"  gst-launch-1.0 {_quoted(gstreamer_source(address[1]))} ! autovideosink sync=false")
-    print(f"  vlc --network-caching=100 {shlex.quote(str(file))}", flush=True)
+    console.print_lines(
+        f"wrote {file}; watch the video with one of these commands (GStreamer has the lowest delay):",
+        f"  {shlex.join(ffplay)}",
+        f"  gst-launch-1.0 {_quoted(gstreamer_source(address[1]))} ! autovideosink sync=false",
+        f"  vlc --network-caching=100 {shlex.quote(str(file))}",
+    )
     if show:
         _show(ffplay)
 
