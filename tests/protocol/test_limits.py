@@ -17,6 +17,7 @@ from jauspy.protocol import (
 from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.authentication import Authenticator
+from jauspy.protocol.duplicates import REPLAY_WINDOW
 from jauspy.protocol.header import Packet, Priority
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks, SourceLimits, TokenBuckets
@@ -180,7 +181,7 @@ def test_a_signature_is_accepted_once() -> None:
 
 def test_datagrams_may_overtake_each_other_within_the_window() -> None:
     sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
-    sent = [sender.sign(query(n), 1000.0) for n in range(authentication.REPLAY_WINDOW + 2)]
+    sent = [sender.sign(query(n), 1000.0) for n in range(REPLAY_WINDOW + 2)]
     assert verified(receiver, sent[5]) == "good"
     assert verified(receiver, sent[3]) == "good"
     assert verified(receiver, sent[-1]) == "good"

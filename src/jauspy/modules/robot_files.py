@@ -23,6 +23,8 @@ from jauspy.platform.description import RobotModel
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
 
+FILES: Final = ("urdf", "operators", "audit_log")
+"""Keys with the path of a file; relative ones start at the TOML file."""
 MAX_EXTENSIONS: Final = 8
 """Maximal length of a chain of files that extend each other."""
 
@@ -53,7 +55,7 @@ def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
 
 
 def _read(source: Traversable, extensions: int) -> dict[str, Any]:
-    """Return the keys of a file and of those that it extends; `urdf` is relative to the file that sets it."""
+    """Return the keys of a file and of those that it extends; paths are relative to the file that sets them."""
     try:
         data = tomllib.loads(source.read_text(encoding="utf-8"))
     except OSError as error:
@@ -62,8 +64,9 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
         raise ConfigError(f"{source}: is not TOML: {error}") from error
     with as_file(source) as file:
         folder = file.parent
-    if isinstance(data.get("urdf"), str):
-        data["urdf"] = str(folder / data["urdf"])
+    for key in FILES:
+        if isinstance(data.get(key), str) and data[key]:
+            data[key] = str(folder / data[key])
     other = data.pop("extends", None)
     if other is None:
         return data

@@ -259,7 +259,7 @@ class NodeConfig(NetworkConfig):
     rate_burst: float = Field(default=1000.0, ge=1)
     """Messages that a source may send at once under `rate_limit`."""
     max_message_age: float = Field(default=MAX_AGE, ge=0)
-    """Seconds for which a message may wait in a socket or queue of the node manager. An older one is dropped, unless it
+    """Seconds for which a command may wait in a socket or queue of the node manager. An older one is dropped, unless it
     is acknowledged: a command of an operator who may be gone. 0 is no limit."""
     local_udp: bool = True
     """Allow components of this machine to connect by UDP, as those of ROS/IOP do, if their user may use the local
@@ -285,6 +285,9 @@ class NodeConfig(NetworkConfig):
     """Seconds without a packet after which a learned address expires."""
     receive_buffer: int = Field(default=RECEIVE_BUFFER, ge=4096, le=1 << 30)
     """Bytes of each UDP receive buffer; the kernel grants at most net.core.rmem_max."""
+    queue_memory: int = Field(default=64 << 20, ge=1 << 20)
+    """Bytes of all queues for components and connections together; the longest queue loses its oldest messages of the
+    lowest priority first."""
     status: bool = True
     """Serve `jauspy node-manager --status` on the local socket JuniorRTE.status."""
     metrics: HostPort | None = Field(default=None, examples=["127.0.0.1:9794"])
