@@ -49,6 +49,8 @@ VERIFIED_INTERVAL: Final = 0.25
 """Seconds for which a checked address needs no further check."""
 FOLLOW_SILENCE: Final = 0.25
 """Seconds of silence of the old way after a claim; a reliable message is resent for longer."""
+NEXT_CLAIM: Final = 0.5
+"""Seconds without a claim after the old way was heard: meanwhile its packets need no check."""
 CLAIM_LIFETIME: Final = 2.0
 """Seconds between two packets of a claim."""
 MAX_CLAIMS: Final = 1024
@@ -104,6 +106,7 @@ class AddressChanges:
         claim = self._claims.get(id)
         if claim is not None and not is_same_host(claim.port, port):
             del self._claims[id]
+            _put(self._barred, id, now + NEXT_CLAIM, MAX_CLAIMS)
         if sequence is None:
             return
         known = self._sequences.get(id)
@@ -123,7 +126,7 @@ class AddressChanges:
             _put(self._barred, id, now + MOVE_TIMEOUT, MAX_CLAIMS)
             self._claims.pop(id, None)
             return True
-        if not authenticated and (now < self._barred.get(id, now) or not self._continues(id, sequence, now)):
+        if now < self._barred.get(id, now) or not (authenticated or self._continues(id, sequence, now)):
             return False
         claim = self._claims.get(id)
         if claim is None or not is_same_host(claim.port, port) or now - claim.last > CLAIM_LIFETIME:
