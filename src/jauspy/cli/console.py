@@ -107,16 +107,17 @@ def print_counters(counters: Mapping[str, int], title: str = "counters:") -> Non
     print_if_read(title, *lines, file=sys.stderr)
 
 
-def print_if_read(*lines: str, file: TextIO) -> None:
+def print_if_read(*lines: str, file: TextIO | None = None) -> None:
     """As `print_lines`, for a service, which neither ends nor waits because nobody reads or the disk is full."""
-    if not _has_room(file):
+    stream = file or sys.stdout
+    if not _has_room(stream):
         return
     try:
-        print_lines(*lines, file=file)
+        print_lines(*lines, file=stream)
     except BrokenPipeError:
         raise
     except OSError:
-        _discard(file)
+        _discard(stream)
 
 
 def _has_room(stream: TextIO) -> bool:

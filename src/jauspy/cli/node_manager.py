@@ -168,7 +168,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
             loop.add_signal_handler(signal.SIGHUP, reload, manager, read, services)
         where = ", ".join(f"{each.address}:{manager.port_of(each.name)}" for each in config.all_networks)
         ready = f"node manager ready: UDP {where}, local sockets in {config.local_root}"
-        console.print_if_read(ready, file=sys.stdout)
+        console.print_if_read(ready)
         try:
             await manager.run()
         finally:
