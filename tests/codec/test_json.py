@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 from hypothesis import HealthCheck, given, settings, strategies as st
 
-from jauspy.codec.items import odd_from_json, odd_to_json
+from jauspy.codec.items import non_finite_from_json, non_finite_to_json
 from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError, EncodeError
 from jauspy.messages import registry
@@ -36,9 +36,9 @@ def test_what_is_no_finite_number_keeps_its_bits(bits: str, folder: Any) -> None
 
 
 def test_only_what_is_no_number_has_a_name() -> None:
-    assert odd_to_json(math.nan) == "nan"
+    assert non_finite_to_json(math.nan) == "nan"
     for text in ("nan:", "nan:7ff0", "nan:3ff0000000000000", "nan:zzf8000000000001", "NaN", "1.5", ""):
-        assert odd_from_json(text) is None
+        assert non_finite_from_json(text) is None
 
 
 @pytest.mark.parametrize("wrong", [None, 7, "QueryTime", [], {}, {"message": 7}, {"message": ["QueryTime"]}])

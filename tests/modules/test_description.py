@@ -46,7 +46,7 @@ def test_every_robot_fits_its_urdf(name: str) -> None:
         ),
         (
             "[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nFLIPPERS",
-            "the joints from base_link to tool_link that move are, in order: base_link_to_arm_link_1",
+            "groups.arm.joints: the joints from base_link to tool_link that move are, in order: base_link_to_arm_link",
         ),
         ("[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nFIXED", "'gripper_link_to_tool_link' does not move"),
     ],

@@ -15,7 +15,7 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import rtp
 from jauspy.video.h264 import H264Decoder, H264Encoder
-from jauspy.video.receiver import RtpReceiver
+from jauspy.video.receiver import SOURCE_TIMEOUT, RtpReceiver
 from jauspy.video.recorder import Recorder
 from jauspy.video.sender import MAX_RECEIVERS, MIN_IDR_INTERVAL, RtpSender
 from jauspy.video.stamp import read
@@ -228,15 +228,20 @@ def test_a_recording_ends_where_the_size_changes(scene, sender, receivers, tmp_p
         assert recorder.pictures == 2
 
 
-def test_a_recording_goes_on_when_the_camera_begins_anew(scene, sender, receivers, tmp_path):
+def test_a_recording_goes_on_when_the_camera_begins_anew(scene, sender, tmp_path):
     """Another process, with another source and another clock, is no gap of hours."""
     import av
 
-    receiver, _ = receivers
-    sender.add(at(receiver))
-    Show(scene, sender).go_on(3)
-    with RtpSender("anew") as anew, Recorder(tmp_path / "front.mp4") as recorder:
+    now = 0.0
+    with (
+        RtpReceiver(clock=lambda: now) as receiver,
+        RtpSender("anew") as anew,
+        Recorder(tmp_path / "front.mp4") as recorder,
+    ):
+        sender.add(at(receiver))
+        Show(scene, sender).go_on(3)
         pictures = take(receiver, 3)
+        now = SOURCE_TIMEOUT
         anew.add(at(receiver))
         Show(scene, anew).go_on(3)
         for picture in pictures + take(receiver, 3):

@@ -12,7 +12,7 @@ from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 
 V1_MARK: Final = 0x01
-OPC_MARK: Final = b"JAUS01.0"  # OpenJAUS 2.75 and others of its time wrote this before an AS5669 v1 header
+OPC_MARK: Final = b"JAUS01.0"  # OpenJAUS 2.75 and similar stacks wrote this before an AS5669 v1 header
 # A JAUS Toolset component that sends with priority 0 sets all bits of the control byte.
 PRIORITY_ZERO: Final = "control byte FF, as a faulty sender of priority 0 sets it; taken for a single packet"
 STANDARD: Final = "urn:jaus:jss:"
@@ -23,8 +23,8 @@ OLD_HEADER: Final = "AS5669 v1/OPC header, not decoded"
 class Content:
     """The message of a packet or of bare bytes, as far as it can be decoded.
 
-    `message` is None when there is none (an acknowledgement, a later fragment), when its code is unknown, or when its
-    bytes are wrong; `problem` then says which. `others` are further meanings of the id, unless hints were given.
+    `message` is None if there is none (an acknowledgement, a later fragment), if its code is unknown, or if its bytes
+    are invalid; `problem` then says which. `others` are further meanings of the id, unless hints were given.
     """
 
     payload: bytes
@@ -40,7 +40,7 @@ class Content:
         return int.from_bytes(self.payload[:2], "little") if len(self.payload) >= 2 else None
 
     def reencoded(self) -> bytes | None:
-        """The bytes the message encodes to; the payload itself where nothing was decoded; None when it cannot."""
+        """The encoded message; the payload itself if nothing was decoded; None if the message cannot be encoded."""
         if self.message is None:
             return self.payload
         try:

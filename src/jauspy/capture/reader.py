@@ -1,4 +1,4 @@
-"""Reading recorded datagrams: UDP out of pcap and pcapng files, and bytes written as hexadecimal text."""
+"""Reads recorded datagrams: UDP in pcap and pcapng files, and bytes written as hexadecimal text."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ JAUS_PORT: Final = 3794  # registered for JAUS, used by JUDP
 _PCAPNG: Final = b"\x0a\x0d\x0d\x0a"
 _PCAP: Final = tuple(struct.pack(order + "I", magic) for magic in (0xA1B2C3D4, 0xA1B23C4D) for order in "<>")
 MAX_OPEN_PACKETS: Final = 64
-"""Incomplete IP packets of a capture; the oldest is dropped first."""
+"""Maximal number of incomplete IP packets of a capture; the oldest is dropped first."""
 MAX_PACKET: Final = 65535
 _Key = tuple[bytes, bytes, int]
 _SEPARATORS = re.compile(r"[\s:,_-]+|\b0[xX]")
@@ -115,7 +115,7 @@ class CaptureReader:
 
     @property
     def skipped(self) -> Counter[str]:
-        """How many frames were left out, by reason."""
+        """Number of skipped frames, by reason."""
         return self._assembler.skipped
 
     def __iter__(self) -> Iterator[Datagram]:
@@ -293,7 +293,7 @@ def from_hex(text: str) -> bytes:
 
 
 def from_lines(text: str) -> list[tuple[int, bytes]]:
-    """Each line's number and bytes; empty lines and what follows a `#` are left out."""
+    """Number and bytes of each line; empty lines and comments (`#`) are skipped."""
     found = []
     for number, line in enumerate(text.splitlines(), 1):
         content = line.partition("#")[0].strip()

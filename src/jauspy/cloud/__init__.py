@@ -1,4 +1,4 @@
-"""Point clouds over nanomsg's publish and subscribe, beside JAUS: large, frequent, and of interest only while new.
+"""Point clouds over nanomsg's publish and subscribe, outside of JAUS: they are large, frequent and soon outdated.
 
 Publishing and subscribing need the extra `cloud` (pynng); the messages themselves need nothing.
 """

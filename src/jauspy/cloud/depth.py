@@ -11,14 +11,14 @@ from jauspy.platform.camera import Camera
 from jauspy.worker_process import SupervisedWorker
 
 NICENESS: Final = 5
-"""Above that of the robot's process: clouds never delay control."""
+"""Nice value above that of the robot's process, so that clouds never delay control."""
 
 _LOG: Final = logging.getLogger("jauspy.cloud")
 
 
 @dataclass(frozen=True, slots=True)
 class DepthSettings:
-    """How the clouds of a camera are made."""
+    """Settings of the clouds of a camera."""
 
     width: int = 400
     height: int = 250
@@ -32,7 +32,7 @@ class DepthSettings:
 
 @dataclass(frozen=True, slots=True)
 class DepthStream:
-    """Which camera's clouds are published, and at which address."""
+    """A camera and the address at which its clouds are published."""
 
     camera: Camera
     settings: DepthSettings

@@ -6,8 +6,8 @@
 | 4 | uint16 | values of a point: 3 are x, y, z in metres; 6 are these and red, green, blue from 0 to 1 |
 | 6 | uint16 | bytes of the frame's name |
 | 8 | uint32 | points |
-| 12 | uint32 | of the stream: chosen anew each time a publisher starts |
-| 16 | uint64 | number of the message in its stream, from 0, one more each time |
+| 12 | uint32 | stream id: random, new each time a publisher starts |
+| 16 | uint64 | number of the message in its stream, counted from 0 |
 | 24 | float64 | seconds since 1970 (UTC) at which the points were measured |
 | 32 | UTF-8 | name of the frame that the points are in: x forward, y left, z up |
 | then | float32 | the points |

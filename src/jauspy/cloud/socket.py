@@ -13,7 +13,7 @@ from jauspy.cloud.message import Cloud, decode
 from jauspy.errors import ConfigError, DecodeError, TransportError
 
 SEND_QUEUE_SIZE: Final = 8
-"""Messages that wait for a slow subscriber; further ones are lost, which shows as gaps in the numbers."""
+"""Messages queued for a slow subscriber; further ones are lost, which shows as gaps in the numbers."""
 MAX_MESSAGE_SIZE: Final = 32_000_000
 """Bytes of a message that a subscriber accepts; a million coloured points are 24 MB."""
 

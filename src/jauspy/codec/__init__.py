@@ -1,1 +1,1 @@
-"""Messages to bytes and back: the generator, what generated code needs at run time, and the construct reference."""
+"""Encoding and decoding of messages: the generator, its run-time support, and the reference codec."""

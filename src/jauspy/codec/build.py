@@ -1,6 +1,6 @@
 """Message classes of a schema, made in memory: names, nested classes, shared types, layouts.
 
-The result serves `jauspy.load` as it is, and is what `jauspy.codec.source` writes as Python modules. A class at module
+`jauspy.load` uses the result as it is; `jauspy.codec.source` writes it as Python modules. A class at module
 level (its owner) is a message or a composite of a declared type set; composites and enumerations inside it are its
 nested classes, flat, with names that are unique in it.
 """
@@ -49,7 +49,7 @@ REPORTS: Final = range(0x4000, 0x6000)
 ANSWERS: Final = ("Report", "Confirm", "Reject")
 
 MAX_LOOPS: Final = 16
-"""Lists and arrays one inside the other; Python takes 20 nested blocks."""
+"""Maximal nesting of lists and arrays; Python allows 20 nested blocks."""
 
 _OWN_NAMES: Final = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND", "IS_QUERY", "REPORT"})
 
@@ -59,7 +59,7 @@ class Module:
     """One module of a package: a service, or the declared types of a set that several messages share."""
 
     name: str
-    """Dotted, below the package."""
+    """Dotted name relative to the package."""
     doc: str
     service: str = ""
     version: str = ""
@@ -68,7 +68,7 @@ class Module:
 
 @dataclass(frozen=True, slots=True)
 class Package:
-    """The message classes of a schema, and the registry that knows them."""
+    """The message classes of a schema, and their registry."""
 
     name: str
     modules: tuple[Module, ...]
@@ -105,7 +105,7 @@ def build(schema: m.Schema, package: str, base: Registry | None = None) -> Packa
 
 @dataclass(slots=True)
 class _Planned:
-    """A message, the class it gets, and the message that answers it."""
+    """A message, the name of its class, and the message that answers it."""
 
     module: str
     name: str
@@ -115,7 +115,7 @@ class _Planned:
     answer: _Planned | None = None
 
     def entry(self, package: str) -> MessageEntry:
-        """What the registry knows of it."""
+        """The entry of the registry."""
         message, module = self.message, f"{package}.{self.module}"
         return MessageEntry(message.code, message.name, *self.service.key, module, self.name, digest(message.body))
 
@@ -146,9 +146,9 @@ def _module_name(service: m.Service) -> str:
 
 
 def asks(message: m.Message, service: m.Service) -> bool:
-    """True for a query: by its id below 6000h (AS5710), else an input that is no command.
+    """True for a query: by its id if below 6000h (AS5710), else for an input that is no command.
 
-    Clients of a service have its outputs as inputs, so names that say what they are go first.
+    Clients of a service have its outputs as inputs, so names such as `Query...` take precedence.
     """
     if message.code < REPORTS.stop:
         return message.code in QUERIES
@@ -166,10 +166,10 @@ def answers(query: m.Message, report: m.Message) -> bool:
 
 
 def _sharing_key(one: _Planned, services: set[str]) -> object:
-    """Equal for messages of several services or versions that are one class; the others derive from the first one.
+    """A key that is equal for messages of several services or versions that share a class; they derive from the first.
 
-    Queries are equal when the reports on them are. The first module by name has the class, so that imports of written
-    modules go one way only.
+    Queries are equal when the reports on them are. The first module by name has the class, so that the imports of
+    written modules have no cycles.
     """
     answer = one.answer and _message_key(one.answer.message, services)
     return (_message_key(one.message, services), one.is_query, answer)
@@ -180,7 +180,7 @@ def _message_key(message: m.Message, services: set[str]) -> object:
 
 
 def _without_services(value: Any, services: set[str]) -> Any:
-    """A node without the names of services that declare parts of it: these do not show in a class."""
+    """A node without the names of services that declare parts of it, which do not affect a class."""
     if isinstance(value, tuple):
         return tuple(_without_services(part, services) for part in value)
     if not isinstance(value, m.Node):
@@ -192,7 +192,7 @@ def _without_services(value: Any, services: set[str]) -> Any:
 
 
 def _located(owner: _Owner, one: _Planned) -> type[Message]:
-    """The class of a message; a `SchemaError` says where the message is."""
+    """The class of a message; adds the location of the message to a `SchemaError`."""
     message = one.message
     try:
         return owner.message(one)
@@ -223,7 +223,7 @@ class _SharedTypes:
         self._classes: dict[m.Node, type[Struct]] = {}
 
     def owns(self, node: m.Node) -> bool:
-        """True when a node comes from a type set, not from a service's own declarations.
+        """True if a node is declared in a type set, not by a service itself.
 
         A list or variant in an arm of a variant gets a class that is named after its use, so it is never shared.
         """
@@ -281,7 +281,7 @@ class _Owner:
         return self._class_of(node, self.name)
 
     def _names(self, name: str, doc: str, kinds: Mapping[str, Any], values: Mapping[str, Any]) -> dict[str, Any]:
-        """What the body of a class with these annotations and values defines; the owner has all that is nested."""
+        """The names that a class with these annotations and values defines; nested classes belong to the owner."""
         is_owner = name == self.name
         place = {"__module__": self._module, "__qualname__": name if is_owner else f"{self.name}.{name}"}
         nested = self._nested if is_owner else {}
@@ -339,7 +339,7 @@ class _Owner:
     def _blob(self, node: m.VariableLengthField) -> Blob:
         if node.format.lower() != JAUS_MESSAGE:
             return Blob(_count(node.count))
-        # deployed systems send no message as a count of 0, whatever lower limit the definitions give
+        # deployed systems send a missing message as a count of 0, whatever the lower limit in the definition
         return Blob(_count(replace(node.count, minimum=0)), self._shared.registry)
 
     def _union(self, node: m.Variant) -> Union:
@@ -433,7 +433,7 @@ class _Owner:
         return made(type(name, (Struct,), names))
 
     def _part(self, name: str, part: str) -> str:
-        """`Choice` in a declared class, `ZPositionChoice` where other classes are beside it."""
+        """The name of a nested class: `Choice` in a declared class, `ZPositionChoice` beside other classes."""
         return part if name == self.name else f"{name}{part}"
 
     def _number(
@@ -468,11 +468,11 @@ class _Owner:
 
 @dataclass(slots=True)
 class _Parts:
-    """What a composite consists of."""
+    """The parts of a composite."""
 
     slots: list[Slot] = field(default_factory=list)
     rows: list[str] = field(default_factory=list)
-    """Of the docstring."""
+    """Lines of the docstring."""
     presence: str | None = None
 
 
@@ -497,7 +497,7 @@ def intervals(values: m.ValueSet, code: str) -> tuple[tuple[float, float], ...]:
 
 
 def loops(item: Item) -> int:
-    """How many loops its code has one inside the other; what has a method of its own begins anew."""
+    """The number of nested loops in its code; items with a method of their own count from zero."""
     match item:
         case Repeat():
             return 1 + loops(item.item)
@@ -510,7 +510,7 @@ def loops(item: Item) -> int:
 
 
 def _shallow(node: m.Node, item: Item) -> Item:
-    """The item, if Python takes its code."""
+    """Return the item; raises `SchemaError` if its code has too many nested loops for Python."""
     if loops(item) > MAX_LOOPS:
         raise SchemaError(f"'{node.name}' has more than {MAX_LOOPS} lists and arrays one inside the other; flatten it")
     return item
@@ -589,7 +589,7 @@ def _bit_row(bit: Bit, doc: str) -> str:
 
 
 def _doc(summary: str, rows: Iterable[str] = (), name: str = "") -> str:
-    """A docstring: what it is, and a row for each attribute; the name of a class of which there is nothing to say."""
+    """A docstring: the description, or else the name, and a row for each attribute."""
     head, *listed = (" ".join(text.split()) for text in (summary, *rows))
     listed = [row for row in listed if row]
     lines = [*([head] if head else []), *([""] if head and listed else []), *listed] or [f"{name}."]
@@ -603,9 +603,9 @@ _numbers: Final = count(1)
 def load(*sources: str | Path) -> Registry:
     """The messages of JSIDL files, folders or patterns (`load("vendor/*.xml")`), in front of the built-in ones.
 
-    The files may refer to each other and to everything built in, in any mix of versions. A service they define in a
-    version that is built in replaces that one; message ids that mean several things are in `Registry.collisions` and in
-    the log. When the registry decodes a built-in message, it finds its own messages inside. Raises `SchemaError` with
+    The files may refer to each other and to everything built in, in any mix of versions. A service that they define in
+    a built-in version replaces the built-in one; ambiguous message ids are listed in `Registry.collisions` and logged.
+    The registry also decodes its own messages inside built-in ones. Raises `SchemaError` with
     file and line, `ConfigError` when there is no such file.
     """
     return load_schema(load_own(sources))
@@ -625,7 +625,7 @@ def load_schema(schema: Schema) -> Registry:
 
 
 def _register(package: Package) -> None:
-    """Make the modules known to `import`, which is how a registry finds classes, and pickle."""
+    """Register the modules for `import`, which the registry and pickle use to find classes."""
     root = sys.modules[package.name] = ModuleType(package.name)
     root.__dict__["registry"] = package.registry
     for module in package.modules:

@@ -1,4 +1,4 @@
-"""What the generated encoders and decoders share: names, positions in the data, items of fixed size, value sets.
+"""Shared parts of the generated encoders and decoders: names, offsets, items of fixed size, value sets.
 
 Source is made of fixed text, numbers and identifiers only. Whatever else the code needs (classes, packers, registries,
 constants that are no finite number) goes into its namespace as an object, so no text of a definition is ever executed.
@@ -23,7 +23,7 @@ from jauspy.codec.names import unique
 from jauspy.codec.wire import FLOATS, SIZES, Scaling, compact, exact_raw, limits
 
 MAX_CACHED_PACKERS: Final = 1024
-"""Packers that one cache holds; a peer that sends all of 2**15 presence vectors must not fill the memory."""
+"""Packers in one cache: a peer that sends all of 2**15 presence vectors must not fill the memory."""
 
 
 class Masks(dict[int, Packer]):
@@ -46,7 +46,7 @@ class Masks(dict[int, Packer]):
 
 
 class Rows(dict[int, Packer]):
-    """The packers of so many numbers of one type, each made when its count first occurs."""
+    """The packers of any count of one number, each made when its count first occurs."""
 
     def __init__(self, code: str) -> None:
         super().__init__()
@@ -67,7 +67,7 @@ rows: Final = lru_cache(len(SIZES))(Rows)
 
 
 def plain_bytes(value: object) -> bytes:
-    """The bytes of a field that takes nothing else."""
+    """The bytes of a field that accepts bytes only."""
     if isinstance(value, (bytes, bytearray, memoryview)):
         return bytes(value)
     raise Reject
@@ -79,7 +79,7 @@ def message_bytes(value: object) -> bytes:
 
 
 class Namespace:
-    """The globals of one generated function: every object its source refers to, under a name of its own."""
+    """The globals of one generated function: every object that its source refers to, under a unique name."""
 
     def __init__(self) -> None:
         self.values: dict[str, object] = {
@@ -139,18 +139,18 @@ class Namespace:
         return self._add("F", numbers, lambda: numbers)
 
     def source(self, source: object) -> str:
-        """What knows the messages inside a field."""
+        """The source that decodes the messages inside a field."""
         return self._add("K", ("K", id(source)), lambda: source)
 
     def number(self, value: float) -> str:
-        """A number; what has no literal (infinity) by reference."""
+        """A number as a literal; infinity and NaN by reference."""
         if type(value) in (int, float) and math.isfinite(value):
             return repr(value)
         return self._add("V", ("V", repr(value)), lambda: value)
 
 
 def identifier(name: str) -> str:
-    """The name, which may stand in source; `ValueError` for anything that is no identifier, or that Python changes."""
+    """Return a name that is safe in source; `ValueError` if it is no identifier, or one that Python normalises."""
     if not name.isidentifier() or iskeyword(name) or unicodedata.normalize("NFKC", name) != name:
         raise ValueError(f"{name!r} is not an identifier")
     return name
@@ -168,14 +168,14 @@ class Locals:
         self._taken: set[str] = set()
 
     def name(self, hint: str) -> str:
-        """A new name that looks like `hint`."""
+        """A new name similar to `hint`."""
         found = unique(hint, self._taken.__contains__)
         self._taken.add(found)
         return identifier(f"{found}_")
 
 
 class Position:
-    """A variable and a number of bytes after it that is known when the code is generated."""
+    """A variable plus a number of bytes that is known when the code is generated."""
 
     def __init__(self, base: str, offset: int) -> None:
         self._base = base
@@ -189,7 +189,7 @@ class Position:
         return f"{self._base} + {offset}" if offset else self._base
 
     def parenthesized(self) -> str:
-        """The same, safe to stand after a minus sign."""
+        """As `here`, in parentheses, for use after a minus sign."""
         return f"({self.here()})" if self._base and self._offset else self.here()
 
     def skip(self, size: int) -> None:
@@ -197,11 +197,11 @@ class Position:
         self._offset += size
 
     def move(self, base: str) -> None:
-        """Go on to where a variable says."""
+        """Continue at the offset in a variable."""
         self._base, self._offset = base, 0
 
     def settled(self) -> None:
-        """The variable `at` has the position now."""
+        """Note that the variable `at` has the position."""
         self.move("at")
 
     def settle(self) -> list[str]:
@@ -218,12 +218,12 @@ def indent(lines: Iterable[str], levels: int = 1) -> list[str]:
 
 
 def reject_if(condition: str) -> list[str]:
-    """The line that gives up."""
+    """The line that raises `Reject` on a condition."""
     return [f"if {condition}: raise Reject"]
 
 
 def count_checks(number: str, low: int, high: int, code: str) -> list[str]:
-    """The line that gives up unless a count is within its limits; none where every value of the code is."""
+    """The line that raises `Reject` unless a count is within its limits; none if every value is."""
     parts = [f"{number} < {int(low)}"] if low else []
     parts += [f"{number} > {int(high)}"] if high < limits(code)[1] else []
     return reject_if(" or ".join(parts)) if parts else []
@@ -254,11 +254,11 @@ def size_of(codes: Iterable[str]) -> int:
 
 
 Run = list[Slot]
-"""Neighbours in a composite."""
+"""Consecutive slots of a composite."""
 
 
 def runs(slots: Iterable[Slot]) -> list[tuple[Run, bool]]:
-    """Neighbours of fixed size together (and True), each other slot alone; optional composites stay alone, too."""
+    """Groups of consecutive slots of fixed size (with True), and every other slot alone, as optional composites."""
     made: list[tuple[Run, bool]] = []
     for slot in slots:
         codes = fixed_codes(slot.item)
@@ -271,7 +271,7 @@ def runs(slots: Iterable[Slot]) -> list[tuple[Run, bool]]:
 
 
 def presence_bits(composite: Composite) -> dict[str, int]:
-    """The presence bit of each optional slot; 0 when the vector has none left for it."""
+    """The presence bit of each optional slot; 0 if the vector has too few bits."""
     highest = limits(composite.presence)[1] if composite.presence else 0
     optional = [slot.name for slot in composite.slots if slot.optional]
     return {name: 1 << number if 1 << number <= highest else 0 for number, name in enumerate(optional)}
@@ -291,7 +291,7 @@ def is_one_run(composite: Composite) -> bool:
 
 
 def covers(values: Values, low: float, high: float) -> bool:
-    """True when every value from `low` to `high` is allowed."""
+    """True if every value from `low` to `high` is allowed."""
     if values.anything:
         return True
     named = [(int(one), int(one)) for one in values.enum] if values.enum else []
@@ -316,14 +316,14 @@ def outside(values: Values, name: str, namespace: Namespace, low: float = -math.
 
 
 def free(number: Number | Real) -> bool:
-    """True when any raw value may stand there."""
+    """True if any raw value is allowed."""
     if isinstance(number, Real):
         return number.code.isupper()
     return number.code not in FLOATS and covers(number.values, *limits(number.code))
 
 
 def is_plain(grid: Grid) -> bool:
-    """True for arrays of any floats, or of integers of which any value may stand there."""
+    """True for arrays of any floats, or of integers without restrictions."""
     number = grid.item
     return isinstance(number, Number) and number.values.anything and (number.code in FLOATS or free(number))
 
@@ -334,7 +334,7 @@ def grid_codes(grid: Grid) -> list[str]:
 
 
 def finite(grid: Grid, raw: str) -> list[str]:
-    """Lines that reject infinities and NaN, which a sum does not lose."""
+    """Lines that reject infinities and NaN; a sum of values preserves them."""
     return reject_if(f"not isfinite(sum({raw}))") if (fixed_codes(grid.item) or [""])[0] in FLOATS else []
 
 
@@ -353,7 +353,7 @@ def grid_values(grid: Grid, raw: str, target: str) -> list[str]:
 
 
 def inner_grid(grid: Grid) -> Item:
-    """What the first dimension of an array repeats."""
+    """The item that the first dimension of an array repeats."""
     return Grid(grid.item, grid.sizes[1:]) if len(grid.sizes) > 1 else grid.item
 
 
@@ -364,7 +364,7 @@ def scaled(scaling: Scaling, raw: str, namespace: Namespace) -> str:
 
 
 def keywords_only(slots: Iterable[Slot]) -> bool:
-    """True when a required attribute follows an optional one, so that positions are of no use."""
+    """True if a required attribute follows an optional one, so that arguments must be given by keyword."""
     seen = False
     for slot in slots:
         if seen and not slot.optional:

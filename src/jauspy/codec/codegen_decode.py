@@ -1,6 +1,6 @@
 """Source of the straight-line decoders: `_unpack` of messages, `_read` of what is inside them.
 
-They accept valid bytes only and raise something out of `FAST_ERRORS` for all others. Attributes are set on an object
+They accept valid bytes only and raise one of `FAST_ERRORS` for all others. Attributes are set on an object
 made by `new`, which costs less than a constructor; local variables end in an underscore where they hold a field.
 """
 
@@ -53,14 +53,14 @@ def read_source(layout: Composite | Choice | Formatted, namespace: Namespace) ->
 
 @dataclass(frozen=True, slots=True)
 class _Raw:
-    """Where the raw values go, and the lines that then make attributes of them."""
+    """Variables for the raw values, and the lines that convert them to attributes."""
 
     targets: list[str]
     lines: list[str]
 
 
 class _RawReader:
-    """Source that turns what `struct` unpacks into values: checks, scaling, members, bit fields, small records."""
+    """Source that converts unpacked raw values to values: checks, scaling, members, bit fields, small records."""
 
     def __init__(self, namespace: Namespace, names: Locals) -> None:
         self._namespace = namespace
@@ -77,7 +77,7 @@ class _RawReader:
                 return None
 
     def into(self, item: Item, hint: str, target: str) -> _Raw:
-        """An item of fixed size into an attribute or variable; what needs no work is unpacked right into it."""
+        """Read an item of fixed size into an attribute or variable; directly if it needs no conversion."""
         if isinstance(item, Number) and self.expression(item, "") == "":
             return _Raw([target], [])
         names, lines, value = self.flat(item, hint)
@@ -337,10 +337,10 @@ class _Decoder:
         return [*self._number(count.code, name), *count_checks(name, count.minimum, count.maximum, count.code)]
 
     def _chunk(self, count: Count, hint: str) -> tuple[list[str], str]:
-        """Lines that read a count and find the end, and the counted bytes as an expression.
+        """Lines that read a count and compute the end, and the counted bytes as an expression.
 
-        Nothing checks that the end is within the data: a slice makes do with less, every read after it fails, and at
-        the latest the message finds that it does not end where the data does.
+        The end is not checked here: a slice beyond the data is short, every later read fails, and finally the length of
+        the message is compared with that of the data.
         """
         end = self.locals.name(f"{hint}_end")
         lines = self._count(count, end)
@@ -415,7 +415,7 @@ class _Decoder:
         return [*lines, *found, f"self.data = {self._inside(layout.nested, chunk)} if {chosen} else {chunk}"]
 
     def _inside(self, known: Source, chunk: str) -> str:
-        """A message inside this one, of the registry that decodes this one, else of the one this class is of."""
+        """Decode a message inside this one by the registry that decodes this one, else by the registry of the class."""
         return f"(nesting or {self.namespace.source(known)}.nesting).message({chunk})"
 
 

@@ -1,6 +1,6 @@
 """Source of the straight-line encoders: `_pack` of messages, `_write` of what is inside them.
 
-They check what `struct` does not, and raise something out of `FAST_ERRORS` for every value that does not fit.
+They check what `struct` does not, and raise one of `FAST_ERRORS` for every value that does not fit.
 """
 
 from __future__ import annotations
@@ -49,14 +49,14 @@ Checked = tuple[list[str], list[str]]
 
 
 class _Checks:
-    """Source that turns values into what `struct` packs. What needs no check is an expression without a line."""
+    """Source that converts values to raw values. A value that needs no check is an expression without a line."""
 
     def __init__(self, namespace: Namespace, names: Locals) -> None:
         self._namespace = namespace
         self._locals = names
 
     def local(self, source: str, hint: str) -> tuple[list[str], str]:
-        """A value as a local variable; one that is a variable already stays."""
+        """A value as a local variable; a variable is returned unchanged."""
         if source.isidentifier():
             return [], source
         name = self._locals.name(hint)
@@ -212,7 +212,7 @@ class _Encoder:
         return [*lines, *self._append(codes, values)]
 
     def _append(self, codes: list[str], values: list[str]) -> list[str]:
-        if len(codes) <= 3 and set(codes) == {"B"}:  # costs less than to pack them
+        if len(codes) <= 3 and set(codes) == {"B"}:  # costs less than packing them
             return [f"out.append({value})" for value in values]
         return [f"out += {self.namespace.packer(codes)}.pack({', '.join(values)})"] if values else []
 

@@ -1,4 +1,4 @@
-"""What message declarations are made with: decorators of classes, fields, and the parts of layouts.
+"""The vocabulary of message declarations: class decorators, fields, and the parts of layouts.
 
 `@message`, `@record` and `@bit_field` make dataclasses with slots, whose layout is that of their fields. Type checkers
 see all fields (`typing.dataclass_transform`). Items of a layout that refer to classes are functions, called at first
@@ -50,7 +50,7 @@ S = TypeVar("S", bound=Struct)
 M = TypeVar("M", bound=Message)
 
 _PART = "jauspy"
-"""Where the metadata of a dataclass field has what it is on the wire."""
+"""Key of the wire layout in the metadata of a dataclass field."""
 
 
 class Service(NamedTuple):

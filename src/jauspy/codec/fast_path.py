@@ -1,7 +1,8 @@
 """Makes the straight-line `_unpack`, `_pack`, `_read` and `_write` of a class from its layout, when first called.
 
 The source is compiled into the class that declares the layout, so classes derived from it have it, too. Tracebacks show
-it, as `linecache` has it. Two threads that come first at the same time make the same code; either one stays.
+it, because it is registered in `linecache`. If two threads generate it at the same time, both results are equal and
+either one is kept.
 """
 
 from __future__ import annotations
@@ -18,7 +19,7 @@ from jauspy.codec.message import Message, Reject, Struct
 
 
 def install(cls: type[Struct], method: Literal["_unpack", "_pack", "_read", "_write"]) -> None:
-    """Give the class, or the base class that declares its layout, this method."""
+    """Add this method to the class, or to the base class that declares its layout."""
     owner = next(base for base in cls.__mro__ if issubclass(base, Struct) and "_layout" in base.__dict__)
     layout, namespace = owner.layout(), Namespace()
     match method, layout:

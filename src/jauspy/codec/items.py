@@ -22,7 +22,7 @@ from jauspy.codec.wire import FLOATS, SIZES, Rounding, Scaling, exact_raw, limit
 from jauspy.errors import EncodeError
 
 MAX_SHOWN: Final = 100
-"""Characters of a wrong value that a message shows."""
+"""Characters of an invalid value that an error shows."""
 
 
 def join(path: str, name: str) -> str:
@@ -31,25 +31,25 @@ def join(path: str, name: str) -> str:
 
 
 class Item(ABC):
-    """How one value lies on the wire; every method takes the field path for its errors."""
+    """The wire form of one value; every method takes the field path for its errors."""
 
     __slots__ = ()
 
     @property
     @abstractmethod
     def minimum(self) -> int:
-        """The fewest bytes it can take."""
+        """Minimal size in bytes."""
 
     @abstractmethod
     def read(self, reader: Reader, path: str) -> Any:
-        """The next value; a default when the reader has stopped."""
+        """Read the next value; returns a default if the reader has stopped."""
 
     @abstractmethod
     def write(self, writer: Writer, value: Any, path: str) -> None:
         """Append the value; raises `EncodeError`."""
 
     def to_json(self, value: Any) -> Any:
-        """The value as JSON carries it."""
+        """Convert the value to its JSON form."""
         return value
 
     @abstractmethod
@@ -58,10 +58,10 @@ class Item(ABC):
 
 
 def shown(value: object) -> str:
-    """A value for a message, cut where it gets long."""
+    """The text of a value in an error, shortened if it is long."""
     try:
         text = repr(value)
-    except (ValueError, RecursionError):  # an integer of more digits than Python prints; lists in lists without end
+    except (ValueError, RecursionError):  # an integer of more digits than Python prints, or a list that contains itself
         text = f"this {type(value).__name__}"
     return cut(text)
 
@@ -111,7 +111,7 @@ def check_keys(data: Any, required: list[str], optional: list[str], path: str) -
         raise EncodeError("a value is required", path=join(path, missing[0]))
 
 
-# ruff: noqa: D102 - what the methods do is written once, at `Item`
+# ruff: noqa: D102 - the methods are documented once, in `Item`
 
 
 Intervals = tuple[tuple[float, float], ...]
@@ -123,7 +123,7 @@ MAX_NAMES = 12
 
 @lru_cache(maxsize=1024)
 def describe(intervals: Intervals, enum: type[IntEnum] | None) -> str:
-    """The allowed values, for messages."""
+    """The allowed values, for errors."""
     named = list(enum or ())
     parts = [f"{m.value} {m.name}" for m in named[:MAX_NAMES]]
     parts += [f"{len(named) - MAX_NAMES} more names"] if len(named) > MAX_NAMES else []
@@ -167,7 +167,7 @@ class Values:
         return describe(self.intervals, self.enum)
 
     def to_json(self, value: Any) -> Any:
-        """Names where there are names."""
+        """The member's name if the value has one, else the value."""
         return self.named(value).name if isinstance(self.named(value), IntEnum) else value
 
     def from_json(self, data: Any, path: str) -> Any:
@@ -185,13 +185,13 @@ ANY = Values()
 _NAN: Final = "nan:"
 
 
-def odd_to_json(value: float) -> str:
-    """A float that JSON has no number for: `inf`, `-inf`, `nan`, or `nan:` and 64 bits."""
+def non_finite_to_json(value: float) -> str:
+    """The JSON text of a float that is no JSON number: `inf`, `-inf`, `nan`, or `nan:` and 64 bits."""
     bits = struct.pack(">d", value).hex()
     return f"{_NAN}{bits}" if math.isnan(value) and bits != struct.pack(">d", math.nan).hex() else str(value)
 
 
-def odd_from_json(text: str) -> float | None:
+def non_finite_from_json(text: str) -> float | None:
     """The inverse; None for all else."""
     if text in ("nan", "inf", "-inf"):
         return float(text)
@@ -262,14 +262,14 @@ class Number(Item):
 
     def to_json(self, value: Any) -> Any:
         if isinstance(value, float) and not math.isfinite(value):
-            return odd_to_json(value)
+            return non_finite_to_json(value)
         return self.values.to_json(value)
 
     def from_json(self, data: Any, path: str, nesting: Nesting | None) -> Any:  # noqa: ARG002 - others need it
         if self.code not in FLOATS or (isinstance(data, str) and self.values.enum):
             return self.values.from_json(data, path)
-        odd = odd_from_json(data) if isinstance(data, str) else None
-        return self.values.named(number_of(data, path)) if odd is None else odd
+        number = non_finite_from_json(data) if isinstance(data, str) else None
+        return self.values.named(number_of(data, path)) if number is None else number
 
 
 @dataclass(frozen=True, slots=True)
@@ -324,12 +324,12 @@ def real(code: str, lower: float, upper: float, units: str = "one", function: Ro
     return Real(code, Scaling(lower, upper, limits(code)[1], function), units)
 
 
-# ruff: noqa: D102 - what the methods do is written once, at `Item`
+# ruff: noqa: D102 - the methods are documented once, in `Item`
 
 
 @dataclass(frozen=True, slots=True)
 class Bit:
-    """Some bits of a bit field: the value is `raw >> shift & mask`."""
+    """A sub-field of a bit field: the value is `raw >> shift & mask`."""
 
     name: str
     shift: int
@@ -339,7 +339,7 @@ class Bit:
 
 @dataclass(frozen=True, slots=True)
 class Bits(Item):
-    """An integer cut into sub-fields; `cls` holds them, and the bits no sub-field names (`reserved`)."""
+    """An integer with sub-fields; `cls` has them, and the other bits as `reserved`."""
 
     cls: type[Struct]
     code: str
@@ -410,7 +410,7 @@ class Bits(Item):
 
 @dataclass(frozen=True, slots=True)
 class Choice(Item):
-    """A variable field: an index byte, then the number it stands for; `cls` has `choice` and `value`."""
+    """A variable field: an index byte, then the number that it selects; `cls` has `choice` and `value`."""
 
     cls: type[Struct]
     items: Mapping[int, Number | Real]
@@ -455,7 +455,7 @@ class Choice(Item):
         return self.cls(choice=chosen, value=value)  # type: ignore[call-arg]  # generated fields
 
 
-# ruff: noqa: D102 - what the methods do is written once, at `Item`
+# ruff: noqa: D102 - the methods are documented once, in `Item`
 
 
 @dataclass(frozen=True, slots=True)
@@ -597,12 +597,12 @@ class Formatted(Item):
 
 
 def inside(known: Source | None, nesting: Nesting | None) -> Nesting | None:
-    """What knows the messages inside a field: the registry that decodes, else the one that the class belongs to."""
+    """The registry for messages inside a field: the one that decodes, else the one that the class belongs to."""
     return (nesting or known.nesting) if known else None
 
 
 def blob_bytes(writer: Writer, value: Any, path: str, *, nested: bool) -> bytes:
-    """The bytes of a field that takes bytes, or a message when `nested`."""
+    """The bytes of a field that accepts bytes, or also a message if `nested`."""
     if nested and isinstance(value, Message):
         inner = Writer(clamp=writer.clamp, strict=writer.strict)
         inner.depth = writer.depth
@@ -614,7 +614,7 @@ def blob_bytes(writer: Writer, value: Any, path: str, *, nested: bool) -> bytes:
 
 
 def message_to_dict(message: Message) -> dict[str, Any]:
-    """A message in JSON with what tells which message it is: its name, service and version, and its `fields`."""
+    """The JSON form of a message: its name, service and version, and its `fields`."""
     head = {"message": message.NAME, "service": message.SERVICE, "version": message.VERSION}
     return {**head, "fields": message.to_dict()}
 

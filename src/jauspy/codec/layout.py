@@ -1,4 +1,4 @@
-"""Layouts of what contains other values: records and sequences, lists, variants, arrays."""
+"""Layouts of containers: records and sequences, lists, variants, arrays."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from jauspy.codec.slow_path import Reader, Writer
 from jauspy.codec.wire import SIZES, limits
 from jauspy.errors import EncodeError
 
-# ruff: noqa: D102 - what the methods do is written once, at `Item`
+# ruff: noqa: D102 - the methods are documented once, in `Item`
 
 
 @dataclass(frozen=True, slots=True)
 class Slot:
-    """One attribute of a class: its name here, its JAUS name, and how it lies on the wire."""
+    """One attribute of a class: its Python name, its JAUS name, and its wire form."""
 
     name: str
     jaus: str
@@ -27,7 +27,7 @@ class Slot:
 
 @dataclass(frozen=True, slots=True)
 class Composite(Item):
-    """A record or sequence: the attributes of `cls` one after the other, behind a presence vector if there is one.
+    """A record or sequence: an optional presence vector, then the attributes of `cls`.
 
     `undefined` are the presence bits without a field.
     """
@@ -165,7 +165,7 @@ class Repeat(Item):
 
 @dataclass(frozen=True, slots=True)
 class Union(Item):
-    """A tag, then the arm it stands for; the class of a value says which arm it is."""
+    """A tag, then the arm that it selects; the class of a value tells which arm it is."""
 
     code: str
     arms: dict[str, Composite]

@@ -1,4 +1,4 @@
-"""Rules of the linter about what message classes make of a definition: its names in Python."""
+"""Lint rules about the Python names and code that message classes get from a definition."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _NO_MEMBERS: Final = frozenset(("presence_vector", "vtag_field"))
 
 
 def colliding_names(context: LintContext) -> Iterator[Problem]:
-    """Names that differ in JAUS and are one in Python."""
+    """JAUS names that become the same Python name."""
     for element, _ in context.elements(*_CONTAINERS):
         members = (part for part in element if part.tag not in _NO_MEMBERS)
         yield from _collisions(members, "name", attribute, f"in '{element.get('name')}'")
@@ -45,13 +45,13 @@ def _collisions(elements: Iterable[Element], key: str, made: Callable[[str], str
 
 
 def without_code(context: LintContext) -> Iterator[Problem]:
-    """What loads, but no code can be made of; a rule of its own finds lists without bounds."""
+    """Definitions that load, but for which no code can be generated; another rule finds lists without bounds."""
     if any(unbounded_list(context)):
         return
     try:
         schema = load_own(context.paths)
     except SchemaError:
-        return  # other rules say so
+        return  # other rules report it
     try:
         build(schema, "checked")
     except SchemaError as error:

@@ -2,8 +2,8 @@
 
 A message class declares its fields and its layout. Its straight-line `_unpack` and `_pack` are made from the layout
 when they are first called (`jauspy.codec.fast_path`). They take valid input only; all else ends in one of
-`FAST_ERRORS`. Then the slow path (`jauspy.codec.slow_path`) goes over the same input field by field: it finds what is
-wrong and where, clamps, or keeps what a tolerant reader can keep. It costs about ten times as much and is linear in the
+`FAST_ERRORS`. Then the slow path (`jauspy.codec.slow_path`) processes the same input field by field: it finds the error
+and its offset, clamps, or keeps what a tolerant decoder can keep. It costs about ten times as much and is linear in the
 input, too.
 """
 
@@ -21,11 +21,11 @@ if TYPE_CHECKING:
 
 
 MAX_NESTING: Final = 8
-"""Levels of messages inside messages that are decoded; deeper ones stay bytes."""
+"""Levels of nested messages that are decoded; deeper ones stay bytes."""
 
 
 class Reject(Exception):
-    """Straight-line code met something it does not handle."""
+    """Raised by straight-line code for input that it does not handle."""
 
 
 FAST_ERRORS: Final = (
@@ -43,9 +43,9 @@ FAST_ERRORS: Final = (
 
 @dataclass(frozen=True, slots=True)
 class Deviation:
-    """Something wrong that a tolerant decoder accepted; `offset` counts from the first byte of the message id.
+    """An error that a tolerant decoder accepted; `offset` counts from the first byte of the message id.
 
-    `lost` says that bytes were left out or missing: then the message does not encode to the same bytes again.
+    `lost` is true if bytes were skipped or missing, so that the message does not encode to the same bytes again.
     """
 
     offset: int
@@ -67,14 +67,14 @@ class Struct:
 
     @classmethod
     def _read(cls, data: bytes, at: int, nesting: Nesting | None) -> tuple[Self, int]:
-        """Decode valid bytes from `at` on, and say where they end; anything else ends in one of `FAST_ERRORS`."""
+        """Decode valid bytes from `at` on; returns the object and the end. Raises one of `FAST_ERRORS` for others."""
         from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
 
         install(cls, "_read")
         return cls._read(data, at, nesting)
 
     def _write(self, out: bytearray) -> None:
-        """Append valid values; anything else ends in one of `FAST_ERRORS`."""
+        """Append valid values; raises one of `FAST_ERRORS` for others."""
         from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
 
         install(type(self), "_write")
@@ -86,7 +86,7 @@ class Struct:
 
     @classmethod
     def layout(cls) -> Item:
-        """How this class lies on the wire: fields with types, units and ranges."""
+        """The wire layout of this class: fields with types, units and ranges."""
         if cls not in _LAYOUTS:
             _LAYOUTS[cls] = cls._layout()
         return _LAYOUTS[cls]
@@ -128,13 +128,13 @@ class Message(Struct):
     VERSION: ClassVar[str]
     IS_COMMAND: ClassVar[bool]
     IS_QUERY: ClassVar[bool]
-    """True for what asks: by its id, or, where the standard leaves ids to users, an input that is no command."""
+    """True for a query: by its id, or, for user-defined ids, an input that is no command."""
 
     @classmethod
     def _unpack(cls, data: bytes, nesting: Nesting | None) -> Self:
-        """Decode valid bytes; anything else ends in one of `FAST_ERRORS`.
+        """Decode valid bytes; raises one of `FAST_ERRORS` for others.
 
-        `nesting` knows the messages inside; None stands for those of the registry the class itself is of.
+        `nesting` decodes nested messages; None stands for the registry of the class.
         """
         from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
 
@@ -142,7 +142,7 @@ class Message(Struct):
         return cls._unpack(data, nesting)
 
     def _pack(self) -> bytes:
-        """Encode valid values; anything else ends in one of `FAST_ERRORS`."""
+        """Encode valid values; raises one of `FAST_ERRORS` for others."""
         from jauspy.codec.fast_path import install  # noqa: PLC0415 - once for each class
 
         install(type(self), "_pack")
@@ -181,7 +181,7 @@ class Message(Struct):
         """Read one whole message; raises `DecodeError` with offset, field path and reason.
 
         With `strict=False`, read what can be read, and return it with a list of deviations; an empty one means that
-        the bytes are valid. Values outside their set stay numbers, what is missing gets a default, bytes left over are
+        the bytes are valid. Values outside their set stay numbers, missing fields get defaults, extra bytes are
         reported. Beyond 1000 deviations the rest is counted. `DecodeError` is raised only for the id of another
         message.
         """
@@ -210,7 +210,7 @@ class Query(Protocol[R_co]):
 
 
 def as_bytes(data: object) -> bytes:
-    """A copy of any bytes-like object; `DecodeError` for all else, as `bytes(5)` would make bytes of a number."""
+    """A copy of any bytes-like object; `DecodeError` for other types, because `bytes(5)` would be five bytes."""
     try:
         return memoryview(data).tobytes()  # type: ignore[arg-type]  # the check is what this is for
     except TypeError:
@@ -237,21 +237,21 @@ def check_code(cls: type[Message], data: bytes) -> None:
 
 
 class Source(Protocol):
-    """What finds the class of a message inside a message: a registry."""
+    """Finds the classes of nested messages: a registry."""
 
     @property
     def nesting(self) -> Nesting:
-        """Its own, for messages that are in no other one."""
+        """The `Nesting` for messages that are not nested themselves."""
 
     def class_of(self, data: bytes) -> type[Message] | None:
-        """The class these bytes begin like; None when it is unknown, or when there are several."""
+        """The class for the message id of these bytes; None if it is unknown or ambiguous."""
 
     def message_from(self, data: Mapping[str, Any], nesting: Nesting, path: str) -> Message:
         """The inverse of `message_to_dict`; raises `EncodeError`."""
 
 
 class Nesting:
-    """Decodes messages inside messages, down to `MAX_NESTING` levels."""
+    """Decodes nested messages, down to `MAX_NESTING` levels."""
 
     __slots__ = ("_inner", "_source")
 
@@ -260,7 +260,7 @@ class Nesting:
         self._inner = Nesting(source, depth + 1) if depth < MAX_NESTING else None
 
     def message(self, data: bytes) -> Message | bytes:
-        """The message inside when it decodes strictly and encodes to the same bytes, else the bytes."""
+        """The nested message if it decodes strictly and encodes to the same bytes, else the bytes."""
         if self._inner is None:
             return data
         cls = self._source.class_of(data)
@@ -273,7 +273,7 @@ class Nesting:
             return data
 
     def from_dict(self, data: Mapping[str, Any], path: str) -> Message:
-        """The message inside; raises `EncodeError`, also for what is too deep to be encoded."""
+        """The nested message; raises `EncodeError`, also if it is nested too deeply."""
         if self._inner is None:
             raise EncodeError(f"messages are nested more than {MAX_NESTING} deep", path=path)
         return self._source.message_from(data, self._inner, path)

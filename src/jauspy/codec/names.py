@@ -20,7 +20,7 @@ _ACRONYM_THEN_WORD = re.compile(r"([A-Z]+)([A-Z](?!s(?![a-z]))[a-z])")
 _LETTERS = str.maketrans(
     {"ß": "ss", "ẞ": "SS", "æ": "ae", "Æ": "AE", "œ": "oe", "Œ": "OE", "ø": "o", "Ø": "O", "ł": "l", "Ł": "L"}
 )
-"""Letters that Unicode does not take apart."""
+"""Letters that Unicode does not decompose."""
 _DIMENSIONS = re.compile(r"(?<=\d)D(?![a-z])")
 _RESERVED = frozenset(
     {"encode", "decode", "to_dict", "from_dict", "layout", "mro", "self", "cls"}  # of a message
@@ -64,7 +64,7 @@ def constant(name: str) -> str:
 
 
 def class_name(name: str) -> str:
-    """A valid class name that keeps the JAUS spelling where it can."""
+    """A valid class name, with the JAUS spelling if possible."""
     letters = unicodedata.normalize("NFKC", name)
     text = "".join(letter if f"a{letter}".isidentifier() else " " for letter in letters)
     text = re.sub(r"\s+", "_", text).strip("_") or "Unnamed"
@@ -123,10 +123,10 @@ def service_module(name: str) -> str:
 
 
 def module_alias(name: str) -> str:
-    """How a module of the package is called where another imports it: `core_v1_0_types` of `core.v1_0.types`."""
+    """The alias of a module where another one imports it: `core_v1_0_types` for `core.v1_0.types`."""
     return snake(name.replace(".", " ")) or name
 
 
 def version_key(version: str) -> tuple[int, ...]:
-    """Orders versions, `1.1` and `v1_1` alike."""
+    """Sort key of versions, for `1.1` and `v1_1` alike."""
     return tuple(int(part) for part in version.replace("v", "").replace("_", ".").split(".") if part.isdigit())

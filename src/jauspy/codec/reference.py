@@ -53,7 +53,7 @@ def tree_of(message: m.Message) -> Tree:
 
 def number(kind: m.Scalar) -> Tree:
     """A little-endian number."""
-    code = {"u32": "L", "i32": "l"}.get(kind, CODES[kind])  # the names construct has for them
+    code = {"u32": "L", "i32": "l"}.get(kind, CODES[kind])  # construct's names
     return FormatField("<", code)
 
 
@@ -123,7 +123,7 @@ Number = m.FixedField | m.TypeChoice | m.SubField
 
 
 class Explainer:
-    """Walks a parsed tree beside its model; collects a row per leaf and returns values."""
+    """Walks a parsed tree along its model; collects a row per leaf and returns values."""
 
     def __init__(self, *, strict: bool) -> None:
         self.strict = strict
@@ -284,7 +284,7 @@ class Explainer:
 
 
 class Stacker:
-    """From values to what construct builds."""
+    """Converts values to the objects that construct builds."""
 
     def message(self, message: m.Message, values: dict[str, Any]) -> dict[str, Any]:
         """The tree of a message."""
@@ -362,7 +362,7 @@ class Stacker:
 
 
 def wrapped(arm: m.Node, value: Any) -> Any:
-    """An arm that is a list or variant stands in a class of its own, under its name."""
+    """A dictionary with the value under the arm's name, for arms that are lists or variants."""
     single = isinstance(arm, m.List) or (isinstance(arm, m.Variant) and arm.arms)
     return {attributes([arm.name])[0]: value} if single else value
 
@@ -374,7 +374,7 @@ def unwrapped(arm: m.Node, value: Any) -> Any:
 
 
 def leaf(value: Any) -> dict[str, Any]:
-    """What construct's RawCopy builds from."""
+    """The argument of construct's RawCopy."""
     return {"value": value}
 
 
@@ -390,7 +390,7 @@ def real(raw: int, scale: m.Scale, top: int) -> float:
 
 
 def decimal_limits(scale: m.Scale) -> tuple[Fraction, Fraction]:
-    """Both ends of the range, which mean their shortest decimal form."""
+    """Both ends of the range as decimals of their shortest form."""
     return Fraction(repr(float(scale.lower))), Fraction(repr(float(scale.upper)))
 
 
@@ -423,7 +423,7 @@ def named(raw: Any, values: m.ValueSet | None) -> Any:
 
 
 def allows(values: m.ValueSet | None, raw: float, code: str = "Q") -> bool:
-    """True when a value set holds the number; an empty one holds all."""
+    """True if a value set contains the number; an empty one contains all."""
     if values is None or not (values.enums or values.ranges):
         return True
     if any(enum.value == raw for enum in values.enums):
@@ -440,7 +440,7 @@ def _within(r: m.ValueRange, raw: float, code: str) -> bool:
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """One number or string on the wire: where it is, which field it is, its raw form, and what that means."""
+    """One number or string on the wire: offset, field, raw form and value."""
 
     offset: int
     length: int
@@ -486,6 +486,6 @@ def _parse(message: Message, data: bytes) -> Container:
 
 
 def _path(error: ConstructError) -> str:
-    """The field that could not be read; construct's own names of the parts around it say nothing."""
+    """The path of the field that could not be read, without construct's own names."""
     parts = (error.path or "").split(" -> ")
     return ".".join(part.removeprefix("f_") for part in parts if part.startswith("f_"))

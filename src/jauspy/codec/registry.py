@@ -20,12 +20,12 @@ if TYPE_CHECKING:
     from jauspy.schema.model import Schema
 
 STANDARD: Final = "urn:jaus:jss:"
-"""How the URNs of published service sets begin."""
+"""Beginning of the URNs of published service sets."""
 
 
 @dataclass(frozen=True, slots=True)
 class MessageEntry:
-    """One message of one service version, and the module and class it lives in."""
+    """One message of one service version, and the module and name of its class."""
 
     code: int
     name: str
@@ -34,7 +34,7 @@ class MessageEntry:
     module: str
     cls: str
     wire: str = ""
-    """Digest of the body (`jauspy.schema.wire`): the same for bodies with the same bytes for the same values."""
+    """Digest of the body (`jauspy.schema.wire`), equal for bodies that encode equal values to equal bytes."""
 
     def load(self) -> type[Message]:
         """The message class."""
@@ -45,12 +45,12 @@ class MessageEntry:
 
     @property
     def edition(self) -> str:
-        """What has versions as a whole: a service set of the standard; elsewhere each service."""
+        """The unit that has versions: a service set of the standard; otherwise the service."""
         return self.service.rpartition(":")[0] if self.service.startswith(STANDARD) else self.service
 
     @property
     def order(self) -> tuple[int, ...]:
-        """Orders versions, oldest first."""
+        """Sort key of versions, oldest first."""
         return tuple(int(part) for part in self.version.split(".") if part.isdigit())
 
 
@@ -69,7 +69,7 @@ class Hints:
     message: str | None = None
 
     def fit(self, entry: MessageEntry) -> bool:
-        """True when the entry is one of those that are meant."""
+        """True if the entry fits the hints."""
         return (
             (self.service is None or is_called(entry.service, self.service))
             and self.version in (None, entry.version)
@@ -86,13 +86,13 @@ NO_HINTS = Hints()
 
 @dataclass(frozen=True, slots=True)
 class Collision:
-    """A message id that means different things; `remedy` is what tells them apart."""
+    """An ambiguous message id; `remedy` is the argument that resolves it."""
 
     code: int
     entries: tuple[MessageEntry, ...]
-    """One for each meaning."""
+    """One message of each meaning."""
     files: tuple[str, ...]
-    """Where those are defined, in the same order."""
+    """The files that define these messages, in the same order."""
 
     def __str__(self) -> str:
         meanings = (
@@ -139,7 +139,7 @@ class Registry:
         kept = (entry for entry in (base.entries if base else ()) if (entry.service, entry.version) not in replaced)
         self._entries: tuple[MessageEntry, ...] = (*self._own, *kept)
         self.files = dict(files or {})
-        """Which file defines a service (URN and version), as far as it is known; for reports only."""
+        """Files by service (URN and version), as far as known; for error messages only."""
         self.schema: Schema | None = None
         """The definitions that `jauspy.load` made these messages from: with it a component can run their services."""
         self._codes: dict[int, tuple[MessageEntry, ...]] = {}
@@ -149,7 +149,7 @@ class Registry:
             key = entry.name.casefold()
             self._names[key] = (*self._names.get(key, ()), entry)
         self.nesting = Nesting(self)
-        """What messages that this registry decodes know about messages inside them: that they are of this one."""
+        """Decodes nested messages by this registry."""
         self._plain: dict[int, type[Message] | None] = {}
         self._found: dict[tuple[int, Hints], Collision | None] = {}
         self._others: dict[type[Message], tuple[MessageEntry, ...]] = {}
@@ -167,26 +167,26 @@ class Registry:
 
     @property
     def entries(self) -> tuple[MessageEntry, ...]:
-        """What is known without importing a message: own layer first, newest version first."""
+        """All entries, without importing messages: own layer first, newest version first."""
         return self._entries
 
     def entries_of(self, code: int) -> tuple[MessageEntry, ...]:
-        """Those of one message id, in the same order."""
+        """The entries of one message id, in the same order."""
         return self._codes.get(code, ())
 
     @cached_property
     def collisions(self) -> tuple[Collision, ...]:
-        """The message ids that mean different things, lowest first.
+        """The ambiguous message ids, lowest first.
 
         `decode` raises `DecodeError` for them unless `service` is given, or `message` where one service uses an id
         twice. A newer version of a message, in its own service or in another one of the same set of the standard,
-        replaces the older one and collides with nothing.
+        replaces the older one and is no collision.
         """
         found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)
 
     def collision(self, code: int, hints: Hints = NO_HINTS) -> Collision | None:
-        """What a message id still means when `hints` are given; None when that is one thing, or nothing."""
+        """The collision that remains with these `hints`; None if there is one meaning or none."""
         if code not in self._codes:
             return None
         if (code, hints) not in self._found:
@@ -200,7 +200,7 @@ class Registry:
         return tuple(candidates) if len(candidates) < 2 else meanings(candidates)
 
     def _candidates(self, entries: Iterable[MessageEntry]) -> list[MessageEntry]:
-        """Of each edition what counts: the entries of the same layer and version as its first one."""
+        """The relevant entries of each edition: those of the same layer and version as its first one."""
         firsts: dict[str, tuple[bool, str]] = {}
         found: list[MessageEntry] = []
         for entry in entries:
@@ -210,7 +210,7 @@ class Registry:
         return found
 
     def narrowed(self, code: int, wanted: Hints) -> Hints:
-        """Those of the wanted hints that some message of this id fits: the message's name first, then its service."""
+        """The wanted hints that fit some message of this id: the message's name first, then its service."""
         entries = self.entries_of(code)
         kept = NO_HINTS
         for key in ("message", "service", "version"):
@@ -219,7 +219,7 @@ class Registry:
         return kept
 
     def others(self, kind: type[Message]) -> tuple[MessageEntry, ...]:
-        """What else the id of a message means: in other versions of its set, and where `collisions` has it."""
+        """The other messages with the id of a message: in other versions of its set, and in `collisions`."""
         code = kind.CODE
         if kind not in self._others:
             here = (kind.NAME, kind.SERVICE, kind.VERSION)
@@ -288,10 +288,10 @@ class Registry:
         message: str | None = None,
         strict: bool = True,
     ) -> Message | tuple[Message, list[Deviation]]:
-        """The message these bytes are, newest version unless told otherwise; raises `DecodeError`.
+        """Decode a message, by default as the newest version; raises `DecodeError`.
 
-        A message id that means different things (see `collisions`) needs `service` (a URN or the end of one), or
-        `message` (a name). Messages inside the message are of this registry, too. `strict=False` as in
+        An ambiguous message id (see `collisions`) needs `service` (a URN or the end of one), or `message` (a name).
+        Nested messages are decoded by this registry, too. `strict=False` as in
         `Message.decode`: then only an unknown, ambiguous or missing message id raises.
         """
         if type(data) is not bytes:
@@ -313,7 +313,7 @@ class Registry:
     def decode_as(
         self, cls: type[M], data: bytes | bytearray | memoryview, *, strict: bool = True
     ) -> M | tuple[M, list[Deviation]]:
-        """As `cls.decode`, but messages inside the message are of this registry."""
+        """As `cls.decode`, but nested messages are decoded by this registry."""
         if type(data) is not bytes:
             data = as_bytes(data)
         try:
@@ -323,7 +323,7 @@ class Registry:
         return found if strict else (found, [])
 
     def class_of(self, data: bytes, hints: Hints = NO_HINTS) -> type[Message] | None:
-        """The class of the message these bytes begin like; None when it is unknown, or when there are several."""
+        """The class for the message id of these bytes; None if it is unknown or ambiguous."""
         if len(data) < 2:
             return None
         code = data[0] | data[1] << 8
@@ -345,7 +345,7 @@ class Registry:
     def from_dict(self, data: Mapping[str, Any]) -> Message:
         """The inverse of `message_to_dict`: `message` names it, `service` and `version` may, `fields` has the rest.
 
-        Raises `EncodeError` with the field path. Messages inside the message are of this registry, too.
+        Raises `EncodeError` with the field path. Nested messages are made by this registry, too.
         """
         return self.message_from(data, self.nesting, "")
 

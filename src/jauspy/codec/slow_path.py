@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from jauspy.codec.message import Nesting
 
 MAX_DEVIATIONS: Final = 1000
-"""Deviations of one message that are listed; a hostile one may have one in every byte."""
+"""Deviations that are listed for one message; a hostile one may have one in every byte."""
 
 
 @lru_cache(maxsize=32)
@@ -24,10 +24,10 @@ def codec_of(code: str) -> struct.Struct:
 
 
 class Reader:
-    """A position in the bytes of a message, and what was wrong so far.
+    """A position in the bytes of a message, and the deviations so far.
 
-    `stopped` is set when the rest cannot be read any more; all that follows gets defaults. `nesting` knows the messages
-    inside; None stands for the registry that the class belongs to.
+    `stopped` is set if the rest cannot be read; all later fields get defaults. `nesting` decodes nested
+    messages; None stands for the registry that the class belongs to.
     """
 
     __slots__ = (
@@ -78,7 +78,7 @@ class Reader:
         return [*self._reported, Deviation(self._first_omitted, "", reason, self._lost_omitted)]
 
     def stop(self, reason: str, path: str, offset: int | None = None) -> None:
-        """Report, and give up on the rest."""
+        """Report a deviation and stop: the rest cannot be read."""
         self.report(reason, path, offset, lost=True)
         self.stopped = True
 
@@ -108,7 +108,7 @@ class Reader:
         return taken
 
     def has(self, size: int, path: str) -> bool:
-        """True when `size` bytes are there; else reports and stops."""
+        """True if `size` bytes are left; else reports a deviation and stops."""
         if not self.stopped and self.left < size:
             self.stop(f"needs {counted(size, 'byte')}, {self.left} left", path)
         return not self.stopped

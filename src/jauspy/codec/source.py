@@ -1,4 +1,4 @@
-"""Message classes as Python source: what `jauspy.messages` is made of, and what `jauspy schema generate` writes.
+"""Message classes as Python source, for `jauspy.messages` and `jauspy schema generate`.
 
 Written are declarations only: constants, nested classes, fields, layouts. Texts of a definition become string literals
 and docstrings.
@@ -29,7 +29,7 @@ MAX_WIDTH: Final = 108
 NOTE: Final = "Generated from schemas/; do not edit."
 
 PARTS: Final = {"exp": "iop"}
-"""Sets whose messages are offered by the package of another one, too: the profiles' experiments by the profiles'."""
+"""Sets whose messages are also exported by the package of another set."""
 
 
 def generate(schema: Schema, package: str = "jauspy.messages", base: str | None = None) -> dict[str, str]:
@@ -62,7 +62,7 @@ def docstring(text: str) -> list[str]:
 
 
 def filled(parts: Iterable[str]) -> list[str]:
-    """Lines of as many parts as there is room for."""
+    """Join parts to lines of at most `MAX_WIDTH` characters."""
     lines: list[str] = []
     for part in parts:
         if lines and len(lines[-1]) + 1 + len(part) <= MAX_WIDTH:
@@ -73,7 +73,7 @@ def filled(parts: Iterable[str]) -> list[str]:
 
 
 def _escaped(line: str) -> str:
-    """A line that stays one, and ends no docstring."""
+    """A line without line breaks and without the end of a docstring."""
     plain = printable(line.replace("\\", "\\\\"))
     return plain.replace('"', '\\"') if '"""' in plain or plain.endswith('"') else plain
 
@@ -109,7 +109,7 @@ class _Writer:
         return module_alias(module.removeprefix(f"{self._package}."))
 
     def _ref(self, cls: type) -> str:
-        """A class as this module calls it."""
+        """The name of a class in this module."""
         if cls.__module__ == "builtins":
             return cls.__name__
         if cls is Message:

@@ -42,7 +42,7 @@ def limits(code: str) -> tuple[int, int]:
 
 
 def as_sent(number: float, code: str) -> float:
-    """The number rounded to this type, as it arrives: limits written in decimals apply to what can be sent."""
+    """The number rounded to this type, since limits in decimals apply to the numbers that can be sent."""
     rounded: float = struct.unpack(f"<{code}", struct.pack(f"<{code}", number))[0]
     return rounded
 
@@ -57,7 +57,7 @@ def compact(codes: str) -> str:
 Rounding = Literal["round", "floor", "ceiling"]
 
 NEAR_TIE: Final = 2.0**-16
-"""Float arithmetic on raw values below 2**32, and on up to three times as much, errs by a few 2**-20 steps at most."""
+"""Steps around a half step within which float arithmetic may round wrongly; its errors are a few 2**-20 steps."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
@@ -76,7 +76,7 @@ class Scaling:
 
     @property
     def position(self) -> str:
-        """Source of the raw position of `{}`, half a step added: one multiplication and one addition where it can be.
+        """Source of the raw position of `{}` plus half a step: one multiplication and one addition if possible.
 
         Where the range is far away from 0 compared to its width, they would lose too many digits.
         """

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import secrets
 import socket
-from collections import Counter
-from collections.abc import Mapping
+import time
+from collections import Counter, OrderedDict
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
 from types import TracebackType
-from typing import Final, Self
+from typing import Any, Final, Self
 
 from jauspy.errors import ProtocolError, TransportError
-from jauspy.video.h264_payload import Depacketiser, Picture
-from jauspy.video.rtp import CLOCK_RATE, RtpPacket, picture_loss_indication, sender_clock
+from jauspy.video.h264_payload import PPS, SPS, Depacketiser, Picture, nal_type
+from jauspy.video.rtp import CLOCK_RATE, RtpPacket, SenderClock, picture_loss_indication, sender_clock
 
 MAX_DATAGRAMS: Final = 256
 """Datagrams that are read at once."""
@@ -20,20 +22,65 @@ RECEIVE_BUFFER: Final = 1 << 20
 """Bytes of the socket's receive buffer, enough for a large picture."""
 
 
+MAX_CANDIDATES: Final = 8
+"""Sources that are followed while none is chosen for good; one more replaces the one that was silent for longest."""
+MAX_HELD: Final = 1 << 20
+"""Bytes of pictures that are kept of such a source."""
+
+CONFIRMED: Final = 8
+"""Pictures of a source after which it is chosen for good."""
+UNCONFIRMED_TIMEOUT: Final = 0.2
+"""Seconds without a packet after which a source that is not may be replaced by one that has sent more pictures."""
+SOURCE_TIMEOUT: Final = 2.0
+"""Seconds without a packet of the source after which another one of its host may take its place."""
+HOST_TIMEOUT: Final = 10.0
+"""The same for a source of another host."""
+
+
+@dataclass(slots=True)
+class _Source:
+    """One sender: its address and SSRC, and what was received of it."""
+
+    host: str
+    port: int
+    ssrc: int
+    depacketiser: Depacketiser = field(default_factory=Depacketiser)
+    parameters: set[int] = field(default_factory=set)
+    pictures: int = 0
+    """Since the first one with which a decoder can start: a whole IDR with parameter sets."""
+    held: list[Picture] = field(default_factory=list)
+
+    def hold(self, packet: RtpPacket) -> None:
+        """Keep the pictures from that one on."""
+        for picture in self.depacketiser.feed(packet):
+            self.parameters.update({SPS, PPS}.intersection(map(nal_type, picture.nals)))
+            starts = picture.whole and picture.is_idr and len(self.parameters) == 2
+            if self.pictures or starts:
+                self.held.append(picture)
+                self.pictures += 1
+        if sum(len(nal) for picture in self.held for nal in picture.nals) > MAX_HELD:
+            self.held.clear()
+            self.pictures = 0
+
+
 class RtpReceiver:
     """Receives at an address from its creation until `close`; port 0 stands for any free one.
 
-    After a loss, a whole picture is requested at the address from which the sender's reports arrive.
+    Anybody can send there. The source is the first one (address and SSRC) that sends a whole picture with which a
+    decoder can start, and goes on; packets of others are dropped until it is silent for `SOURCE_TIMEOUT`. After a loss,
+    a whole picture is requested at the address from which the sender's reports arrive. `clock`: seconds, monotonic.
     """
 
-    def __init__(self, host: str = "127.0.0.1", port: int = 0) -> None:
+    def __init__(self, host: str = "127.0.0.1", port: int = 0, *, clock: Callable[[], float] = time.monotonic) -> None:
         self._counters: Counter[str] = Counter()
-        self._depacketiser = Depacketiser()
+        self._candidates: OrderedDict[tuple[str, int, int], _Source] = OrderedDict()
+        self._source: _Source | None = None
+        self._heard = 0.0
+        self._now = clock
         self._ssrc = secrets.randbits(32)
         self._rtp, self._rtcp = _pair(host, port)
-        self._reporter: tuple[object, ...] | None = None
-        self._source = 0
-        self._clock: tuple[float, int] | None = None
+        self._reporter: tuple[Any, ...] | None = None
+        self._clock: SenderClock | None = None
 
     @property
     def port(self) -> int:
@@ -42,8 +89,11 @@ class RtpReceiver:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """Those of `Depacketiser`, with `not_rtp` datagrams and how often whole pictures were `asked` for."""
-        return self._depacketiser.counters + self._counters
+        """Those of `Depacketiser` for the source.
+
+        Also `not_rtp` datagrams, `foreign` ones (of other sources), and how often whole pictures were `asked` for.
+        """
+        return self._counters + (self._source.depacketiser.counters if self._source else Counter())
 
     def fileno(self) -> int:
         """For a selector or an event loop: readable when there is something to `take`."""
@@ -52,13 +102,13 @@ class RtpReceiver:
     def take(self) -> list[Picture]:
         """The pictures that what has arrived completes; never waits."""
         pictures: list[Picture] = []
-        self._learn()
         for _ in range(MAX_DATAGRAMS):
             try:
-                datagram = self._rtp.recv(65536)
+                datagram, (host, port, *_) = self._rtp.recvfrom(65536)
             except OSError:
                 break
-            pictures += self._feed(datagram)
+            pictures += self._feed(datagram, host, port)
+        self._learn()
         if not all(picture.whole for picture in pictures):
             self._ask()
         return pictures
@@ -67,9 +117,8 @@ class RtpReceiver:
         """When the picture was taken, in seconds since 1970 of the sender's clock; None before its first report."""
         if self._clock is None:
             return None
-        utc, timestamp = self._clock
-        since = (picture.timestamp - timestamp + (1 << 31)) % (1 << 32) - (1 << 31)
-        return utc + since / CLOCK_RATE
+        since = (picture.timestamp - self._clock.timestamp + (1 << 31)) % (1 << 32) - (1 << 31)
+        return self._clock.utc + since / CLOCK_RATE
 
     def close(self) -> None:
         """Give the ports back; twice is fine."""
@@ -84,28 +133,70 @@ class RtpReceiver:
     ) -> None:
         self.close()
 
-    def _feed(self, datagram: bytes) -> list[Picture]:
+    def _feed(self, datagram: bytes, host: str, port: int) -> list[Picture]:
         try:
             packet = RtpPacket.decode(datagram)
         except ProtocolError as error:
             self._counters[error.reason] += 1
             return []
-        self._source = packet.ssrc
-        return self._depacketiser.feed(packet)
+        now, source = self._now(), self._source
+        if source is not None and (source.host, source.port, source.ssrc) == (host, port, packet.ssrc):
+            pictures = source.depacketiser.feed(packet)
+            self._heard, source.pictures = now, source.pictures + len(pictures)
+            return pictures
+        if source is not None:
+            self._counters["foreign"] += 1
+            if source.pictures >= CONFIRMED and now - self._heard < self._timeout(host):
+                return []
+        return self._try(packet, host, port, now)
+
+    def _timeout(self, host: str) -> float:
+        """Seconds of silence after which a source of this host may replace the present one."""
+        return SOURCE_TIMEOUT if self._source is not None and host == self._source.host else HOST_TIMEOUT
+
+    def _try(self, packet: RtpPacket, host: str, port: int, now: float) -> list[Picture]:
+        """Follow a source that may be chosen; returns its pictures when it is."""
+        key = (host, port, packet.ssrc)
+        candidate = self._candidates.pop(key, None) or _Source(*key)
+        self._candidates[key] = candidate
+        if len(self._candidates) > MAX_CANDIDATES:
+            self._candidates.popitem(last=False)
+        candidate.hold(packet)
+        if not candidate.pictures or not self._is_replaceable(candidate, now - self._heard):
+            return []
+        if self._source is not None:
+            self._counters += self._source.depacketiser.counters
+        self._source, self._heard = candidate, now
+        self._reporter = self._clock = None
+        self._candidates.clear()
+        pictures, candidate.held = candidate.held, []
+        return pictures
+
+    def _is_replaceable(self, candidate: _Source, silence: float) -> bool:
+        source = self._source
+        if source is None or silence >= self._timeout(candidate.host):
+            return True
+        is_ahead = source.pictures < CONFIRMED and candidate.pictures > source.pictures
+        return is_ahead and silence >= UNCONFIRMED_TIMEOUT
 
     def _learn(self) -> None:
+        """Read the reports of the source: its clock, and where it listens."""
         for _ in range(MAX_DATAGRAMS):
             try:
-                heard, self._reporter = self._rtcp.recvfrom(2048)
+                heard, reporter = self._rtcp.recvfrom(2048)
             except OSError:
                 break
-            self._clock = sender_clock(heard) or self._clock
+            clock, source = sender_clock(heard), self._source
+            if clock is None or source is None or (reporter[0], clock.ssrc) != (source.host, source.ssrc):
+                self._counters["foreign"] += 1
+                continue
+            self._reporter, self._clock = reporter, clock
 
     def _ask(self) -> None:
-        if self._reporter is None:
+        if self._reporter is None or self._source is None:
             return
         try:
-            self._rtcp.sendto(picture_loss_indication(self._ssrc, self._source), self._reporter)
+            self._rtcp.sendto(picture_loss_indication(self._ssrc, self._source.ssrc), self._reporter)
         except OSError:  # the next IDR comes without it, too
             return
         self._counters["asked"] += 1

@@ -5,7 +5,7 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Final
+from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
 
@@ -90,12 +90,20 @@ def _source_description(ssrc: int, name: str) -> bytes:
     return struct.pack("!BBH", 0x81, _SOURCE_DESCRIPTION, len(chunk) // 4) + chunk
 
 
-def sender_clock(data: bytes) -> tuple[float, int] | None:
-    """Seconds since 1970 and the stream's clock at that time, of a sender report; None for other data."""
+class SenderClock(NamedTuple):
+    """The clock of a stream: its time stamp at `utc` (seconds since 1970)."""
+
+    ssrc: int
+    utc: float
+    timestamp: int
+
+
+def sender_clock(data: bytes) -> SenderClock | None:
+    """The clock in a sender report; None for other data."""
     if len(data) < _SENDER.size or data[0] & 0xC0 != 0x80 or data[1] != _SENDER_REPORT:
         return None
-    _, _, _, _, seconds, fraction, timestamp, _, _ = _SENDER.unpack_from(data)
-    return seconds - _NTP_EPOCH + fraction / 2**32, timestamp
+    _, _, _, ssrc, seconds, fraction, timestamp, _, _ = _SENDER.unpack_from(data)
+    return SenderClock(ssrc, seconds - _NTP_EPOCH + fraction / 2**32, timestamp)
 
 
 def picture_loss_indication(receiver: int, source: int) -> bytes:
