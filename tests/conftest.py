@@ -13,11 +13,19 @@ from hypothesis import HealthCheck, settings
 from tests.helpers.ports import unused_port
 from tests.node.hosts.switch import Switch
 
+from jauspy.logs import LIMIT
+
 for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
     os.environ.pop(name, None)  # what tests read of a command has no colours
 
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
+
+
+@pytest.fixture(autouse=True)
+def _unlimited_log() -> None:
+    """No test is short of lines because of those of another one."""
+    LIMIT.reset()
 
 
 @pytest.fixture

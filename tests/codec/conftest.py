@@ -178,7 +178,7 @@ def strategy(item: rt.Item) -> st.SearchStrategy[Any]:
             text = st.text(st.characters(max_codepoint=255), max_size=most)
             return text if item.count else text.map(lambda value: value.rstrip("\0"))
         case rt.Blob():
-            return st.binary(min_size=item.count.minimum, max_size=min(item.count.maximum, 12))
+            return st.binary(min_size=item.count.minimum, max_size=min(item.count.maximum, max(item.count.minimum, 12)))
         case rt.Repeat():
             return st.lists(strategy(item.item), min_size=item.count.minimum, max_size=min(item.count.maximum, 4))
         case rt.Union():

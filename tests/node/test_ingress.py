@@ -167,3 +167,12 @@ async def test_authenticated_networks_talk_to_each_other_and_to_nobody_else(
 async def receive(sock: socket.socket) -> bytes:
     async with asyncio.timeout(20):
         return await asyncio.get_running_loop().sock_recv(sock, 70000)
+
+
+async def test_large_datagrams_are_bounded_by_their_bytes(counters: Counters, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(ingress, "MAX_QUEUED_BYTES", 600_000)
+    large = [judp.pack(Packet(FAR, HERE, bytes(60_000), number)) for number in range(20)]
+    small = [packet(number, Priority.LOW) for number in range(20)]
+    routed = await run(Socket(*small, *large), counters)
+    assert routed == large[-9:]  # the small ones are of lower priority
+    assert counters["dropped.overload"] == 31

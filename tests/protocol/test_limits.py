@@ -4,19 +4,20 @@ import pytest
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
+from jauspy.logs import MAX_LINES_AT_ONCE
 from jauspy.protocol import (
     address_book,
     authentication,
     component_ports,
     judp,
     junior,
-    registrar,
     sources,
     sources as buckets,
 )
 from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.authentication import Authenticator
+from jauspy.protocol.duplicates import REPLAY_WINDOW
 from jauspy.protocol.header import Packet, Priority
 from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks, SourceLimits, TokenBuckets
@@ -120,7 +121,7 @@ def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_count
     assert len(caplog.records) == 1
     for number in range(1000):
         node.receive(stolen, UdpPort(f"10.0.{number >> 8}.{number & 255}", 3794), 1.0)
-    assert len(caplog.records) <= registrar.LOG_BURST + 1
+    assert len(caplog.records) <= MAX_LINES_AT_ONCE + 1
     assert node.counters["dropped.hijack"] == 2000
 
 
@@ -180,7 +181,7 @@ def test_a_signature_is_accepted_once() -> None:
 
 def test_datagrams_may_overtake_each_other_within_the_window() -> None:
     sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
-    sent = [sender.sign(query(n), 1000.0) for n in range(authentication.REPLAY_WINDOW + 2)]
+    sent = [sender.sign(query(n), 1000.0) for n in range(REPLAY_WINDOW + 2)]
     assert verified(receiver, sent[5]) == "good"
     assert verified(receiver, sent[3]) == "good"
     assert verified(receiver, sent[-1]) == "good"

@@ -321,7 +321,8 @@ def reference(node):
     return node and {"name": node.name, "id": node.id, "version": node.version}
 
 
-SERVICES = load_builtin().services
+SERVICES = [each for each in load_builtin().services if not each.id.startswith("urn:jauspy:")]
+"""Without those that are no part of a standard."""
 
 
 def name_of(service):

@@ -10,6 +10,7 @@ from pathlib import Path
 import pytest
 from lxml import etree
 
+from jauspy.ids import service_set
 from jauspy.schema import builtin_paths, load_builtin, model as m
 
 SERVICES = load_builtin().services
@@ -75,7 +76,7 @@ def test_services_are_unique_and_loaded_once():
 
 @every_service
 def test_file_is_named_after_the_service(service):
-    set_name = service.id.removeprefix("urn:jaus:jss:").partition(":")[0]
+    set_name = service_set(service.id)
     assert Path(service.where.file) == ROOT / SETS.get(set_name, set_name) / service.version / f"{service.name}.xml"
     assert service.id.endswith(f":{NAMED_OTHERWISE.get(service.name, service.name)}")
 

@@ -1,12 +1,15 @@
 """The bounded queue of one destination."""
 
+import logging
+
 import pytest
 
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
+from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Packet, Priority
 from jauspy.transport import base as outbox_module
-from jauspy.transport.base import MAX_QUEUED_BYTES, SendQueue
+from jauspy.transport.base import MAX_QUEUED_BYTES, QueueMemory, SendQueue
 
 A = JausID.parse("101.1.1")
 
@@ -75,3 +78,42 @@ def test_the_least_urgent_have_a_share(way: str) -> None:
     urgent = [judp.unpack(data)[0].sequence for data in sent if data not in low]
     assert urgent == list(range(len(urgent)))
     assert sent.index(low[9]) == 10 * outbox_module.LOW_PRIORITY_TURN - 1
+
+
+def test_several_queues_share_a_memory_and_the_longest_loses_first() -> None:
+    counters = Counters(logging.getLogger())
+    memory = QueueMemory(10_000, counters)
+    greedy, modest = SendQueue(memory=memory), SendQueue(memory=memory)
+    small = judp.pack(Packet(A, A, bytes(100), 1))
+    assert modest.push(small) == 0
+    for number in range(100):
+        greedy.push(judp.pack(Packet(A, A, bytes(1000), number)))
+        assert memory.bytes <= 10_000
+    assert greedy.bytes + modest.bytes == memory.bytes
+    kept = [judp.unpack(data)[0].sequence for data in drained(greedy)]
+    assert kept == list(range(100 - len(kept), 100))
+    assert counters["dropped.queue_memory"] == 100 - len(kept)
+    assert drained(modest) == [small]
+    assert memory.bytes == 0
+
+
+def test_a_short_queue_takes_room_from_a_long_one() -> None:
+    memory = QueueMemory(10_000, Counters(logging.getLogger()))
+    greedy, modest = SendQueue(memory=memory), SendQueue(memory=memory)
+    for number in range(100):
+        greedy.push(judp.pack(Packet(A, A, bytes(1000), number)))
+    before = len(greedy)
+    for number in range(3):
+        modest.push(judp.pack(Packet(A, A, bytes(1000), number)))
+    assert (len(modest), len(greedy)) == (3, before - 3)
+    assert greedy.clear() == before - 3
+    assert memory.bytes == modest.bytes
+
+
+def test_one_datagram_may_take_the_room_of_many() -> None:
+    memory = QueueMemory(100_000, Counters(logging.getLogger()))
+    queue, other = SendQueue(memory=memory), SendQueue(memory=memory)
+    for number in range(500):
+        queue.push(datagram(Priority.LOW, number))
+    other.push(judp.pack(Packet(A, A, bytes(40_000), 1)))
+    assert (len(other), memory.bytes <= 100_000) == (1, True)

@@ -4,7 +4,8 @@ python tools/bench/components.py [--counts 50 100 200] [--seconds 5] [--direct]
 
 For each number of components: events per second, CPU of the components' process and of the node manager, lateness of an
 event against its period, memory per component and per subscription. `--direct` puts the subscriber where the node
-manager would be. The last lines say how cost grows with load. The subscriber shares the machine; trust the ratios.
+manager would be. The next lines say how cost grows with load. The subscriber shares the machine; trust the ratios.
+The last line says what a command costs with the seal of an operator, in the client and in the component.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ import time
 from collections.abc import Iterator, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from itertools import pairwise
 from pathlib import Path
 
@@ -34,7 +36,9 @@ from jauspy.ids import JausID
 from jauspy.messages import core
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
-from jauspy.services.core import Liveness
+from jauspy.protocol.seal import Operator, OperatorKey
+from jauspy.services.core import CommandSeal, Liveness, Time
+from jauspy.services.host import Host
 
 ME = JausID(42, 1, 1)
 RATE = 10.0
@@ -234,6 +238,34 @@ def show(result: Result) -> None:
     )
 
 
+def seal_cost(commands: int = 3000) -> str:
+    """What a command costs with a seal and without: CPU time of sealing it, and of `Host.receive`."""
+    key, secret = OperatorKey.generate(), bytes(32)
+    command, robot = core.SetTime(), JausID(101, 1, 1)
+    times = {}
+    for sealed in (False, True):
+        seal = CommandSeal([Operator("bench", "operator", 127, key.public)], secret=secret, required=sealed)
+        host = Host(robot, [Time(), seal], utc_now=lambda: datetime.now(UTC))
+        challenge = seal.report_seal_challenge(ME)
+        started = time.process_time()
+        payloads = [
+            key.seal(command, challenge, destination=robot, source=ME, elapsed=0.0, counter=number + 1).encode()
+            if sealed
+            else command.encode()
+            for number in range(commands)
+        ]
+        received = time.process_time()
+        for payload in payloads:
+            host.receive(payload, ME, 0.0)
+        times[sealed] = (received - started) / commands * 1e6, (time.process_time() - received) / commands * 1e6
+        assert not [name for name in host.counters if "refused" in name]
+    (plain_client, plain_host), (client, host_time) = times[False], times[True]
+    return (
+        f"  a sealed command: {client:.0f} us in the client, {host_time:.0f} us in the component; without a seal "
+        f"{plain_client:.0f} and {plain_host:.0f} us"
+    )
+
+
 def main() -> None:
     """Measure each number of components, then print ratios."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -252,6 +284,7 @@ def main() -> None:
     for one, other in pairwise(results):
         load, events, cost = other.count / one.count, other.events / one.events, other.cpu / one.cpu
         print(f"  {load:.1f} times the components, {events:.2f} times the events: {cost:.2f} times the CPU")
+    print(seal_cost())
 
 
 if __name__ == "__main__":

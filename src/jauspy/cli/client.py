@@ -47,10 +47,17 @@ def own_id(given: str | None, connect: str | None) -> str:
     )
 
 
-def make_ocu(given: str | None, connect: str | None, timeout: float, registry: Registry | None = None) -> OCU:
+def make_ocu(
+    given: str | None,
+    connect: str | None,
+    timeout: float,
+    registry: Registry | None = None,
+    *,
+    operator: Path | None = None,
+) -> OCU:
     """An OCU with the id of `own_id` that waits `timeout` seconds for an answer."""
     id = own_id(given, connect)
-    return OCU(id, connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1, registry=registry)
+    return OCU(id, connect, timeout=timeout / ATTEMPTS, retries=ATTEMPTS - 1, registry=registry, operator=operator)
 
 
 def _claim(id: JausID, connect: str | None) -> bool:

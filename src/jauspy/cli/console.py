@@ -9,6 +9,8 @@ from collections.abc import Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING
 
+from jauspy.logs import LIMIT
+
 if TYPE_CHECKING:
     from rich.console import Console
 
@@ -83,6 +85,7 @@ def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> Non
     """Log to stderr from `level` on, as text if `formatter` is None."""
     handler = logging.StreamHandler()
     handler.setFormatter(formatter or logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+    handler.addFilter(LIMIT)  # for lines of other packages
     logging.basicConfig(level=level, handlers=[handler])
     logging.getLogger("asyncio").setLevel(logging.WARNING)
 

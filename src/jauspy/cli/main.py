@@ -32,6 +32,7 @@ VERBS: Final = {
     "ls": ("jauspy.cli.ls:ls", "List subsystems, nodes, components and services that answer discovery."),
     "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
+    "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and tell which obeyed."),
     "tf": ("jauspy.cli.tf:tf", "Show the poses of a running robot's frames: each in its parent, or TO in FROM."),
     "map": (
         "jauspy.cli.map:map_robot",
@@ -44,6 +45,13 @@ VERBS: Final = {
     "still": ("jauspy.cli.still:still", "Take a picture with a camera and save it."),
     "decode": ("jauspy.cli.decode:decode", "Print the JAUS messages in a capture file or in hex text."),
     "conformance": ("jauspy.cli.conformance:conformance", "Test a robot or component of any vendor, step by step."),
+}
+KEY_VERBS: Final = {
+    "new": (
+        "jauspy.cli.operators:new",
+        "Write a new key, and print the line for the robots' operators file.",
+    ),
+    "show": ("jauspy.cli.operators:show", "Print the line for the robots' operators file again."),
 }
 NEW_VERBS: Final = {
     "component": (
@@ -80,7 +88,7 @@ FUZZ_VERBS: Final = {
 }
 """Each verb's function and its line in the help. Its module is imported when it runs, so that `--help` is fast."""
 
-GROUPS: Final = {"jauspy": VERBS, "new": NEW_VERBS, "schema": SCHEMA_VERBS, "fuzz": FUZZ_VERBS}
+GROUPS: Final = {"jauspy": VERBS, "new": NEW_VERBS, "schema": SCHEMA_VERBS, "keys": KEY_VERBS, "fuzz": FUZZ_VERBS}
 
 WRITE_ERRORS: Final = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO})
 """Errors of writing results that only the user can resolve."""
@@ -171,6 +179,9 @@ schema_app = typer.Typer(
     "Exit status of every verb: 0 success; 1 lint found something or diff found a difference; 2 wrong use, or a name "
     "or file that does not exist or cannot be read.",
 )
+keys_app = typer.Typer(
+    cls=VerbGroup, name="keys", no_args_is_help=True, help="Make the keys with which operators seal their commands."
+)
 fuzz_app = typer.Typer(
     cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec with random and damaged messages."
 )
@@ -200,7 +211,12 @@ def _options(
 
 
 _add(app, VERBS)
-for _group, _verbs in ((new_app, NEW_VERBS), (schema_app, SCHEMA_VERBS), (fuzz_app, FUZZ_VERBS)):
+for _group, _verbs in (
+    (new_app, NEW_VERBS),
+    (schema_app, SCHEMA_VERBS),
+    (keys_app, KEY_VERBS),
+    (fuzz_app, FUZZ_VERBS),
+):
     _add(_group, _verbs)
     app.add_typer(_group)
 

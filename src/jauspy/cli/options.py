@@ -55,6 +55,15 @@ OwnId = Annotated[
         "--id", metavar="ID", help="This client's JAUS id. Default: 42.1.2, or the next one that is not in use."
     ),
 ]
+OperatorKey = Annotated[
+    Path | None,
+    typer.Option(
+        "--operator-key",
+        metavar="FILE",
+        envvar="JAUSPY_OPERATOR_KEY",
+        help="The key of an operator (`jauspy keys new`), which seals what is commanded.",
+    ),
+]
 Timeout = Annotated[float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for answers.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON object per line.")]
 WithParent = Annotated[

@@ -11,7 +11,7 @@ import typer
 from jauspy.cli import client, console
 from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.fields import message_from
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
@@ -54,6 +54,7 @@ def send(
     version: ServiceVersion = None,
     connect: Connect = None,
     own_id: OwnId = None,
+    operator_key: OperatorKey = None,
     timeout: Timeout = 2.0,
 ) -> None:
     """Send a command or any other message that has no answer.
@@ -78,7 +79,7 @@ def send(
         raise ConfigError(f"{command.NAME} is a query, whose answer would not be shown; use `jauspy query`")
     if control is not None and to.is_wildcard:
         raise ConfigError(f"--control takes control of one component, and {to} has wildcards")
-    ocu = client.make_ocu(own_id, connect, timeout, known.registry)
+    ocu = client.make_ocu(own_id, connect, timeout, known.registry, operator=operator_key)
     if control is None:
         warning = run(_send(ocu, to, command))
         if warning:
@@ -100,6 +101,8 @@ async def _obstacle(ocu: OCU, to: JausID, command: Message) -> str:
     queries = QueryControl(), QueryStatus(), QueryEventTimeout()
     answers: list[Any] = await asyncio.gather(*(ocu.query(to, each) for each in queries), return_exceptions=True)
     control, status, _ = answers
+    if ocu.stats.refused:
+        return ""  # the log says why
     if all(isinstance(each, BaseException) for each in answers):
         return f"sent, but {to} does not answer queries and may not exist; `jauspy ls` lists the components"
     if (

@@ -9,7 +9,7 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli import client
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
@@ -30,6 +30,7 @@ def still(
     sensor: Annotated[int, typer.Option("--sensor", min=1, max=65535, help="The sensor id of the camera.")] = 1,
     connect: Connect = None,
     own_id: OwnId = None,
+    operator_key: OperatorKey = None,
     timeout: Timeout = 20.0,
 ) -> None:
     """Take a picture with a camera and save it.
@@ -45,7 +46,7 @@ def still(
     if component.is_wildcard:
         raise ConfigError(f"{component} has wildcards; name one component")
     wanted = size_of(size), format_of(save)
-    ocu = OCU(client.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY)
+    ocu = OCU(client.own_id(own_id, connect), connect, delivery=LARGE_IMAGE_DELIVERY, operator=operator_key)
     run(take_picture(ocu, component, sensor, *wanted, file=save, max_wait=timeout))
 
 

@@ -15,7 +15,7 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli import client, console
-from jauspy.cli.options import Connect, OwnId, Timeout
+from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
@@ -59,6 +59,7 @@ def video(
     ] = None,
     connect: Connect = None,
     own_id: OwnId = None,
+    operator_key: OperatorKey = None,
     timeout: Timeout = 2.0,
 ) -> None:
     """Request the video of a camera, and print commands that show it; or record it.
@@ -77,7 +78,7 @@ def video(
     if save is not None and show:
         raise typer.BadParameter("it cannot be combined with --save: a port has one receiver", param_hint="--show")
     address = parse_rtp_url(f"rtp://{to}")
-    ocu = client.make_ocu(own_id, connect, timeout)
+    ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
     if save is not None:
         run(record(ocu, component, sensor, address, file=save, seconds=seconds))
         return

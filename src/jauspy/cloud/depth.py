@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import logging
 from dataclasses import dataclass
 from typing import Final
 
 from jauspy.cloud.socket import CloudPublisher
+from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera
 from jauspy.worker_process import SupervisedWorker
 
 NICENESS: Final = 5
 """Nice value above that of the robot's process, so that clouds never delay control."""
 
-_LOG: Final = logging.getLogger("jauspy.cloud")
+_LOG: Final = get_logger("jauspy.cloud")
 
 
 @dataclass(frozen=True, slots=True)

@@ -7,7 +7,6 @@ nested classes, flat, with names that are unique in it.
 
 from __future__ import annotations
 
-import logging
 import math
 import sys
 from collections.abc import Iterable, Mapping, Sequence
@@ -36,6 +35,7 @@ from jauspy.codec.names import (
 from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.codec.wire import CODES, FLOATS, as_sent
 from jauspy.errors import SchemaError
+from jauspy.logs import get_logger
 from jauspy.schema import model as m
 from jauspy.schema.loader import load_own
 from jauspy.schema.model import Schema
@@ -596,7 +596,7 @@ def _doc(summary: str, rows: Iterable[str] = (), name: str = "") -> str:
     return "\n".join(lines if len(lines) == 1 else [*lines, ""])
 
 
-_log = logging.getLogger(__name__)
+_log = get_logger(__name__)
 _numbers: Final = count(1)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import math
 import random
 import signal
@@ -23,6 +22,7 @@ from jauspy.component.acknowledgements import Acknowledgements
 from jauspy.component.event_loop import ErrorGuard, LoopTimer
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id
+from jauspy.logs import get_logger
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
@@ -48,7 +48,7 @@ MAX_TRANSPORT_BACKLOG: Final = 64
 """Datagrams that may be queued in the transport when further fragments of a large message are sent."""
 _NAME: Final = "jauspy component"
 _SIGNALS: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
-_LOG: Final = logging.getLogger("jauspy.component")
+_LOG: Final = get_logger("jauspy.component")
 
 
 def loop_time() -> float:

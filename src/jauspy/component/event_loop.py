@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections import Counter
 from collections.abc import Callable
 from types import TracebackType
 from typing import Final
 
-_LOG: Final = logging.getLogger("jauspy.component")
+from jauspy.logs import get_logger
+
+_LOG: Final = get_logger("jauspy.component")
 
 
 class ErrorGuard:

@@ -892,6 +892,11 @@ TABLE: Final = (
         (0x4404, "ReportVelocityState", "391ae0ea"), (0x44A4, "ReportVelocityStateExt", "bcdc3de7"),
     ),
     *entries(
+        "jauspy.messages.operators.v1_0.command_seal", "urn:jauspy:operators:CommandSeal", "1.0",
+        (0xDA50, "SealedCommand", "c669c717"), (0xEA50, "QuerySealChallenge", "2e38e77b"),
+        (0xFA50, "ReportSealChallenge", "18626799"), (0xFA51, "RejectCommand", "fadfe3c3"),
+    ),
+    *entries(
         "jauspy.messages.ugv.v1_0.ackermann_driver", "urn:jaus:jss:ugv:AckermannDriver", "1.0",
         (0x0500, "SetAckermannConfiguration", "c9cf5d7d"), (0x2500, "QueryAckermannConfiguration", "2e38e77b"),
         (0x4500, "ReportAckermannConfiguration", "6207f3d1"),

@@ -319,6 +319,12 @@ class RobotConfig(StrictConfig):
     """Seconds for which a message may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
     """Without an origin there are no services with global poses."""
+    operators: Annotated[str, Field(min_length=1)] | None = None
+    """The file that names who may command, and their keys; a relative path starts at the TOML file."""
+    require_operator: bool = True
+    """With `operators`: whether commands without the seal of one are refused."""
+    audit_log: Annotated[str, Field(min_length=1)] | None = None
+    """The file in which commands are recorded; a relative path starts at the TOML file."""
     modules: tuple[ModuleConfig, ...]
     tracks: TracksConfig
     groups: Groups = {}
@@ -333,6 +339,10 @@ class RobotConfig(StrictConfig):
     def _check_modules(self) -> Self:
         if not self.modules:
             raise ValueError("modules: there is none; a robot needs one or more [[modules]]")
+        if self.operators is None and "require_operator" in self.model_fields_set and self.require_operator:
+            raise ValueError("require_operator: needs operators, the file that names who may command")
+        if self.operators is None and self.audit_log is not None:
+            raise ValueError("audit_log: needs operators, the file that names who may command")
         for component, count in Counter(module.component for module in self.modules).items():
             if count > 1:
                 raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")

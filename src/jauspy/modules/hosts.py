@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from datetime import datetime
 from typing import Final
 
@@ -51,10 +51,15 @@ def host_of(
     videos: Mapping[str, VideoSource] = NO_VIDEOS,
     utc_now: Callable[[], datetime],
     now: float,
+    more: Sequence[Service] = (),
 ) -> Host:
-    """The host of a module. `videos`: the cameras by name. `now`: seconds of the clock that runs it."""
+    """The host of a module. `videos`: the cameras by name. `now`: seconds of the clock that runs it.
+
+    `more`: services besides those that `module` names.
+    """
     context = _context(config, module, model, robot, videos)
-    return module_host(config.id_of(module), module, context, identities=identities, utc_now=utc_now, now=now)
+    id = config.id_of(module)
+    return module_host(id, module, context, identities=identities, utc_now=utc_now, now=now, more=more)
 
 
 def module_host(
@@ -65,6 +70,7 @@ def module_host(
     identities: Mapping[int, Identity],
     utc_now: Callable[[], datetime],
     now: float,
+    more: Sequence[Service] = (),
 ) -> Host:
     """The host of a module whose services are made from `context`, with a watchdog on what it moves."""
     access = config.access_control
@@ -73,6 +79,7 @@ def module_host(
         Events(),
         AccessControl(default_authority=access.default_authority, timeout=access.timeout),
         Management(),
+        *more,
     ]
     optional: dict[str, Callable[[], Service]]
     optional = {"Discovery": lambda: Discovery(identities), "Time": Time, "Liveness": Liveness}

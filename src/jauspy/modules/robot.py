@@ -14,6 +14,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.hosts import Announcement, host_of
+from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import robot_model
 from jauspy.platform import backends
@@ -27,6 +28,7 @@ from jauspy.services.core import Discovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
+from jauspy.services.service import Service
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
 
@@ -113,10 +115,12 @@ class RobotRunner:
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             videos = await self._open_cameras(stack, realtime)
             components = []
-            hosts = [_host(self.config, module, model, realtime, videos) for module in self.config.modules]
+            seals = command_seals(self.config, None)
+            modules = self.config.modules
+            hosts = [_host(self.config, each, model, realtime, videos, more=seals()) for each in modules]
             _share_discovery(hosts)
             _share_operators(hosts)
-            for host, module in zip(hosts, self.config.modules, strict=True):
+            for host, module in zip(hosts, modules, strict=True):
                 delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
                 component = Component.of_host(
                     host,
@@ -171,7 +175,13 @@ class RobotRunner:
 
 
 def _host(
-    config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RealTime, videos: Mapping[str, CameraProcess]
+    config: RobotConfig,
+    module: ModuleConfig,
+    model: RobotModel,
+    robot: RealTime,
+    videos: Mapping[str, CameraProcess],
+    *,
+    more: Sequence[Service],
 ) -> Host:
     identities = {
         SYSTEM: Identity(config.name, _VEHICLE),
@@ -188,6 +198,7 @@ def _host(
         videos=videos,
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
+        more=more,
     )
 
 

@@ -8,7 +8,6 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, Final
 
-import xacro
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
@@ -18,11 +17,14 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import JointKind, RobotDescription, parse_urdf
 from jauspy.geometry.vectors import dot
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig
+from jauspy.modules.xacro_files import expand
 from jauspy.platform.description import RobotModel
 
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
 
+FILES: Final = ("urdf", "operators", "audit_log")
+"""Keys with the path of a file; relative ones start at the TOML file."""
 MAX_EXTENSIONS: Final = 8
 """Maximal length of a chain of files that extend each other."""
 
@@ -53,7 +55,7 @@ def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
 
 
 def _read(source: Traversable, extensions: int) -> dict[str, Any]:
-    """Return the keys of a file and of those that it extends; `urdf` is relative to the file that sets it."""
+    """Return the keys of a file and of those that it extends; paths are relative to the file that sets them."""
     try:
         data = tomllib.loads(source.read_text(encoding="utf-8"))
     except OSError as error:
@@ -62,8 +64,9 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
         raise ConfigError(f"{source}: is not TOML: {error}") from error
     with as_file(source) as file:
         folder = file.parent
-    if isinstance(data.get("urdf"), str):
-        data["urdf"] = str(folder / data["urdf"])
+    for key in FILES:
+        if isinstance(data.get(key), str) and data[key]:
+            data[key] = str(folder / data[key])
     other = data.pop("extends", None)
     if other is None:
         return data
@@ -109,20 +112,11 @@ def robot_model(config: RobotConfig) -> RobotModel:
 
 
 def _read_urdf(path: str) -> RobotDescription:
-    text = _expanded(path)
+    text = expand(path)
     try:
         return parse_urdf(text)
     except ConfigError as error:
         raise ConfigError(f"urdf: {path}: {error}") from error
-
-
-def _expanded(path: str) -> str:
-    if not Path(path).is_file():
-        raise ConfigError(f"urdf: {path}: there is no such file")
-    try:
-        return str(xacro.process_file(path).toxml())
-    except Exception as error:  # xacro evaluates expressions, which may raise any exception
-        raise ConfigError(f"urdf: {path}: xacro cannot expand it: {error}") from error
 
 
 def _check_tracks(config: RobotConfig, description: RobotDescription) -> None:

@@ -15,7 +15,7 @@ from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.routing import Router
 from jauspy.transport.age import MAX_AGE
-from jauspy.transport.base import SendQueue
+from jauspy.transport.base import QueueMemory, SendQueue
 
 SEND_BURST: Final = 64
 """Datagrams sent from a queue before others get their turn."""
@@ -35,7 +35,12 @@ class ComponentSender:
     """
 
     def __init__(
-        self, path: str, counters: Counters, on_unbound: Callable[[str], None], max_age: float = MAX_AGE
+        self,
+        path: str,
+        counters: Counters,
+        on_unbound: Callable[[str], None],
+        max_age: float = MAX_AGE,
+        memory: QueueMemory | None = None,
     ) -> None:
         self._path = path
         self._counters = counters
@@ -44,8 +49,7 @@ class ComponentSender:
         self._socket: socket.socket | None = None
         self._fast_path: Callable[[bytes], object] | None = None
         """The socket's `send`; only while it is connected and the queue is empty."""
-        self._max_age = max_age
-        self._queue = SendQueue(max_age=max_age)
+        self._queue = SendQueue(max_age=max_age, memory=memory)
         self._watched = False
         self._since_attempt = 0
 
@@ -71,9 +75,8 @@ class ComponentSender:
     def close(self) -> None:
         """Close the socket, and count queued datagrams as dropped; a second call does nothing."""
         self._disconnect()
-        for _ in range(len(self._queue)):
+        for _ in range(self._queue.clear()):
             self._counters.drop("component_gone", self._path)
-        self._queue = SendQueue(max_age=self._max_age)
 
     def _slow_path(self, datagram: bytes) -> None:
         if not self._queue:
@@ -172,10 +175,11 @@ class ComponentSenders:
     A sender is made when it is first needed, and closed when its component has ended.
     """
 
-    def __init__(self, sockets: ComponentSockets, router: Router, max_age: float = MAX_AGE) -> None:
+    def __init__(self, sockets: ComponentSockets, router: Router, max_age: float, memory: QueueMemory) -> None:
         self._sockets = sockets
         self._router = router
         self._max_age = max_age
+        self._memory = memory
         self._senders: dict[str, ComponentSender] = {}
 
     @property
@@ -195,7 +199,9 @@ class ComponentSenders:
         sender = self._senders.get(path)
         if sender is None:
             self._remove_cancelled()
-            sender = self._senders[path] = ComponentSender(path, self._router.counters, self._on_unbound, self._max_age)
+            sender = self._senders[path] = ComponentSender(
+                path, self._router.counters, self._on_unbound, self._max_age, self._memory
+            )
         return sender
 
     def remove_dead(self, port: ComponentPort) -> None:

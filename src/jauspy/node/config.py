@@ -285,6 +285,9 @@ class NodeConfig(NetworkConfig):
     """Seconds without a packet after which a learned address expires."""
     receive_buffer: int = Field(default=RECEIVE_BUFFER, ge=4096, le=1 << 30)
     """Bytes of each UDP receive buffer; the kernel grants at most net.core.rmem_max."""
+    queue_memory: int = Field(default=64 << 20, ge=1 << 20)
+    """Bytes of all queues for components and connections together; the longest queue loses its oldest messages of the
+    lowest priority first."""
     status: bool = True
     """Serve `jauspy node-manager --status` on the local socket JuniorRTE.status."""
     metrics: HostPort | None = Field(default=None, examples=["127.0.0.1:9794"])

@@ -25,6 +25,8 @@ LOW_PRIORITY_SHARE: Final = 8
 """Of these, for the lowest priorities, so that they are late, but not starved, while urgent ones fill every turn."""
 MAX_QUEUED: Final = 4096
 """Queued datagrams; beyond that the oldest of the lowest priority is dropped."""
+MAX_QUEUED_BYTES: Final = 16 << 20
+"""Their bytes; for datagrams of less than 4 kB on average, `MAX_QUEUED` is the tighter bound."""
 FILTER_ABOVE: Final = 1024
 """With more queued datagrams, the kernel filter is attached for the priorities of most of them."""
 UNFILTER_BELOW: Final = 256
@@ -49,6 +51,7 @@ class Ingress:
         self._counters = counters
         self._queues: tuple[_Queue, ...] = tuple(deque() for _ in range(_PRIORITIES))
         self._queued = 0
+        self._bytes = 0
         self._scheduled = False
         self._attached: list[socket.socket] = []
         self._skips: dict[str, int] = {}
@@ -77,7 +80,7 @@ class Ingress:
         for queue in self._queues:
             queue.clear()
         self._counters["dropped.closed"] += self._queued
-        self._queued = 0
+        self._queued = self._bytes = 0
 
     def _wake(
         self,
@@ -87,7 +90,7 @@ class Ingress:
         failed: Callable[[OSError], None],
     ) -> None:
         sock, skip = reader.socket, reader.skip
-        count, now = 0, time.monotonic()
+        count, size, now = 0, 0, time.monotonic()
         try:
             receive = reader.receiver(now)
             for count in range(READ_BURST):  # noqa: B007
@@ -98,6 +101,7 @@ class Ingress:
                         ports.clear()
                     port = ports[sender] = _port(sender, network)
                 self._queues[judp.peek_priority(data, skip)].append((data, port, now))
+                size += len(data)
             count = READ_BURST
         except (BlockingIOError, InterruptedError) as error:
             reader.was_empty(now)
@@ -106,10 +110,11 @@ class Ingress:
         except OSError as error:
             failed(error)
         self._queued += count
+        self._bytes += size
         if self._queued > FILTER_ABOVE and count == READ_BURST and sock not in self._filtered:
             self._attach_filter(sock, skip)
-        if self._queued > MAX_QUEUED:
-            self._drop(self._queued - MAX_QUEUED)
+        if self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES:
+            self._drop_excess()
         if not self._scheduled:
             self._route()
 
@@ -127,14 +132,12 @@ class Ingress:
             kernel_filter.detach(sock)
         self._filtered.clear()
 
-    def _drop(self, count: int) -> None:
-        self._queued -= count
-        self._counters.drop("overload", "more arrives than can be routed")
-        self._counters["dropped.overload"] += count - 1
+    def _drop_excess(self) -> None:
         for queue in self._queues:
-            for _ in range(min(count, len(queue))):
-                queue.popleft()
-                count -= 1
+            while queue and (self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES):
+                self._bytes -= len(queue.popleft()[0])
+                self._queued -= 1
+                self._counters.drop("overload", "more arrives than can be routed")
 
     def _route(self) -> None:
         self._scheduled = False
@@ -149,16 +152,18 @@ class Ingress:
 
     def _route_from(self, queues: Iterable[_Queue], left: int) -> int:
         """Route up to `left` datagrams; returns how many of them were not needed."""
-        receive, oldest = self._receive, time.monotonic() - self._max_age
+        receive, oldest, size = self._receive, time.monotonic() - self._max_age, 0
         for queue in queues:
             count = min(left, len(queue))
             for _ in range(count):
                 data, port, since = queue.popleft()
+                size += len(data)
                 if since < oldest and not judp.is_acknowledged(data, self._skips.get(port.network, 0)):
                     self._counters.drop("stale", port)
                 else:
                     receive(data, port)
             left -= count
+        self._bytes -= size
         return left
 
 

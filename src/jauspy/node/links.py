@@ -5,23 +5,23 @@ from __future__ import annotations
 import asyncio
 import errno
 import ipaddress
-import logging
 import os
 import socket
 from collections.abc import Callable, Iterable, Sequence
 from typing import Final
 
 from jauspy.errors import ConfigError, TransportError
+from jauspy.logs import get_logger
 from jauspy.node.config import NodeConfig
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport.age import MAX_AGE
+from jauspy.transport.base import QueueMemory
 from jauspy.transport.listener import Listener
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 MAX_CONNECTIONS: Final = 64
 """Accepted connections; see `TcpPeers` for what happens to further ones."""
@@ -50,9 +50,12 @@ class TcpPeers:
         network: str,
         received: Callable[[bytes, TcpPort], None],
         disconnected: Callable[[TcpPort], None],
+        *,
         max_age: float,
+        memory: QueueMemory,
     ) -> None:
         self._max_age = max_age
+        self._memory = memory
         self._counters = counters
         self._network = network
         self._received = received
@@ -84,7 +87,11 @@ class TcpPeers:
             self._close_idle()
         for port in peers:
             self._dialers[port] = Dialer(
-                (port.host, port.port), self._counters, self._receiver_for(port), max_age=self._max_age
+                (port.host, port.port),
+                self._counters,
+                self._receiver_for(port),
+                max_age=self._max_age,
+                memory=self._memory,
             )
 
     async def close(self) -> None:
@@ -123,6 +130,7 @@ class TcpPeers:
             self._ended,
             self._accepted,
             max_age=self._max_age,
+            memory=self._memory,
         )
 
     def _accepted(self, link: StreamLink) -> None:
@@ -203,13 +211,16 @@ class Links:
         network: str,
         received: Callable[[bytes, NetworkPort], None],
         disconnected: Callable[[NetworkPort], None],
-        max_age: float = MAX_AGE,
+        *,
+        max_age: float,
+        memory: QueueMemory,
     ) -> None:
         self._max_age = max_age
+        self._memory = memory
         self._received = received
         self._counters = counters
         self._network = network
-        self._tcp = TcpPeers(counters, network, received, disconnected, max_age)
+        self._tcp = TcpPeers(counters, network, received, disconnected, max_age=max_age, memory=memory)
         self._serial: dict[SerialPort, SerialLink] = {}
 
     @property
@@ -258,6 +269,12 @@ class Links:
 
     def _open_line(self, line: SerialLine) -> None:
         port = SerialPort(line.device, network=self._network)
-        link = SerialLink(line, self._counters, lambda datagram: self._received(datagram, port), max_age=self._max_age)
+        link = SerialLink(
+            line,
+            self._counters,
+            lambda datagram: self._received(datagram, port),
+            max_age=self._max_age,
+            memory=self._memory,
+        )
         link.open()
         self._serial[port] = link

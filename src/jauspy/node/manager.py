@@ -29,6 +29,7 @@ from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast
 from jauspy.transport.age import DatagramReader
+from jauspy.transport.base import QueueMemory
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
@@ -74,12 +75,18 @@ class NodeManager:
         self._networks: dict[str, Network] = {}
         self._local: socket.socket | None = None
         self._ingress: Ingress | None = None
-        self._component_senders = ComponentSenders(self._component_sockets, self._router, self._max_age)
+        memory = QueueMemory(self.config.queue_memory, self._router.counters)
+        self._component_senders = ComponentSenders(self._component_sockets, self._router, self._max_age, memory)
         self._local_ports: dict[str | bytes | None, LocalPort] = {}
         self._mirror: Mirror | None = None
         self._mirror_source: Port = LocalPort("")
         self._links = Links(
-            self._router.counters, self.config.name, self._receive, self._router.disconnected, self._max_age
+            self._router.counters,
+            self.config.name,
+            self._receive,
+            self._router.disconnected,
+            max_age=self._max_age,
+            memory=memory,
         )
         self._timer: asyncio.TimerHandle | None = None
         self._membership_timer: asyncio.TimerHandle | None = None

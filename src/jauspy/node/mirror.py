@@ -7,7 +7,6 @@ from __future__ import annotations
 
 import asyncio
 import errno
-import logging
 import os
 import queue
 import socket
@@ -20,11 +19,12 @@ from typing import Final, Self
 
 from jauspy.capture import writer
 from jauspy.errors import TransportError
+from jauspy.logs import get_logger
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port
 from jauspy.protocol.counters import Counters
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 MAX_CHUNK_SIZE: Final = 32768
 """Bytes that are written at once, at the latest `FLUSH_INTERVAL` seconds after the first packet."""

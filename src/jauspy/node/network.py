@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import errno
-import logging
 import socket
 import struct
 import time
@@ -13,6 +12,7 @@ from typing import Final, NamedTuple
 import psutil
 
 from jauspy.errors import ProtocolError, TransportError
+from jauspy.logs import get_logger
 from jauspy.node.config import NetworkConfig
 from jauspy.protocol import authentication
 from jauspy.protocol.addressing import UdpPort
@@ -21,7 +21,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.transport import multicast
 from jauspy.transport.multicast import Memberships
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 _ANY6: Final = "::"
 _IP_RECVERR: Final = 11
 _MSG_ERRQUEUE: Final = 0x2000

@@ -6,6 +6,7 @@ from __future__ import annotations
 
 from collections.abc import AsyncGenerator, Mapping
 from datetime import UTC, datetime
+from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
 
@@ -18,6 +19,7 @@ from jauspy.ids import JausID
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
 from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.robot import Robot
+from jauspy.ocu.sealing import load_key
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
@@ -38,7 +40,8 @@ class OCU:
     `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
     `"local:DIRECTORY"`.
     `timeout` (seconds) and `retries` are the defaults of queries; `registry` holds the known messages; `delivery` the
-    settings of reliable delivery and of large messages.
+    settings of reliable delivery and of large messages. `operator`: the path of the file with an operator's key, which
+    seals every command (`jauspy keys new`).
     To others the OCU is a subsystem with one component, which answers discovery and heartbeat queries.
     """
 
@@ -53,6 +56,7 @@ class OCU:
         registry: Registry | None = None,
         transport: Transport | None = None,
         delivery: Delivery | None = None,
+        operator: str | Path | None = None,
     ) -> None:
         self.id: JausID = JausID.of(id)
         if self.id.is_wildcard or 0 in (self.id.subsystem, self.id.node, self.id.component):
@@ -64,7 +68,8 @@ class OCU:
         check_text(name, "an OCU's name")
         if registry is not None and not isinstance(registry, Registry):
             raise TypeError(f"registry is what `jauspy.load` returns, not {described(registry)}")
-        self._connection = Connection(self.id, registry or _builtin(), RetryPolicy(timeout, retries))
+        key = None if operator is None else load_key(operator)
+        self._connection = Connection(self.id, registry or _builtin(), RetryPolicy(timeout, retries), key)
         self._component: Component | None = None
 
     def __repr__(self) -> str:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections import Counter, deque
 from collections.abc import AsyncIterator, Awaitable, Callable, Iterator
 from contextlib import contextmanager, suppress
@@ -15,8 +14,17 @@ from jauspy.arguments import check_number, check_text
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component import Component
-from jauspy.errors import ConfigError, ControlRejected, JausError, ResponseTimeout, TransportError
+from jauspy.errors import (
+    ConfigError,
+    ControlRejected,
+    DecodeError,
+    JausError,
+    RequestError,
+    ResponseTimeout,
+    TransportError,
+)
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages.core import (
     CancelEvent,
     ClearEmergency,
@@ -26,10 +34,14 @@ from jauspy.messages.core import (
     SetEmergency,
     UpdateEvent,
 )
+from jauspy.messages.operators import QuerySealChallenge, RejectCommand, ReportSealChallenge
 from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
+from jauspy.ocu.sealing import CommandSealer, Refusals
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
+from jauspy.protocol.seal import OperatorKey
+from jauspy.services.core.command_seal import explained
 
-_LOG: Final = logging.getLogger("jauspy.ocu")
+_LOG: Final = get_logger("jauspy.ocu")
 
 QUERY_EACH_INTERVAL: Final = 0.5
 """Seconds after which `query_each` sends its query again."""
@@ -76,6 +88,10 @@ class RetryPolicy:
         return RetryPolicy(self.timeout if timeout is None else timeout, self.retries if retries is None else retries)
 
 
+CHALLENGE_RETRY: Final = RetryPolicy(timeout=0.25, retries=3)
+"""For the challenge before the first command; components that know no operators do not answer."""
+
+
 @dataclass(frozen=True, slots=True)
 class Stats:
     """A snapshot of counters. Round-trip times are in seconds, of the latest 10,000 queries; 0 without queries."""
@@ -87,6 +103,8 @@ class Stats:
     malformed: int = 0
     unexpected: int = 0
     """Messages that nobody waited for, such as answers that arrive too late."""
+    refused: int = 0
+    """Commands that a component refused since they had no seal of an operator, or a wrong one."""
     rtt_min: float = 0.0
     rtt_median: float = 0.0
     rtt_max: float = 0.0
@@ -102,6 +120,7 @@ class StatsRecorder:
         self.timeouts = 0
         self.malformed = 0
         self.unexpected = 0
+        self.refused = 0
         self._round_trips: deque[float] = deque(maxlen=MAX_ROUND_TRIPS)
 
     def answered(self, seconds: float | None) -> None:
@@ -120,6 +139,7 @@ class StatsRecorder:
             timeouts=self.timeouts,
             malformed=self.malformed,
             unexpected=self.unexpected,
+            refused=self.refused,
             rtt_min=min(times),
             rtt_median=median(times),
             rtt_max=max(times),
@@ -205,7 +225,7 @@ class EventUsers:
 class Connection:
     """Sends messages and finds the answer to each query; `id` is the client's, `registry` holds the known messages."""
 
-    def __init__(self, id: JausID, registry: Registry, retry: RetryPolicy) -> None:
+    def __init__(self, id: JausID, registry: Registry, retry: RetryPolicy, operator: OperatorKey | None = None) -> None:
         self.id = id
         self.registry = registry
         self.retry = retry
@@ -218,6 +238,8 @@ class Connection:
         self._loop: asyncio.AbstractEventLoop | None = None
         self._on_close: list[Callable[[], Awaitable[object]]] = []
         self._serializer = QuerySerializer()
+        self._sealer = CommandSealer(operator, id, self._ask_for_challenge) if operator is not None else None
+        self._refusals = Refusals()
 
     # --- opening and closing --------------------------------------------------------------------------------------
 
@@ -245,6 +267,8 @@ class Connection:
     def detach(self) -> None:
         """End every wait with `TransportError`: the OCU is closed."""
         self._component = None
+        if self._sealer is not None:
+            self._sealer.close()
         self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
 
     def message_class(self, urn: str, version: str | None, name: str) -> type[Any]:
@@ -274,6 +298,9 @@ class Connection:
         if self.replies.dispatch(packet.payload, packet.source):
             return True
         code = int.from_bytes(packet.payload[:2], "little")
+        if code == RejectCommand.CODE:
+            self._on_reject(packet.payload, packet.source)
+            return True
         known = self.registry.by_code(code)
         if any(each.IS_COMMAND or each.IS_QUERY for each in known):
             return False
@@ -299,7 +326,8 @@ class Connection:
         ack: Ack = Ack.NONE,
     ) -> None:
         """Send a message; raises `EncodeError` when a value does not fit."""
-        self._opened().send(destination, message, priority=priority, broadcast=broadcast, ack=ack)
+        sealed = self._sealed(destination, message)
+        self._opened().send(destination, sealed, priority=priority, broadcast=broadcast, ack=ack)
         self._on_sent(destination, message)
 
     async def send_checked(self, destination: JausID, message: Message, *, ack: bool) -> None:
@@ -309,10 +337,11 @@ class Connection:
         """
         check_message(message, "send()", "Resume()")
         self.controls.check(destination, message)
+        await self._prepare(destination, message)
         if ack:
             component = self._opened()
             self._on_sent(destination, message)
-            await component.deliver(destination, message)
+            await component.deliver(destination, self._sealed(destination, message))
         else:
             self.send(destination, message)
             await asyncio.sleep(0)  # so that a loop that only sends lets other tasks run
@@ -323,9 +352,10 @@ class Connection:
         What is sent after this cannot overtake it, as it could overtake a message that is resent in the background.
         """
         with suppress(JausError):  # not open, too many messages under way, or no such component
+            await self._prepare(destination, message)
             component = self._opened()
             self._on_sent(destination, message)
-            await component.deliver(destination, message)
+            await component.deliver(destination, self._sealed(destination, message))
             return True
         return False
 
@@ -419,19 +449,56 @@ class Connection:
         accept: Callable[[Message], bool],
     ) -> Message:
         self.controls.check(destination, message)
+        await self._prepare(destination, message)
         clock = asyncio.get_running_loop().time
-        with self.replies.waiting(destination, *answers, accept=accept) as waiter:
+
+        def is_answer(answer: Message) -> bool:
+            return self._is_final(answer, message) if isinstance(answer, RejectCommand) else accept(answer)
+
+        with self.replies.waiting(destination, *answers, RejectCommand, accept=is_answer) as waiter:
             for attempt in range(retry.retries + 1):
                 sent_at = clock()
                 self.send(destination, message)
                 await asyncio.wait({waiter.reply}, timeout=retry.timeout)
                 if waiter.reply.done():
                     answer, _ = waiter.reply.result()
+                    if isinstance(answer, RejectCommand):
+                        self.stats.refused += 1
+                        raise _refused(destination, message, answer)
                     # After a retry it is not known which attempt was answered, hence no round-trip time.
                     self.stats.answered(clock() - sent_at if attempt == 0 else None)
                     return answer
             self.stats.timeouts += 1
             raise ResponseTimeout(_no_answer(destination, message, retry, waiter))
+
+    # --- seals of an operator -------------------------------------------------------------------------------------
+
+    async def _prepare(self, destination: JausID, message: Message) -> None:
+        if self._sealer is not None:
+            await self._sealer.prepare(destination, message)
+
+    def _sealed(self, destination: JausID, message: Message) -> Message:
+        return message if self._sealer is None else self._sealer.seal(destination, message)
+
+    async def _ask_for_challenge(self, id: JausID) -> ReportSealChallenge:
+        answer = await self.query(id, QuerySealChallenge(), retry=CHALLENGE_RETRY)
+        assert isinstance(answer, ReportSealChallenge)
+        return answer
+
+    def _on_reject(self, payload: bytes, source: JausID) -> None:
+        try:
+            reject = self.registry.decode_as(RejectCommand, payload)
+        except DecodeError as error:
+            self.on_malformed(f"RejectCommand from {source}: {error}")
+            return
+        self.stats.refused += 1
+        if self._sealer is None or not self._sealer.on_reject(reject, source):
+            self._refusals.log(reject, source, self.registry)
+
+    def _is_final(self, reject: RejectCommand, message: Message) -> bool:
+        """True for the refusal of this message, unless it will be sealed anew."""
+        can_help = self._sealer is not None and self._sealer.can_help(reject)
+        return reject.message_code == message.CODE and not can_help
 
     def _on_sent(self, destination: JausID, message: Message) -> None:
         self.stats.sent += 1
@@ -446,6 +513,12 @@ class Connection:
                 "`asyncio.run`, or use jauspy.sync.OCU, which any thread may call"
             )
         return self._component
+
+
+def _refused(destination: JausID, message: Message, reject: RejectCommand) -> RequestError:
+    kind = ControlRejected if message.CODE == RequestControl.CODE else RequestError
+    hint = "; give the OCU an operator's key (`operator`)" if reject.reason == RejectCommand.Reason.NO_SEAL else ""
+    return kind(f"{destination} refused {message.NAME}: {explained(reject.reason)}{hint}")
 
 
 def _list_driver(urn: str, version: str | None) -> tuple[tuple[str, str | None], ...]:

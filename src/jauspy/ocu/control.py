@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
@@ -12,6 +11,7 @@ from jauspy.arguments import async_only, check_number
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ControlRejected, ProtocolError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages.core import (
     ConfirmControl,
     QueryAuthority,
@@ -34,7 +34,7 @@ from jauspy.messages.core import (
 from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.protocol.header import Ack
 
-_LOG: Final = logging.getLogger("jauspy.ocu")
+_LOG: Final = get_logger("jauspy.ocu")
 
 DEFAULT_AUTHORITY: Final = 127
 """The middle of 0..255: clients that must be able to take over use a higher one."""

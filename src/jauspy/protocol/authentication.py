@@ -13,11 +13,10 @@ from collections import OrderedDict
 from typing import Final
 
 from jauspy.errors import ProtocolError
+from jauspy.protocol.duplicates import ReplayWindow
 
 MAGIC: Final = 0xA5
 """In place of the version byte; node managers without authentication drop it as an unknown version."""
-REPLAY_WINDOW: Final = 64
-"""Datagrams by which one may be overtaken."""
 MAX_AGE: Final = 30.0
 """Seconds that the clocks of two machines may differ; a replay from an unknown sender is accepted for as long."""
 MAX_SENDERS: Final = 1024
@@ -34,7 +33,7 @@ class Authenticator:
         self._hmac = hmac.new(key, digestmod="sha256")
         self._sender = sender
         self._sent = 0
-        self._heard: OrderedDict[int, tuple[int, int]] = OrderedDict()
+        self._heard: OrderedDict[int, ReplayWindow] = OrderedDict()
 
     def sign(self, datagram: bytes, utc: float) -> bytes:
         """The signed datagram."""
@@ -65,15 +64,12 @@ class Authenticator:
         return mac.digest()[:_TAG]
 
     def _is_new(self, sender: int, counter: int) -> bool:
-        """Record a counter; false when it is known or too old. `seen` has a bit for each of the last ones."""
-        top, seen = self._heard.get(sender, (0, 0))
-        if counter > top:
-            top, seen = counter, (seen << min(counter - top, REPLAY_WINDOW) | 1) & ((1 << REPLAY_WINDOW) - 1)
-        elif top - counter >= REPLAY_WINDOW or seen >> (top - counter) & 1:
+        """Record a counter; false when it is known or too old."""
+        window = self._heard.get(sender) or ReplayWindow()
+        if not window.is_new(counter):
             return False
-        else:
-            seen |= 1 << (top - counter)
-        self._heard[sender] = (top, seen)
+        window.add(counter)
+        self._heard[sender] = window
         self._heard.move_to_end(sender)
         if len(self._heard) > MAX_SENDERS:
             self._heard.popitem(last=False)

@@ -25,5 +25,5 @@ class Counters(dict[str, int]):
     def count(self, name: str, detail: object = "") -> None:
         """Count one more under this name; the first is logged."""
         if not self[name]:
-            self._logger.debug("first %s: %s", name, detail)
+            self._logger.debug("first %s: %s", name, detail, extra={"kind": name})
         self[name] += 1

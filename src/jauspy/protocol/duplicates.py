@@ -19,6 +19,8 @@ MAX_ECHOES: Final = 1024
 """Multicasts remembered."""
 ECHO_LIFETIME: Final = 2.0
 """Seconds; a copy comes back within a few turns of the event loop, and a peer may send the same bytes again later."""
+REPLAY_WINDOW: Final = 64
+"""Numbers by which an authenticated one may be overtaken."""
 
 
 class Duplicates:
@@ -72,3 +74,26 @@ class MulticastEchoes:
         self._until.move_to_end(key)
         if len(self._until) > self._limit:
             self._until.popitem(last=False)
+
+
+class ReplayWindow:
+    """The numbers that one sender has used, to recognise replays; a bit for each of the last `REPLAY_WINDOW`."""
+
+    __slots__ = ("_seen", "_top")
+
+    def __init__(self) -> None:
+        self._top = 0
+        self._seen = 0
+
+    def is_new(self, number: int) -> bool:
+        """False when the number is known or too old."""
+        behind = self._top - number
+        return behind < 0 or (behind < REPLAY_WINDOW and not self._seen >> behind & 1)
+
+    def add(self, number: int) -> None:
+        """Remember a number that is new."""
+        if number > self._top:
+            self._seen = (self._seen << min(number - self._top, REPLAY_WINDOW) | 1) & ((1 << REPLAY_WINDOW) - 1)
+            self._top = number
+        else:
+            self._seen |= 1 << (self._top - number)

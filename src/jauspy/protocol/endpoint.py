@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import logging
 from collections import deque
 from typing import Final, TypeVar
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import addressing, header, judp
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.delivery import Delivery, DeliveryOutcome, Transfers
@@ -15,7 +15,7 @@ from jauspy.protocol.duplicates import Duplicates
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.protocol.reassembly import Reassembly
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 _Item = TypeVar("_Item", bytes, Packet)
 
 MAX_QUEUED: Final = 1024

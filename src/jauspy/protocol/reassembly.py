@@ -215,4 +215,5 @@ def _is_restart(source: _Source, packet: Packet, content: int, now: float) -> bo
         return True
     if packet.ack is Ack.REQUIRED or packet.data_flag is not DataFlag.FIRST:
         return False
-    return now - source.starts[packet.sequence].touched > ECHO_WINDOW
+    run = source.starts.get(packet.sequence)
+    return run is None or not run.begins or now - run.touched > ECHO_WINDOW

@@ -8,21 +8,19 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort, NetworkPort, Port, UdpPort, format_port
 from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import EgressQueue
 from jauspy.protocol.pending import PendingDestinations
-from jauspy.protocol.sources import MOVE_TIMEOUT, TokenBuckets
+from jauspy.protocol.sources import MOVE_TIMEOUT
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 MAX_LOGGED_CASES: Final = 256
 """Cases remembered as logged; when an attacker forges more, the oldest are logged again."""
-LOG_RATE: Final = 0.1
-LOG_BURST: Final = 16.0
-"""Lines per second, and at once; further cases are only counted."""
 
 
 class Registrar:
@@ -92,7 +90,7 @@ class Registrar:
         is_new = id not in self._components
         if is_new and (holder := self._holder(id, now)) is not None:
             self._counters.drop("id_taken", f"{JausID.from_int(id)} at {format_port(port)}")
-            self._duplicate_ids.warn_taken(id, port, holder, now)
+            self._duplicate_ids.warn_taken(id, port, holder)
             return False
         if not self._components.register(id, port):
             self._counters.drop("component_refused", JausID.from_int(id))
@@ -118,31 +116,30 @@ class Registrar:
         known = self._components.port(id)
         if isinstance(own, UdpPort) and not self._may_connect(own):
             self._counters.drop("not_permitted", f"{name} from {format_port(own)}")
-            self._duplicate_ids.warn_not_permitted(id, own, now)
+            self._duplicate_ids.warn_not_permitted(id, own)
             return
         if (
             isinstance(own, UdpPort) and isinstance(known, LocalPort) and self.is_in_use(id)
         ):  # any user may send UDP, not any use a socket
             self._counters.drop("duplicate_id", f"{name} from {own}")
-            self._duplicate_ids.warn_duplicate(id, own, now)
+            self._duplicate_ids.warn_duplicate(id, own)
             return
         if known not in (None, own):
-            self._duplicate_ids.log_move(id, own, now)
+            self._duplicate_ids.log_move(id, own)
         if self.register(id, own, now, junior.accept(name)):
             self._counters["connects"] += 1
 
 
 class DuplicateIdLog:
-    """Log lines about ids in use twice: one per id and host or local socket, at a limited rate."""
+    """Log lines about ids in use twice: one per id and host or local socket."""
 
     def __init__(self, logger: logging.Logger) -> None:
         self._logger = logger
         self._logged: OrderedDict[tuple[int, str], None] = OrderedDict()
-        self._rate = TokenBuckets(LOG_RATE, LOG_BURST)
 
-    def warn_duplicate(self, id: int, port: Port, now: float) -> None:
+    def warn_duplicate(self, id: int, port: Port) -> None:
         """A packet from `port` has the id of a component that is registered here."""
-        if self._is_new(id, port, now):
+        if self._is_new(id, port):
             self._logger.warning(
                 "duplicate id %s: it belongs to a component of this machine, and packets from %s have it too; "
                 "these packets are dropped",
@@ -150,9 +147,9 @@ class DuplicateIdLog:
                 format_port(port),
             )
 
-    def warn_taken(self, id: int, port: Port, holder: Port, now: float) -> None:
+    def warn_taken(self, id: int, port: Port, holder: Port) -> None:
         """A program of this machine wants to be a component with the id of one on a network."""
-        if self._is_new(id, port, now):
+        if self._is_new(id, port):
             self._logger.warning(
                 "id %s is in use at %s; %s is not accepted with it until that is silent for %d s",
                 JausID.from_int(id),
@@ -161,23 +158,23 @@ class DuplicateIdLog:
                 MOVE_TIMEOUT,
             )
 
-    def warn_not_permitted(self, id: int, port: Port, now: float) -> None:
+    def warn_not_permitted(self, id: int, port: Port) -> None:
         """A user who may not use the local socket tries to connect by UDP."""
-        if self._is_new(id, port, now):
+        if self._is_new(id, port):
             self._logger.warning(
                 "component %s may not connect from %s: its user may not use the local socket (local_mode, local_group)",
                 JausID.from_int(id),
                 format_port(port),
             )
 
-    def log_move(self, id: int, port: Port, now: float) -> None:
+    def log_move(self, id: int, port: Port) -> None:
         """A component has connected whose id was registered elsewhere."""
-        if self._is_new(id, port, now):
+        if self._is_new(id, port):
             self._logger.info("component %s is now on %s", JausID.from_int(id), format_port(port))
 
-    def _is_new(self, id: int, port: Port, now: float) -> bool:
+    def _is_new(self, id: int, port: Port) -> bool:
         key = (id, port.path if isinstance(port, LocalPort) else port[0])
-        if key in self._logged or not self._rate.take(None, now):
+        if key in self._logged:
             return False
         self._logged[key] = None
         if len(self._logged) > MAX_LOGGED_CASES:

@@ -7,13 +7,13 @@ destination is set, packets that shared a datagram are sent one by one, and lega
 
 from __future__ import annotations
 
-import logging
 import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Final, Literal, TypeAlias
 
 from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp, junior
 from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
@@ -27,7 +27,7 @@ from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.registrar import DuplicateIdLog, Registrar
 from jauspy.protocol.sources import SourceChecks
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 RECEIVED_COUNTERS: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in PORT_KINDS.items()}
 
@@ -189,7 +189,7 @@ class Router:
             own = self._registrar.reply_port(port, raw.source)
             if self._registrar.is_in_use(raw.source, elsewhere_than=own):
                 self.counters.drop("duplicate_id", f"{JausID.from_int(raw.source)} also sends from {own}")
-                self._duplicate_ids.warn_duplicate(raw.source, own, now)
+                self._duplicate_ids.warn_duplicate(raw.source, own)
             elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
                 self.counters.drop("rate", JausID.from_int(raw.source))
             elif self._registrar.register(raw.source, own, now):
@@ -241,7 +241,7 @@ class Router:
         """Why a packet from this address is not accepted, as a counter's name; None if it is."""
         source = raw.source
         if self._registrar.is_in_use(source) or (not verified and self._is_own(source)):
-            self._duplicate_ids.warn_duplicate(source, port, now)
+            self._duplicate_ids.warn_duplicate(source, port)
             return "hijack"
         if not verified and not addressing.is_incomplete(source) and not self.sources.check_address(source, port, now):
             return "address_mismatch"

@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterable
 from datetime import datetime
 from typing import Literal
 
+from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
@@ -71,10 +72,16 @@ class Host(ServiceHost):
         if due is not None and due < now:
             self.handle_timeout(now)
         message = self._decoder.decode(payload, source)
-        if message is not None:
-            self.counters["received"] += 1
-            if self._triggers.handle(Trigger(message.CODE, message, source)) is TriggerOutcome.IGNORED:
-                self.counters["ignored"] += 1
+        if message is None:
+            return
+        self.counters["received"] += 1
+        if self.admission is None:
+            self._handle(message, source)
+        elif (admitted := self.admission.admit(message, payload, source)) is not None:
+            try:
+                self.admission.handled(self._handle(admitted, source))
+            finally:
+                self.operator = None
 
     def poll_output(self, now: float) -> list[Outgoing]:
         """Return the messages to be sent, oldest first, and remove them."""
@@ -118,6 +125,12 @@ class Host(ServiceHost):
         self.now = now
         self.id, self.requested_id = id, None
         self._call_each(Trigger("joined"), lambda service: service.joined())
+
+    def _handle(self, message: Message, source: JausID) -> TriggerOutcome:
+        outcome = self._triggers.handle(Trigger(message.CODE, message, source))
+        if outcome is TriggerOutcome.IGNORED:
+            self.counters["ignored"] += 1
+        return outcome
 
     def _on_action_error(self) -> None:
         """Go to Failure, if the component has that state; not again when an action fails there."""

@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-import logging
 import math
 from collections.abc import Callable, Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from datetime import datetime, timedelta
-from typing import TYPE_CHECKING, Any, ClassVar, Final, TypeVar
+from typing import TYPE_CHECKING, Any, ClassVar, Final, Protocol, TypeVar
 
 from jauspy.arguments import check_number, described
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
+from jauspy.logs import get_logger
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
+from jauspy.protocol.seal import Operator
 from jauspy.schema.model import Service as Definition
 from jauspy.services.deferred import Deferred, DeferredReplies
 from jauspy.services.messaging import InputDecoder, MessageSender, Outgoing, OutputQueue, Reply
@@ -32,7 +33,7 @@ from jauspy.services.state_machine import (
 )
 from jauspy.services.timers import Timers
 
-_LOG: Final = logging.getLogger("jauspy.services")
+_LOG: Final = get_logger("jauspy.services")
 
 S = TypeVar("S", bound="Service")
 
@@ -155,6 +156,16 @@ class BoundServices:
     """Codes of messages that are answered without a change of state."""
 
 
+class Admission(Protocol):
+    """Decides which of the received messages reach the state machines; a service sets it as `host.admission`."""
+
+    def admit(self, message: Message, payload: bytes, source: JausID) -> Message | None:
+        """The message to be handled, this one or one inside it; None when it is refused."""
+
+    def handled(self, outcome: TriggerOutcome) -> None:
+        """Called with what became of the message that `admit` has returned last."""
+
+
 class ServiceHost:
     """What the services of a component use of it, as `self.host`. `Host` binds and runs them.
 
@@ -172,6 +183,10 @@ class ServiceHost:
         """The id that the component wants to change to."""
         self.controller: JausID | None = None
         """The client in control; set by AccessControl."""
+        self.admission: Admission | None = None
+        """Decides what is handled; None: everything."""
+        self.operator: Operator | None = None
+        """Who has sealed the message that is handled now; set by the admission, for that message."""
         self.clock_offset = timedelta()
         """Difference of the component's clock to the wall clock; set by Time."""
         self.on_timer_change: Callable[[], None] = lambda: None
@@ -256,6 +271,11 @@ class ServiceHost:
     def read(self, content: Message | bytes) -> Message | None:
         """Decode a message inside another one; None when it is no input of this component."""
         return self._decoder.read(content)
+
+    def open(self, content: Message | bytes, source: JausID) -> Message | None:
+        """As `read`, for a message that counts as received: what cannot be decoded is counted by reason."""
+        payload = content.encode(strict=False) if isinstance(content, Message) else content
+        return self.read(content) or self._decoder.decode(payload, source)
 
     def is_query(self, message: Message) -> bool:
         """True for an input that is no command and is answered, whatever its code: messages of users have any."""

@@ -7,7 +7,6 @@ handled (run to completion). Actions and guards are bound beforehand, see `bindi
 
 from __future__ import annotations
 
-import logging
 from collections import Counter, deque
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -15,10 +14,11 @@ from enum import Enum
 from typing import Any, Final, Literal, NamedTuple, TypeAlias
 
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol.counters import Counters
 from jauspy.schema.state_tree import MergedState
 
-_LOG: Final = logging.getLogger("jauspy.services")
+_LOG: Final = get_logger("jauspy.services")
 
 MAX_PUSHED: Final = 32
 """States that can wait to be popped; a definition that pushes deeper loses the oldest."""

@@ -18,6 +18,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
+from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, Self, overload
 from jauspy.ocu.client import OCU as _OCU
@@ -457,7 +458,8 @@ class OCU(OpensPortal):
     `connect`: None (the node manager of this machine, else multicast), `"udp://HOST[:PORT]"`, `"tcp://HOST[:PORT]"` or
     `"local:DIRECTORY"`.
     `timeout` (seconds) and `retries` are the defaults of queries; `registry` holds the known messages; `delivery` the
-    settings of reliable delivery and of large messages.
+    settings of reliable delivery and of large messages. `operator`: the path of the file with an operator's key, which
+    seals every command (`jauspy keys new`).
     To others the OCU is a subsystem with one component, which answers discovery and heartbeat queries.
     """
 
@@ -472,8 +474,9 @@ class OCU(OpensPortal):
         registry: Registry | None = None,
         transport: Transport | None = None,
         delivery: Delivery | None = None,
+        operator: str | Path | None = None,
     ) -> None:
-        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport, delivery=delivery))
+        super().__init__(Portal(), _OCU(id, connect, name=name, timeout=timeout, retries=retries, registry=registry, transport=transport, delivery=delivery, operator=operator))
 
     @property
     def id(self) -> JausID:
@@ -509,7 +512,7 @@ class OCU(OpensPortal):
         interval: float = 2.0,
         silence: float = 7.0,
     ) -> Generator[News, None, None]:
-        """`for news in ocu.watch()`: what is there, and then what appears, changes and vanishes, for ever.
+        """`for news in ocu.watch()`: yields what is present, and then what appears, changes and vanishes.
 
         All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
         `subsystem` restricts this to one. A slow reader gets the difference to what it read last.

@@ -12,6 +12,7 @@ from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import Location
+from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE, MAX_DATAGRAM, DatagramReader
 
 Receiver: TypeAlias = Callable[[bytes], None]
@@ -20,6 +21,8 @@ DATAGRAMS_PER_WAKEUP: Final = 64
 MAX_QUEUED: Final = 512
 MAX_QUEUED_BYTES: Final = 4 << 20
 """Messages of 64 kB would need too much memory at `MAX_QUEUED`."""
+DATAGRAM_OVERHEAD: Final = 128
+"""Bytes that Python needs for a queued datagram besides its own."""
 PRIORITIES: Final = 4
 _CONTROL_PRIORITY: Final = PRIORITIES - 1
 LOW_PRIORITY_TURN: Final = 16
@@ -116,15 +119,49 @@ def stop_reading(loop: asyncio.AbstractEventLoop, sock: socket.socket) -> None:
     sock.close()
 
 
-class SendQueue:
-    """A bounded queue of datagrams for one destination, by priority; in order within a priority."""
+class QueueMemory:
+    """Bounds the memory of several queues together to `limit` bytes.
 
-    def __init__(self, limit: int = MAX_QUEUED, max_age: float = MAX_AGE) -> None:
+    When there is too much, the largest queue loses the oldest of its lowest priority, which is counted.
+    """
+
+    def __init__(self, limit: int, counters: Counters) -> None:
+        self.bytes = 0
+        self._limit = limit
+        self._counters = counters
+        self._queues: set[SendQueue] = set()
+
+    def resize(self, queue: SendQueue, by: int) -> None:
+        """Note that a queue has grown or shrunk by so many bytes."""
+        self.bytes += by
+        if queue:
+            self._queues.add(queue)
+        else:
+            self._queues.discard(queue)
+
+    def trim(self, queue: SendQueue) -> None:
+        """Drop what is too much, after this queue has grown."""
+        while self.bytes > self._limit:
+            average = self.bytes / len(self._queues)
+            largest = queue if queue.bytes >= average else max(self._queues, key=lambda each: each.bytes)
+            largest.drop_one()
+            self._counters.drop("queue_memory", "the queues of all destinations are too long")
+
+
+class SendQueue:
+    """A bounded queue of datagrams for one destination, by priority; in order within a priority.
+
+    `memory` bounds it together with others.
+    """
+
+    def __init__(self, limit: int = MAX_QUEUED, max_age: float = MAX_AGE, memory: QueueMemory | None = None) -> None:
         self._limit = limit
         self._max_age = max_age
+        self._memory = memory
         self._queues: tuple[deque[tuple[bytes, float]], ...] = tuple(deque() for _ in range(PRIORITIES))
         self._length = 0
-        self._bytes = 0
+        self.bytes = 0
+        """The memory that the queue needs."""
         self._turn = 0
 
     def __len__(self) -> int:
@@ -133,13 +170,26 @@ class SendQueue:
     def push(self, datagram: bytes) -> int:
         """Append a datagram; returns how many were dropped for it, the oldest of the lowest priority first."""
         self._queues[_priority(datagram)].append((datagram, time.monotonic()))
-        self._length += 1
-        self._bytes += len(datagram)
+        self._resize(1, len(datagram))
+        if self._memory is not None:
+            self._memory.trim(self)
         dropped = 0
-        while self._length > self._limit or self._bytes > MAX_QUEUED_BYTES:
-            self._take(next(queue for queue in self._queues if queue))
+        while self._length > self._limit or self.bytes > MAX_QUEUED_BYTES:
+            self.drop_one()
             dropped += 1
         return dropped
+
+    def drop_one(self) -> None:
+        """Remove the oldest datagram of the lowest priority."""
+        self._take(next(queue for queue in self._queues if queue))
+
+    def clear(self) -> int:
+        """Remove all datagrams; returns how many."""
+        count = self._length
+        for queue in self._queues:
+            while queue:
+                self._take(queue)
+        return count
 
     def drop_stale(self) -> int:
         """Remove what has waited too long and is not acknowledged; returns how many. To be called before sending."""
@@ -152,8 +202,7 @@ class SendQueue:
                 if since >= oldest or judp.is_acknowledged(datagram):
                     queue.append((datagram, since))
                 else:
-                    self._length -= 1
-                    self._bytes -= len(datagram)
+                    self._resize(-1, -len(datagram))
                     dropped += 1
         return dropped
 
@@ -183,8 +232,14 @@ class SendQueue:
         return urgent or high or standard or low
 
     def _take(self, queue: deque[tuple[bytes, float]]) -> None:
-        self._bytes -= len(queue.popleft()[0])
-        self._length -= 1
+        self._resize(-1, -len(queue.popleft()[0]))
+
+    def _resize(self, count: int, size: int) -> None:
+        by = size + count * DATAGRAM_OVERHEAD
+        self._length += count
+        self.bytes += by
+        if self._memory is not None:
+            self._memory.resize(self, by)
 
 
 def _priority(datagram: bytes) -> int:

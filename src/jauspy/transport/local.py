@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import errno
-import logging
 import os
 import shutil
 import socket
@@ -15,6 +14,7 @@ from typing import Final, Self
 
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
@@ -23,7 +23,7 @@ from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, SendQueue, ignore
 from jauspy.transport.node_status import Locator, this_machine
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 CONNECT_INTERVAL: Final = 0.025
 """Seconds between Connects until the node manager accepts, as in its own clients."""

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 from collections.abc import Callable, Mapping
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp
 from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import Receiver, ignore
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 
 class LoopbackHub:

@@ -12,7 +12,9 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Final
 
-_LOGGER = logging.getLogger(__name__)
+from jauspy.logs import get_logger
+
+_LOGGER = get_logger(__name__)
 
 ANY: Final = "0.0.0.0"  # noqa: S104  # the standard's node managers listen on every interface
 

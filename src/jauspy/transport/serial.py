@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -11,15 +10,16 @@ from typing import TYPE_CHECKING, Final
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import jserial, judp
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE, StallDetector
-from jauspy.transport.base import Receiver, SendQueue, ignore
+from jauspy.transport.base import QueueMemory, Receiver, SendQueue, ignore
 
 if TYPE_CHECKING:
     import serial
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 READ_SIZE: Final = 4096
 REOPEN_INTERVAL: Final = 1.0
@@ -45,7 +45,13 @@ class SerialLink:
     """
 
     def __init__(
-        self, line: SerialLine, counters: Counters, received: Callable[[bytes], None], *, max_age: float = MAX_AGE
+        self,
+        line: SerialLine,
+        counters: Counters,
+        received: Callable[[bytes], None],
+        *,
+        max_age: float = MAX_AGE,
+        memory: QueueMemory | None = None,
     ) -> None:
         self.line = line
         self._counters = counters
@@ -53,8 +59,7 @@ class SerialLink:
         self._loop = asyncio.get_running_loop()
         self._port: serial.Serial | None = None
         self._decoder = jserial.FrameDecoder()
-        self._max_age = max_age
-        self._waiting = SendQueue(max_age=max_age)
+        self._waiting = SendQueue(max_age=max_age, memory=memory)
         self._stall = StallDetector(max_age)
         self._rest = b""
         self._retry: asyncio.TimerHandle | None = None
@@ -176,9 +181,9 @@ class SerialLink:
 
     def _release(self) -> None:
         port, self._port = self._port, None
-        for _ in range(len(self._waiting)):
+        for _ in range(self._waiting.clear()):
             self._counters.drop("serial_closed", self.line.device)
-        self._waiting, self._rest = SendQueue(max_age=self._max_age), b""
+        self._rest = b""
         if port is not None:
             self._loop.remove_reader(port.fileno())
             self._loop.remove_writer(port.fileno())

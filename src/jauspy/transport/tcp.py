@@ -3,20 +3,20 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import socket
 from collections.abc import Callable, Mapping
 from typing import Final, cast
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import header, jtcp, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE, StallDetector
-from jauspy.transport.base import Receiver, SendQueue, ignore
+from jauspy.transport.base import QueueMemory, Receiver, SendQueue, ignore
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 HIGH_WATER: Final = 64 * 1024
 """Bytes in asyncio's write buffer above which packets wait in a bounded queue, by priority."""
@@ -48,6 +48,7 @@ class StreamLink(asyncio.BufferedProtocol):
         accepted: Callable[[StreamLink], None] | None = None,
         *,
         max_age: float = MAX_AGE,
+        memory: QueueMemory | None = None,
     ) -> None:
         self.peer: Address = ("", 0)
         self.has_received = False
@@ -63,7 +64,7 @@ class StreamLink(asyncio.BufferedProtocol):
         self._sent_version: int | None = None
         self._transport: asyncio.Transport | None = None
         self._paused = False
-        self._waiting = SendQueue(max_age=max_age)
+        self._waiting = SendQueue(max_age=max_age, memory=memory)
         self._stall = StallDetector(max_age)
 
     @property
@@ -147,9 +148,9 @@ class StreamLink(asyncio.BufferedProtocol):
 
     def connection_lost(self, _error: Exception | None) -> None:
         """Report the end to the owner, and count the queued packets as dropped."""
-        for _ in range(len(self._waiting)):
+        for _ in range(self._waiting.clear()):
             self._counters.drop("tcp_closed", self.peer)
-        self._transport, self._waiting = None, SendQueue()
+        self._transport = None
         self._stall.close()
         self._ended(self)
 
@@ -175,9 +176,11 @@ class Dialer:
         received: Callable[[StreamLink, bytes], None],
         *,
         max_age: float = MAX_AGE,
+        memory: QueueMemory | None = None,
     ) -> None:
         self.address = address
         self._max_age = max_age
+        self._memory = memory
         self.link: StreamLink | None = None
         self.connected = asyncio.Event()
         self.problem = "it does not answer"
@@ -219,7 +222,10 @@ class Dialer:
         self._lost.clear()
         async with asyncio.timeout(CONNECT_TIMEOUT):
             _, link = await loop.create_connection(
-                lambda: StreamLink(self._counters, self._received, self._ended, max_age=self._max_age), *self.address
+                lambda: StreamLink(
+                    self._counters, self._received, self._ended, max_age=self._max_age, memory=self._memory
+                ),
+                *self.address,
             )
         self.link = link
         self.connected.set()

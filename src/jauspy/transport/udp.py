@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import socket
 from collections.abc import Callable, Mapping
 
 from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
@@ -18,7 +18,7 @@ from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.multicast import Memberships
 
-_LOGGER = logging.getLogger(__name__)
+_LOGGER = get_logger(__name__)
 
 
 class UdpTransport:

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import asyncio
-import logging
 import time
 from collections.abc import Callable, Iterator, Mapping
 from typing import Final, TypeAlias
 
 from jauspy.errors import ConfigError
+from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera, CameraSetup
 from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.video import need_video
@@ -33,7 +33,7 @@ START_TIMEOUT: Final = 90.0
 MAX_PENDING_STILLS: Final = 8
 """Still images that may be under way; further ones are refused."""
 
-_LOG: Final = logging.getLogger("jauspy.video")
+_LOG: Final = get_logger("jauspy.video")
 
 StillCallback: TypeAlias = Callable[[Still | None], None]
 

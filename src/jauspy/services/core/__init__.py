@@ -1,6 +1,7 @@
 """The core services (AS5710)."""
 
 from jauspy.services.core.access_control import AccessControl
+from jauspy.services.core.command_seal import CommandSeal
 from jauspy.services.core.discovery import Discovery, Identity
 from jauspy.services.core.events import Events
 from jauspy.services.core.list_manager import ListDriver, ListManager
@@ -8,6 +9,7 @@ from jauspy.services.core.management import Liveness, Management, Time, Transpor
 
 __all__ = [
     "AccessControl",
+    "CommandSeal",
     "Discovery",
     "Events",
     "Identity",

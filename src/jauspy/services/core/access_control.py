@@ -16,17 +16,25 @@ from jauspy.messages.core import (
     ReportTimeout,
     RequestControl,
     SetAuthority,
+    SetEmergency,
+    Standby,
 )
+from jauspy.protocol.seal import Operator
 from jauspy.services.service import Service
 
 _TIMER: Final = "access control"
 _NO_CLIENT: Final = JausID(0, 0, 0)
 _STATES_WITHOUT_CONTROL: Final = frozenset({"Init", "Failure", "Shutdown", "Emergency"})
 """States in which nobody can take control."""
+STOPS: Final = frozenset({Standby.CODE, SetEmergency.CODE})
+"""Commands that stop a robot and move nothing; they need no seal of an operator."""
 
 
 class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
     """Exclusive control over all services of the component.
+
+    A client that seals its commands (`CommandSeal`) has control for its operator, and at most the authority of that
+    operator's role.
 
     `default_authority`: 0..255, the minimum that a client needs. `timeout`: whole seconds, 1..255, within which the
     client must request control again; 0 never times out.
@@ -40,6 +48,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         self.default_authority = default_authority
         self.timeout = timeout
         self.authority = default_authority
+        self._operator: Operator | None = None
         self._timeout_event = "Timedout"
 
     @property
@@ -66,7 +75,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
 
     def set_authority(self, msg: RequestControl | SetAuthority) -> None:
         """The controlling client's authority."""
-        self.authority = msg.authority_code
+        self.authority = self._asked(msg)
 
     def reset_timer(self) -> None:
         """Restart the time-out of the controlling client."""
@@ -89,8 +98,14 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
 
     def _set_controller(self, client: JausID | None) -> None:
         before, self.host.controller = self.host.controller, client
-        if before not in (None, client):
+        of_before, self._operator = self._operator, self.host.operator if client else None
+        if before is not None and (before != client or of_before is not self._operator):
             self.host.control_lost()
+
+    def _asked(self, msg: RequestControl | SetAuthority) -> int:
+        """The authority that a client asks for, as far as the role of its operator goes."""
+        operator = self.host.operator
+        return msg.authority_code if operator is None else min(msg.authority_code, operator.authority)
 
     # --- predicates
 
@@ -98,21 +113,23 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         """The state allows control (a predicate of 1.0; 1.1 has states for it)."""
         return not _STATES_WITHOUT_CONTROL.intersection(self.host.path)
 
-    def is_controlling_client(self, source: JausID) -> bool:
-        """The sender is in control."""
-        return self.controller == source
+    def is_controlling_client(self, msg: object, source: JausID) -> bool:
+        """The sender is in control, for the operator who sealed this; for a stop the id suffices."""
+        if self.controller != source:
+            return False
+        return self._operator is self.host.operator or getattr(msg, "CODE", None) in STOPS
 
     def is_default_authority_greater(self, msg: RequestControl) -> bool:
         """The request has less than the default authority."""
-        return self.default_authority > msg.authority_code
+        return self.default_authority > self._asked(msg)
 
     def is_current_authority_less(self, msg: RequestControl) -> bool:
         """The request has a higher authority than the controlling client."""
-        return self.authority < msg.authority_code
+        return self.authority < self._asked(msg)
 
     def is_authority_valid(self, msg: SetAuthority) -> bool:
         """A client may lower its authority, down to the default one."""
-        return self.default_authority <= msg.authority_code <= self.authority
+        return self.default_authority <= self._asked(msg) <= self.authority
 
     # --- reports
 

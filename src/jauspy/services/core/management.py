@@ -17,10 +17,14 @@ MAX_EMERGENCY_CLIENTS: Final = 64
 
 
 class Management(Service, urn="urn:jaus:jss:core:Management"):
-    """The status of the component. An emergency lasts until every client that set it has cleared it."""
+    """The status of the component. An emergency lasts until every client that set it has cleared it.
+
+    An operator's client (see `CommandSeal`) also clears those that were set without a seal, which anybody can.
+    """
 
     def __init__(self) -> None:
-        self._emergency_clients: set[JausID] = set()
+        self._emergency_clients: dict[JausID, bool] = {}
+        """Those that set it, and whether with a seal."""
 
     @property
     def status(self) -> ReportStatus.Status:
@@ -33,17 +37,22 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
 
     def store_id(self, source: JausID) -> None:
         """`source` has set the emergency."""
-        if len(self._emergency_clients) < MAX_EMERGENCY_CLIENTS:
-            self._emergency_clients.add(source)
+        sealed = self.host.operator is not None
+        if len(self._emergency_clients) < MAX_EMERGENCY_CLIENTS or source in self._emergency_clients:
+            self._emergency_clients[source] = sealed or self._emergency_clients.get(source, False)
 
     def is_id_stored(self, source: JausID) -> bool:
         """`source` may clear the emergency, since it has set it."""
-        return source in self._emergency_clients
+        return source in self._emergency_clients or (self.host.operator is not None and bool(self._unsealed()))
 
     def delete_id(self, source: JausID) -> ActionResult | None:
         """`source` clears its emergency; the component stays in Emergency while another client's is set."""
-        self._emergency_clients.discard(source)
+        cleared = {source, *(self._unsealed() if self.host.operator is not None else ())}
+        self._emergency_clients = {id: sealed for id, sealed in self._emergency_clients.items() if id not in cleared}
         return STAY if self._emergency_clients else None
+
+    def _unsealed(self) -> list[JausID]:
+        return [id for id, sealed in self._emergency_clients.items() if not sealed]
 
     def report_status(self) -> ReportStatus:
         """The status of the component."""

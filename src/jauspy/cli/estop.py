@@ -1,0 +1,112 @@
+"""`jauspy estop`: set or clear the emergency of one component, one robot or all robots, and tell which obeyed."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from typing import Annotated, Final, TypeAlias
+
+import typer
+from rich.text import Text
+
+from jauspy.cli import client, console
+from jauspy.cli.options import Connect, Json
+from jauspy.cli.processes import run
+from jauspy.errors import ConfigError, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, SetEmergency
+from jauspy.ocu import OCU
+from jauspy.ocu.control import status_name
+
+ESTOP_ID: Final = "42.1.254"
+"""The client's id, always the same: only the id that set an emergency can clear it."""
+ROUND: Final = 0.4
+"""Seconds in which components answer QueryStatus before the message is sent again."""
+SETTLED_ROUNDS: Final = 2
+"""Rounds without a new component, in which all obey, after which it ends: packets may have been lost."""
+STOP: Final = SetEmergency.EmergencyCode.STOP
+MAX_SUBSYSTEM: Final = 65534
+
+Reports: TypeAlias = dict[JausID, ReportStatus]
+
+
+def estop(
+    *,
+    target: Annotated[
+        str, typer.Argument(metavar="[ID|all]", help="A component (101.1.102), a robot (101), or all.")
+    ] = "all",
+    release: Annotated[
+        bool, typer.Option("--release", help="Clear the emergency that `jauspy estop` has set before.")
+    ] = False,
+    connect: Connect = None,
+    own_id: Annotated[
+        str, typer.Option("--id", metavar="ID", help="This client's JAUS id; --release needs that which stopped.")
+    ] = ESTOP_ID,
+    timeout: Annotated[
+        float, typer.Option("--timeout", min=0.1, metavar="SECONDS", help="How long components have to obey.")
+    ] = 2.0,
+    as_json: Json = False,
+) -> None:
+    """Stop robots: set the emergency of every component that is reached, whoever controls it.
+
+    The message is sent at once, without discovery, and again until all that answer have obeyed. Lists the status of
+    each component that answers. The exit status is 0 if at least one answered, and all that answered obeyed. A client
+    that was in control still is after --release, and what it had commanded does not go on.
+
+    Examples:
+      jauspy estop
+      jauspy estop 101
+      jauspy estop 101 --release
+    """
+    to = destination(target)
+    found = run(_estop(OCU(own_id, connect), to, release=release, max_wait=timeout)) or {}
+    for id, report in sorted(found.items(), key=lambda item: int(item[0])):
+        obeyed = _obeys(report, release=release)
+        if as_json:
+            print(json.dumps({"id": str(id), "status": status_name(report), "obeyed": obeyed}))
+        else:
+            state = (status_name(report), "green" if obeyed else "bold red")
+            console.stdout().print(Text.assemble(str(id), "  ", state, "" if obeyed else "  did not obey"))
+    if not found:
+        nobody = "no component answered" if to.is_wildcard else f"{to} did not answer"
+        raise ResponseTimeout(f"{nobody} within {timeout:g} s; the message was sent nevertheless")
+    disobedient = [str(id) for id, report in found.items() if not _obeys(report, release=release)]
+    if disobedient:
+        why = (
+            "another client has set an emergency, too, or this is not the id that set it (--id)"
+            if release
+            else "stop the robot by other means"
+        )
+        raise ResponseTimeout(f"{len(disobedient)} of {len(found)} did not obey: {', '.join(disobedient)}; {why}")
+
+
+def destination(text: str) -> JausID:
+    """The id that `all`, a subsystem's number or an id means; raises `ConfigError` for anything else."""
+    if text == "all":
+        return JausID.parse("65535.255.255")
+    if text.isascii() and text.isdigit():
+        if not 1 <= int(text) <= MAX_SUBSYSTEM:
+            raise ConfigError(f"{text} is not the number of a subsystem; it is 1..{MAX_SUBSYSTEM}, as in 101")
+        return JausID.parse(f"{text}.255.255")
+    return client.destination(text)
+
+
+async def _estop(ocu: OCU, to: JausID, *, release: bool, max_wait: float) -> Reports:
+    """Send until all obey or the time is over; returns the last status of each component that answered."""
+    message = ClearEmergency(emergency_code=STOP) if release else SetEmergency(emergency_code=STOP)
+    found: Reports = {}
+    async with ocu:
+        end = asyncio.get_running_loop().time() + max_wait
+        settled = 0
+        while settled < SETTLED_ROUNDS and (left := end - asyncio.get_running_loop().time()) > 0:
+            await ocu.send(to, message)
+            before = set(found)
+            async for id, report in ocu.query_each(to, QueryStatus(), within=min(ROUND, left)):
+                found[id] = report
+            obey = all(_obeys(report, release=release) for report in found.values())
+            settled = settled + 1 if found and obey and found.keys() == before else 0
+    return found
+
+
+def _obeys(report: ReportStatus, *, release: bool) -> bool:
+    return (report.status == ReportStatus.Status.EMERGENCY) != release

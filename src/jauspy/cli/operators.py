@@ -1,0 +1,77 @@
+"""`jauspy keys` makes the keys of operators; `jauspy audit` verifies an audit log."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from jauspy.cli import console
+from jauspy.errors import ConfigError
+from jauspy.ocu.sealing import load_key
+from jauspy.protocol.seal import OperatorKey
+
+_NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,64}")
+Role = Annotated[
+    str, typer.Option("--role", metavar="ROLE", help="The role in the printed line: observer, operator or supervisor.")
+]
+
+
+def new(
+    *,
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Whose key it is, as in alice.")],
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", metavar="FILE", help="The file to write.  [default: NAME.key]")
+    ] = None,
+    role: Role = "operator",
+) -> None:
+    """Write a new key, and print the line for the robots' operators file.
+
+    Only its owner may read the file. It stays with the operator; robots need the printed line only, which is no secret.
+
+    Example:
+      jauspy keys new alice >> operators.toml
+    """
+    _check_word(name, "NAME")
+    key = OperatorKey.generate()
+    line = _line(name, role, key)
+    file = output or Path(f"{name}.key")
+    try:
+        descriptor = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+        with os.fdopen(descriptor, "wb") as stream:
+            stream.write(key.pem())
+    except FileExistsError as error:
+        raise ConfigError(f"{file} exists; a new key would replace it, so remove it or choose --output") from error
+    except OSError as error:
+        raise ConfigError(f"cannot write {file}: {error.strerror}") from error
+    console.note(f"{file} is written; keep it secret. The line is for [operators] in the robots' operators file")
+    print(line)
+
+
+def show(
+    *,
+    file: Annotated[Path, typer.Argument(metavar="FILE", help="The file of a key, as in alice.key.")],
+    name: Annotated[
+        str | None, typer.Option("--name", metavar="NAME", help="The name in the line.  [default: that of the file]")
+    ] = None,
+    role: Role = "operator",
+) -> None:
+    """Print the line for the robots' operators file again.
+
+    Example:
+      jauspy keys show alice.key
+    """
+    print(_line(name or file.stem, role, load_key(file)))
+
+
+def _line(name: str, role: str, key: OperatorKey) -> str:
+    return f'{_check_word(name, "NAME")} = {{ role = "{_check_word(role, "--role")}", key = "{key.public}" }}'
+
+
+def _check_word(text: str, what: str) -> str:
+    if not _NAME.fullmatch(text):
+        raise ConfigError(f"{what}: {text!r} has other characters than letters, digits, _ and -")
+    return text

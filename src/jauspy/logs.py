@@ -1,0 +1,69 @@
+"""Loggers of this package: no kind of line is written at an unbounded rate, because peers cause many of them."""
+
+from __future__ import annotations
+
+import logging
+from collections import OrderedDict
+from types import TracebackType
+from typing import Final, TypeAlias
+
+MAX_LINES_AT_ONCE: Final = 16
+"""Lines of one kind; further ones are only counted."""
+LINE_INTERVAL: Final = 10.0
+"""Seconds until one more line of a kind is written; it tells how many were left out."""
+MAX_KINDS: Final = 512
+"""Kinds of lines that are told apart; what was written longest ago is forgotten."""
+
+_Kind: TypeAlias = tuple[str, str, str]
+
+
+class LogRateLimit(logging.Filter):
+    """Limits the lines of each kind: those of one logger with one text before formatting, and one place of an error.
+
+    `extra={"kind": ...}` replaces the text, for lines that are written once for each of a few kinds.
+    """
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._kinds: OrderedDict[_Kind, tuple[float, float, int]] = OrderedDict()
+        """Lines that may be written, the time when this was so, and the number of lines left out since the last."""
+
+    def filter(self, record: logging.LogRecord) -> bool:
+        """False for a line too many; else the number of lines that were left out is added to it."""
+        if getattr(record, "is_within_limit", False):
+            return True  # by the filter of its logger
+        text = str(getattr(record, "kind", record.msg))
+        kind = (record.name, text, _place(record.exc_info[2] if record.exc_info else None))
+        lines, since, left_out = self._kinds.get(kind, (float(MAX_LINES_AT_ONCE), record.created, 0))
+        lines = min(float(MAX_LINES_AT_ONCE), lines + max(0.0, record.created - since) / LINE_INTERVAL)
+        granted = lines >= 1.0
+        self._kinds[kind] = (lines - granted, record.created, 0 if granted else left_out + 1)
+        self._kinds.move_to_end(kind)
+        if len(self._kinds) > MAX_KINDS:
+            self._kinds.popitem(last=False)
+        if granted and left_out:
+            record.msg, record.args = f"{record.getMessage()} ({left_out} such lines were left out)", ()
+        record.is_within_limit = granted
+        return granted
+
+    def reset(self) -> None:
+        """Forget what was written, as between tests."""
+        self._kinds.clear()
+
+
+LIMIT: Final = LogRateLimit()
+"""The limit of all loggers of this package; programs may add it to their own handlers and loggers."""
+
+
+def get_logger(name: str) -> logging.Logger:
+    """The logger of this name, with the limit. All code of this package uses it."""
+    logger = logging.getLogger(name)
+    logger.addFilter(LIMIT)
+    return logger
+
+
+def _place(trace: TracebackType | None) -> str:
+    """Where an exception was raised."""
+    while trace is not None and trace.tb_next is not None:
+        trace = trace.tb_next
+    return "" if trace is None else f"{trace.tb_frame.f_code.co_filename}:{trace.tb_lineno}"

@@ -1,0 +1,224 @@
+"""Expands xacro files as data: expressions are evaluated here, on numbers, texts and lists, never by Python.
+
+xacro evaluates `${...}` with Python's `eval`, and what it excludes is easily reached all the same. So this module has a
+copy of xacro of its own whose evaluation is replaced; in any version of xacro, an `eval` that is left there fails.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+from importlib.util import find_spec, module_from_spec
+from itertools import count, pairwise
+from pathlib import Path
+from typing import Any, Final, NoReturn
+
+from jauspy.errors import ConfigError
+from jauspy.printable import printable
+
+MAX_EXPRESSION: Final = 1000
+"""Characters of an expression; bounds the depth of its syntax tree, too."""
+
+MAX_VALUE_BITS: Final = 1024
+"""Of an integer; floats have about as many."""
+
+MAX_VALUE_LENGTH: Final = 100_000
+"""Of a text or list; properties that double each other reach it soon."""
+
+MAX_ELEMENTS: Final = 100_000
+"""XML elements that macros make of a file; robots of jauspy have up to 700."""
+
+_OPERATORS: Final[Mapping[type[ast.AST], Callable[..., Any]]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
+    ast.Pow: operator.pow,
+    ast.UAdd: operator.pos,
+    ast.USub: operator.neg,
+    ast.Not: operator.not_,
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+    ast.In: lambda one, other: one in other,
+    ast.NotIn: lambda one, other: one not in other,
+}
+_MATH: Final = {
+    name: value
+    for name, value in vars(math).items()
+    if not name.startswith("_") and name not in ("comb", "factorial", "perm")  # whose results take for ever
+}
+_BUILTIN: Final = {each.__name__: each for each in (bool, float, int, len, max, min, round, str)}
+_PYTHON: Final = {**_BUILTIN, **{each.__name__: each for each in (abs, all, any, sorted, sum)}}
+
+
+class ExpressionError(Exception):
+    """Why an expression is not evaluated."""
+
+
+def expand(path: str) -> str:
+    """The URDF that a xacro file describes, or a URDF as it is. Raises `ConfigError` in one line."""
+    if not Path(path).is_file():
+        raise ConfigError(f"urdf: {path}: there is no such file")
+    try:
+        return str(_copy_of_xacro().process_file(path).toxml())
+    except Exception as error:  # xacro leaves it to Python to find some mistakes
+        reason = printable(" ".join(str(error).split())) or type(error).__name__
+        raise ConfigError(f"urdf: {path}: xacro cannot expand it: {reason}") from error
+
+
+def _copy_of_xacro() -> Any:
+    """The module for one file, with evaluation as described here. What others import as `xacro` stays as it is."""
+    spec = find_spec("xacro")
+    assert spec is not None
+    assert spec.loader is not None
+    module: Any = module_from_spec(spec)
+    spec.loader.exec_module(module)
+    symbols = {**_MATH, **_BUILTIN}
+    named = {"math": _MATH, "python": _PYTHON, "xacro": {"load_yaml": module.load_yaml}}
+    for name, values in named.items():
+        symbols[name] = module.NameSpace()
+        symbols[name].update(values)
+    evaluator = Evaluator(filter(callable, (*symbols.values(), *_PYTHON.values(), module.load_yaml)))
+    module.eval = module.exec = _refuse
+    module.safe_eval = lambda text, names, _=None: evaluator.evaluate(text, names)
+    module.eval_extension = partial(_extension, module.eval_extension)
+    module.handle_macro_call = _counted(module.handle_macro_call)
+    module._global_symbols = symbols  # noqa: SLF001 - xacro offers no other way
+    return module
+
+
+def _refuse(*_: object) -> NoReturn:
+    raise ExpressionError("this version of xacro evaluates in a way that is not known to be safe")
+
+
+def _extension(resolve: Callable[[str], object], text: str) -> object:
+    """`$(arg NAME)`, `$(find PACKAGE)` and others, which evaluate nothing."""
+    if text.removeprefix("$(").split()[:1] == ["eval"]:
+        raise ExpressionError(f"{text}: write ${{...}}")
+    return resolve(text)
+
+
+def _counted(handle_macro_call: Callable[..., object]) -> Callable[..., object]:
+    """The function that xacro calls for every element, which counts them."""
+    elements = count(1)
+
+    def handle(*arguments: object) -> object:
+        if next(elements) > MAX_ELEMENTS:
+            raise ExpressionError(f"macros make more than {MAX_ELEMENTS} elements of it")
+        return handle_macro_call(*arguments)
+
+    return handle
+
+
+class Evaluator:
+    """Evaluates expressions in Python's syntax: numbers, texts, lists, operators, calls of `functions`."""
+
+    def __init__(self, functions: Iterable[Callable[..., Any]]) -> None:
+        self._functions = tuple(functions)
+
+    def evaluate(self, text: str, names: Mapping[str, Any]) -> Any:
+        """The value of an expression; raises `ExpressionError`, or what the operators and functions raise."""
+        if len(text) > MAX_EXPRESSION:
+            raise ExpressionError(f"expression longer than {MAX_EXPRESSION} characters")
+        try:
+            tree = ast.parse(text.strip(), mode="eval")
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+            raise ExpressionError(f"{text!r} is not an expression") from error
+        return self._value(tree.body, names)
+
+    def _value(self, node: ast.expr | None, names: Mapping[str, Any]) -> Any:
+        value = partial(self._value, names=names)
+        match node:
+            case None:
+                return None
+            case ast.Constant(value=bool() | int() | float() | str() | None as constant):
+                return _bounded(constant)
+            case ast.Name(id=name):
+                return _bounded(_item(names, name))
+            case ast.Attribute(value=holder, attr=name):
+                return _bounded(_item(value(holder), name))
+            case ast.Subscript(value=holder, slice=ast.Slice(lower, upper, step)):
+                return _sequence(value(holder))[value(lower) : value(upper) : value(step)]
+            case ast.Subscript(value=holder, slice=key):
+                found = value(holder)
+                return _bounded(_item(found, value(key)) if isinstance(found, dict) else _sequence(found)[value(key)])
+            case ast.List(elts=parts) | ast.Tuple(elts=parts):
+                return [value(part) for part in parts]
+            case ast.Dict(keys=keys, values=parts) if None not in keys:
+                return {value(key): value(part) for key, part in zip(keys, parts, strict=True)}
+            case ast.UnaryOp(op=op, operand=operand) if type(op) in _OPERATORS:
+                return _OPERATORS[type(op)](value(operand))
+            case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
+                return _calculated(type(op), value(left), value(right))
+            case ast.BoolOp(op=op, values=parts):
+                return self._either(parts, names, until=isinstance(op, ast.Or))
+            case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _OPERATORS for op in ops):
+                values = [value(each) for each in (left, *others)]
+                return all(_OPERATORS[type(op)](*pair) for op, pair in zip(ops, pairwise(values), strict=True))
+            case ast.IfExp(test=test, body=body, orelse=other):
+                return value(body if value(test) else other)
+            case ast.Call(func=function, args=arguments, keywords=[]):
+                called = value(function)
+                if any(called is each for each in self._functions):
+                    return _bounded(called(*map(value, arguments)))
+        raise ExpressionError(
+            f"{ast.unparse(node)!r} is not evaluated: only numbers, texts, lists, and functions of math"
+        )
+
+    def _either(self, parts: Iterable[ast.expr], names: Mapping[str, Any], *, until: bool) -> Any:
+        """`a or b`, until one is true, or `a and b`, until one is false; the last one otherwise."""
+        found = None
+        for part in parts:
+            found = self._value(part, names)
+            if bool(found) is until:
+                break
+        return found
+
+
+def _item(holder: Any, name: Any) -> Any:
+    """A name of a scope, or a key of a dictionary; nothing has attributes."""
+    if not isinstance(holder, dict):
+        raise ExpressionError(f".{name} is not evaluated: values have no attributes and methods here")
+    try:
+        return holder[name]
+    except (KeyError, AttributeError):  # xacro's dictionaries raise both
+        raise ExpressionError(f"{name!r} is not defined") from None
+
+
+def _sequence(value: Any) -> Any:
+    if not isinstance(value, list | tuple | str):
+        raise ExpressionError(f"{value!r} has no parts")
+    return value
+
+
+def _calculated(op: type[ast.operator], left: Any, right: Any) -> Any:
+    """An operation whose result is not too large; this is checked before it takes time."""
+    if op is ast.Mod and not isinstance(left, int | float):
+        raise ExpressionError("% is not evaluated for texts")
+    if op is ast.Mult and not (isinstance(left, int | float) and isinstance(right, int | float)):
+        raise ExpressionError("* is not evaluated for texts and lists")
+    if (
+        op is ast.Pow
+        and isinstance(left, int)
+        and isinstance(right, int)
+        and left.bit_length() * right > 2 * MAX_VALUE_BITS
+    ):
+        raise ExpressionError(f"a number has more than {MAX_VALUE_BITS} bits")
+    return _bounded(_OPERATORS[op](left, right))
+
+
+def _bounded(value: Any) -> Any:
+    if isinstance(value, int) and value.bit_length() > MAX_VALUE_BITS:
+        raise ExpressionError(f"a number has more than {MAX_VALUE_BITS} bits")
+    if isinstance(value, str | list) and len(value) > MAX_VALUE_LENGTH:
+        raise ExpressionError(f"a value is longer than {MAX_VALUE_LENGTH}")
+    return value
