@@ -20,12 +20,17 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from jauspy.printable import printable_lines
+
 if TYPE_CHECKING:
     from jauspy.ids import JausID
 
 
 class JausError(Exception):
-    """Base class of all errors that jauspy raises."""
+    """Base class of all errors that jauspy raises. What they quote of peers and files is shown printable."""
+
+    def __str__(self) -> str:
+        return printable_lines(super().__str__())
 
 
 class SchemaError(JausError):

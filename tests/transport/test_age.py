@@ -10,7 +10,7 @@ import pytest
 from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
 from jauspy.protocol.counters import Counters
-from jauspy.protocol.header import Ack, Packet, Priority
+from jauspy.protocol.header import Ack, DataFlag, Packet, Priority
 from jauspy.protocol.pending import PROBE_INTERVAL, PendingDestinations
 from jauspy.transport.age import DatagramReader
 from jauspy.transport.base import SendQueue
@@ -19,8 +19,18 @@ from jauspy.transport.tcp import Dialer
 HERE, FAR = JausID.parse("101.1.30"), JausID.parse("42.1.1")
 
 
-def packet(number: int, ack: Ack = Ack.NONE, priority: Priority = Priority.STANDARD) -> bytes:
-    return judp.pack(Packet(FAR, HERE, b"\x02\x20", number, priority, ack=ack))
+COMMAND, QUERY, REPORT, OWN = (code.to_bytes(2, "little") for code in (0x0405, 0x2002, 0x4002, 0xD001))
+
+
+def packet(
+    number: int,
+    ack: Ack = Ack.NONE,
+    priority: Priority = Priority.STANDARD,
+    *,
+    payload: bytes = COMMAND,
+    data_flag: DataFlag = DataFlag.SINGLE,
+) -> bytes:
+    return judp.pack(Packet(FAR, HERE, payload, number, priority, ack=ack, data_flag=data_flag))
 
 
 @pytest.fixture
@@ -29,23 +39,30 @@ def counters() -> Counters:
 
 
 @pytest.mark.parametrize(
-    ("datagram", "is_acknowledged"),
+    ("datagram", "may_be_late"),
     [
         (packet(1), False),
         (packet(1, Ack.REQUIRED), True),
         (packet(1, Ack.ACK), True),
         (packet(1, Ack.REQUIRED) + packet(2)[1:], False),
+        (packet(1, payload=QUERY), True),
+        (packet(1, payload=REPORT), True),
+        (packet(1, payload=OWN), False),
+        (packet(1, payload=REPORT, data_flag=DataFlag.FIRST), True),
+        (packet(1, data_flag=DataFlag.FIRST), False),
+        (packet(1, data_flag=DataFlag.MIDDLE), True),
+        (packet(1, data_flag=DataFlag.LAST), True),
         (junior.connect(HERE), True),
         (b"", False),
         (b"\xff" * 40, False),
     ],
 )
-def test_what_is_acknowledged(datagram: bytes, is_acknowledged: bool) -> None:
-    assert judp.is_acknowledged(datagram) is is_acknowledged
-    assert judp.is_acknowledged(b"key" + datagram, 3) is is_acknowledged
+def test_only_commands_without_ack_may_not_be_late(datagram: bytes, may_be_late: bool) -> None:
+    assert judp.may_be_late(datagram) is may_be_late
+    assert judp.may_be_late(b"key" + datagram, 3) is may_be_late
 
 
-def test_a_queue_keeps_what_is_new_or_acknowledged(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_queue_keeps_what_is_new_or_may_be_late(monkeypatch: pytest.MonkeyPatch) -> None:
     now = 100.0
     monkeypatch.setattr(time, "monotonic", lambda: now)
     queue = SendQueue(max_age=0.5)

@@ -9,7 +9,6 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import closing, contextmanager
 from dataclasses import dataclass, replace
-from json import dumps
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -130,7 +129,7 @@ def conformance(
 def _print_json(result: Result) -> None:
     """Print the result of a step as soon as it has ended."""
     with _ignoring_closed_pipe():
-        print(dumps(result_json(result), ensure_ascii=False))
+        console.print_json(result_json(result))
 
 
 @contextmanager
@@ -154,7 +153,7 @@ def _show(report: Report, *, json: bool) -> None:
         show(report)
         return
 
-    print(dumps(summary_json(report), ensure_ascii=False))
+    console.print_json(summary_json(report))
 
 
 @dataclass(frozen=True, slots=True)
@@ -321,7 +320,7 @@ def show_list() -> None:
 def show_steps(steps: Iterable[Step]) -> None:
     """Print the steps of a profile."""
     for step in steps:
-        console.stdout().print(f"{step.id}  {step.title}", markup=False)
+        console.print_lines(f"{step.id}  {step.title}")
 
 
 @contextmanager
@@ -331,4 +330,4 @@ def progress_line() -> Iterator[OnResult]:
         yield lambda _: None
         return
     with console.stderr().status("waiting for the target ...") as status:
-        yield lambda result: status.update(f"{result.id} {result.title}: {result.verdict}")
+        yield lambda result: status.update(Text(f"{result.id} {result.title}: {result.verdict}"))

@@ -1,31 +1,44 @@
-"""Output of the verbs: results to stdout, everything else to stderr; colours and live displays on terminals only."""
+"""Output of the verbs: results to stdout, everything else to stderr; colours and live displays on terminals only.
+
+All output goes through this module, which makes text from peers and files printable.
+"""
 
 from __future__ import annotations
 
+import json
 import logging
 import os
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any, TextIO
 
 from jauspy.logs import LIMIT
+from jauspy.printable import printable, printable_lines
 
 if TYPE_CHECKING:
-    from rich.console import Console
+    from rich.console import Console, ConsoleOptions, RenderableType
+    from rich.segment import Segment
 
 
 @cache
 def _console(*, stderr: bool, width: int | None = None) -> Console:
     from rich.console import Console
+    from rich.segment import Segment
 
-    class PipeConsole(Console):
-        """Leaves a closed pipe to `main`; rich itself would end with status 1."""
+    class SafeConsole(Console):
+        """Makes what it prints printable. Leaves a closed pipe to `main`; rich itself would end with status 1."""
+
+        def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterator[Segment]:
+            """As `Console.render`."""
+            for segment in super().render(renderable, options):
+                safe = segment.control or segment.text.isprintable()
+                yield segment if safe else Segment(printable_lines(segment.text), segment.style)
 
         def on_broken_pipe(self) -> None:
             raise  # noqa: PLE0704 - rich calls this while it handles the error
 
-    return PipeConsole(stderr=stderr, highlight=False, emoji=False, soft_wrap=True, width=width)
+    return SafeConsole(stderr=stderr, highlight=False, emoji=False, soft_wrap=True, width=width)
 
 
 def stdout(pipe_width: int | None = None) -> Console:
@@ -39,6 +52,17 @@ def stdout(pipe_width: int | None = None) -> Console:
 def stderr() -> Console:
     """The console for everything but results."""
     return _console(stderr=True)
+
+
+def print_lines(*lines: str, file: TextIO | None = None) -> None:
+    """Print lines at once, on stdout unless told otherwise."""
+    print(*map(printable, lines), sep="\n", file=file, flush=True)
+
+
+def print_json(value: Any) -> None:
+    """Print one JSON object in a line on stdout."""
+    text = json.dumps(value, ensure_ascii=False)
+    print(text if text.isprintable() else json.dumps(value), flush=True)
 
 
 def error(message: str) -> None:
@@ -58,6 +82,7 @@ def note(message: str) -> None:
 
 def print_table(header: Sequence[str], rows: Sequence[Sequence[str]]) -> None:
     """Print a table without borders: fitted to a terminal; in a pipe, with whole lines so that they can be searched."""
+    rows = [[printable(cell) for cell in row] for row in rows]
     if is_terminal():
         from rich.table import Table
         from rich.text import Text
@@ -78,13 +103,28 @@ def print_counters(counters: Mapping[str, int], title: str = "counters:") -> Non
     counted = {name: count for name, count in sorted(counters.items()) if count}
     width = max(map(len, counted), default=0)
     lines = [f"  {name:<{width}}  {count}" for name, count in counted.items()] or ["  nothing was received or sent"]
-    print(title, *lines, sep="\n", file=sys.stderr, flush=True)
+    print_lines(title, *lines, file=sys.stderr)
+
+
+class LogFormatter(logging.Formatter):
+    """As `logging.Formatter`, with printable text: a record is one line, and a traceback those that it has."""
+
+    def __init__(self) -> None:
+        super().__init__("%(asctime)s %(levelname)s %(name)s: %(message)s")
+
+    def formatMessage(self, record: logging.LogRecord) -> str:  # noqa: N802 - the name in `logging`
+        """As `logging.Formatter`."""
+        return printable(super().formatMessage(record))
+
+    def formatException(self, ei: Any) -> str:  # noqa: N802 - the name in `logging`
+        """As `logging.Formatter`."""
+        return printable_lines(super().formatException(ei))
 
 
 def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> None:
     """Log to stderr from `level` on, as text if `formatter` is None."""
     handler = logging.StreamHandler()
-    handler.setFormatter(formatter or logging.Formatter("%(asctime)s %(levelname)s %(name)s: %(message)s"))
+    handler.setFormatter(formatter or LogFormatter())
     handler.addFilter(LIMIT)  # for lines of other packages
     logging.basicConfig(level=level, handlers=[handler])
     logging.getLogger("asyncio").setLevel(logging.WARNING)

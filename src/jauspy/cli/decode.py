@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
@@ -33,6 +32,7 @@ from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
 from jauspy.errors import ConfigError, DecodeError
 from jauspy.messages import registry
+from jauspy.printable import printable
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.schema import model
 
@@ -150,7 +150,7 @@ def _explained_value(value: Any) -> str:
         return f"{value:.9g}"
     if isinstance(value, list | tuple):
         return ", ".join(map(_explained_value, value)) or "none"
-    return "" if value is None else str(value)
+    return "" if value is None else printable(str(value))
 
 
 @dataclass(frozen=True, slots=True)
@@ -191,7 +191,7 @@ class JsonPrinter:
     def show(self, item: Item) -> None:
         """Print one item."""
         self.failed |= item.failed
-        sys.stdout.write(json.dumps(as_json(item), ensure_ascii=False) + "\n")
+        console.print_json(as_json(item))
 
 
 def as_json(item: Item) -> dict[str, Any]:

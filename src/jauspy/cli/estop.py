@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import json
 from typing import Annotated, Final, TypeAlias
 
 import typer
@@ -63,7 +62,7 @@ def estop(
     for id, report in sorted(found.items(), key=lambda item: int(item[0])):
         obeyed = _obeys(report, release=release)
         if as_json:
-            print(json.dumps({"id": str(id), "status": status_name(report), "obeyed": obeyed}))
+            console.print_json({"id": str(id), "status": status_name(report), "obeyed": obeyed})
         else:
             state = (status_name(report), "green" if obeyed else "bold red")
             console.stdout().print(Text.assemble(str(id), "  ", state, "" if obeyed else "  did not obey"))

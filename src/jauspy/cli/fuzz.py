@@ -10,6 +10,7 @@ from typing import Annotated, Final, Protocol
 
 import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.text import Text
 
 from jauspy.cli import console
 from jauspy.codec.message import counted
@@ -64,9 +65,9 @@ def codec(
     for finding in sorted(outcome.findings.values(), key=lambda finding: finding.case):
         _print(finding)
         again = [str(finding.save(out)), *(f"--schemas {source}" for source in sources or ())]
-        print(f"  jauspy fuzz replay {' '.join(again)}")
+        console.print_lines(f"  jauspy fuzz replay {' '.join(again)}")
     found = counted(len(outcome.findings), "finding") if outcome.findings else "nothing found"
-    print(f"{outcome.cases} cases from {outcome.seeds} seeds of {outcome.messages} messages: {found}")
+    console.print_lines(f"{outcome.cases} cases from {outcome.seeds} seeds of {outcome.messages} messages: {found}")
     if outcome.findings:
         raise typer.Exit(1)
 
@@ -95,7 +96,7 @@ def replay(
         finding = load_finding(file)
         again = fuzzer(CampaignPlan(0, finding.seed, only=(finding.message,), own=tuple(sources or ()))).replay(finding)
     if again is None:
-        print(f"{finding.cause}: not reproduced")
+        console.print_lines(f"{finding.cause}: not reproduced")
         return
     _print(again)
     raise typer.Exit(1)
@@ -112,9 +113,9 @@ def _usage_errors() -> Iterator[None]:
 
 
 def _print(finding: FuzzFinding) -> None:
-    console.stdout().print(f"[bold red]{finding.cause}[/]", highlight=False)
-    print(f"  {finding.seen}")
-    print(f"  {finding.hex if len(finding.hex) <= 200 else finding.hex[:200] + '...'} ({len(finding.data)} bytes)")
+    console.stdout().print(Text(finding.cause, style="bold red"))
+    shown = finding.hex if len(finding.hex) <= 200 else finding.hex[:200] + "..."
+    console.print_lines(f"  {finding.seen}", f"  {shown} ({len(finding.data)} bytes)")
 
 
 class _ShowProgress(Protocol):

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import Annotated, Any
 
 import typer
@@ -15,6 +14,7 @@ from jauspy.cli.processes import run
 from jauspy.errors import ResponseTimeout
 from jauspy.ocu import OCU
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo, kind_of
+from jauspy.printable import printable
 
 
 def ls(
@@ -34,7 +34,7 @@ def ls(
     found = run(_discover(client.own_id(own_id, connect), connect, timeout)) or []
     for subsystem in found:
         if as_json:
-            print(json.dumps(to_json(subsystem), ensure_ascii=False))
+            console.print_json(to_json(subsystem))
         else:
             console.stdout().print(tree_of(subsystem))
     if not found:
@@ -75,7 +75,7 @@ def to_json(subsystem: SubsystemInfo) -> dict[str, Any]:
 
 
 def _label(what: str, id: object, name: str, kind: str, style: str = "") -> Text:
-    text = Text.assemble((what, "dim"), " ", (f"{id}", style), f"  {name}" if name else "")
+    text = Text.assemble((what, "dim"), " ", (f"{id}", style), f"  {printable(name)}" if name else "")
     return text.append(f"  {kind}", "dim") if kind and kind != "unknown" else text
 
 

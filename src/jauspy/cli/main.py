@@ -189,7 +189,7 @@ fuzz_app = typer.Typer(
 
 def _version(value: bool) -> None:
     if value:
-        print(f"jauspy {__version__}")
+        console.print_lines(f"jauspy {__version__}")
         raise typer.Exit
 
 

@@ -81,6 +81,6 @@ def _write(live: LiveMapping, output: Path) -> None:
     used = live.counters.pop("scans", 0)
     lost = "".join(f"; {count} not used: {reason}" for reason, count in live.counters.items())
     picture, notes = save_map(live.mapper.grid, output)
-    print(f"{picture} and {notes}: {used} scans{lost}", flush=True)
+    console.print_lines(f"{picture} and {notes}: {used} scans{lost}")
     if live.mapper.grid.outside:
         console.note(f"{live.mapper.grid.outside} echoes were outside of the map; --size enlarges it")

@@ -6,7 +6,6 @@ import asyncio
 import json
 import logging
 import signal
-import sys
 from collections.abc import Callable, Iterable, Mapping
 from datetime import UTC, datetime
 from pathlib import Path
@@ -127,7 +126,7 @@ def node_manager(
         return _status(local_root, config, as_json=as_json)
     settings = config_file.load(config, overrides)
     if print_config:
-        print(config_file.to_toml(settings), end="")
+        console.print_lines(*config_file.to_toml(settings).splitlines())
         return None
     if with_parent:
         end_with_parent()
@@ -150,8 +149,7 @@ def _status(root: Path | None, config: Path | None, *, as_json: bool) -> None:
 
     now = status.with_rates(*asyncio.run(read_twice()))
     if as_json:
-        json.dump(now, sys.stdout)
-        print()
+        console.print_json(now)
     else:
         _show(now)
 
@@ -169,7 +167,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
         if read is not None:
             loop.add_signal_handler(signal.SIGHUP, reload, manager, read, services)
         where = ", ".join(f"{each.address}:{manager.port_of(each.name)}" for each in config.all_networks)
-        print(f"node manager ready: UDP {where}, local sockets in {config.local_root}", flush=True)
+        console.print_lines(f"node manager ready: UDP {where}, local sockets in {config.local_root}")
         try:
             await manager.run()
         finally:
@@ -209,8 +207,8 @@ class JsonLines(logging.Formatter):
 
 def _show(status: Mapping[str, Any]) -> None:
     """Print a status as tables."""
-    out = console.stdout().print
-    out(f"node manager, process {status['pid']}, up {_duration(status['uptime'])}, sockets in {status['local_root']}")
+    uptime = _duration(status["uptime"])
+    console.print_lines(f"node manager, process {status['pid']}, up {uptime}, sockets in {status['local_root']}")
     _table("networks", map(_network, status["networks"]))
     _table("components", ((each["id"], each["path"], f"{each['waiting']} waiting") for each in status["components"]))
     _table("peers", map(_peer, status["peers"]))
@@ -241,10 +239,10 @@ def _counts(counters: Mapping[str, int], rates: Mapping[str, float]) -> Iterable
 def _table(title: str, rows: Iterable[tuple[str, ...]]) -> None:
     cells = list(rows)
     widths = [max(map(len, column)) for column in zip(*cells, strict=True)]
-    console.stdout().print(f"{title}:" if cells else f"{title}: none", markup=False)
+    console.print_lines(f"{title}:" if cells else f"{title}: none")
     for row in cells:
         line = "  ".join(cell.ljust(width) for cell, width in zip(row, widths, strict=True))
-        console.stdout().print(f"  {line.rstrip()}", markup=False)
+        console.print_lines(f"  {line.rstrip()}")
 
 
 def _duration(seconds: float) -> str:

@@ -48,7 +48,7 @@ def new(
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error.strerror}") from error
     console.note(f"{file} is written; keep it secret. The line is for [operators] in the robots' operators file")
-    print(line)
+    console.print_lines(line)
 
 
 def show(
@@ -64,7 +64,7 @@ def show(
     Example:
       jauspy keys show alice.key
     """
-    print(_line(name or file.stem, role, load_key(file)))
+    console.print_lines(_line(name or file.stem, role, load_key(file)))
 
 
 def _line(name: str, role: str, key: OperatorKey) -> str:

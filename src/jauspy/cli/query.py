@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import Annotated
 
 import typer
@@ -92,7 +91,7 @@ def _show(answer: Message, source: JausID, *, first: bool = True) -> None:
             "code": f"{answer.CODE:04X}",
             "fields": answer.to_dict(),
         }
-        print(json.dumps(shown, ensure_ascii=False), flush=True)
+        console.print_json(shown)
         return
     if not first:
         console.stdout().print(Text("---", style="dim"))

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 
 import typer
 
-from jauspy.cli import client
+from jauspy.cli import client, console
 from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
@@ -84,7 +84,8 @@ async def take_picture(
     _write(file, photo.content)
     at = photo.taken
     when = f", taken at {at.hour:02}:{at.minutes:02}:{at.seconds:02}.{at.milliseconds:03} UTC" if at else ""
-    print(f"{file}: {photo.format} by sensor {photo.sensor} of {camera}, {len(photo.content):,} bytes{when}")
+    what = f"{photo.format} by sensor {photo.sensor} of {camera}, {len(photo.content):,} bytes{when}"
+    console.print_lines(f"{file}: {what}")
 
 
 def _write(file: Path, content: bytes) -> None:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from typing import Annotated, Any
 
 import typer
 
-from jauspy.cli import client
+from jauspy.cli import client, console
 from jauspy.cli.options import Connect, Json, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError
@@ -56,7 +55,10 @@ def tf(
     pairs = [(target, source)] if source is not None and target is not None else list(frames.parents.items())
     for name, parent in pairs:
         row = _row(name, parent, frames.pose(name, parent)) | {"assumed": assumed(name, parent)}
-        print(json.dumps(row) if as_json else _line(row))
+        if as_json:
+            console.print_json(row)
+        else:
+            console.print_lines(_line(row))
 
 
 async def _query_frames(

@@ -164,7 +164,7 @@ def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
         *_warnings(config),
         "stop it:   Ctrl-C",
     ]
-    print(*lines, sep="\n", flush=True)
+    console.print_lines(*lines)
 
 
 def _warnings(config: RobotConfig) -> list[str]:
@@ -282,7 +282,7 @@ def gateway_port(path: Path, subsystem: int, root: Path, *, starts: bool) -> int
 
 
 def _forward(line: str) -> None:
-    print(f"node manager: {line}", file=sys.stderr, flush=True)
+    console.print_lines(f"node manager: {line}", file=sys.stderr)
 
 
 async def run_robot(

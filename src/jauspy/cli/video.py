@@ -131,7 +131,7 @@ async def registered(ocu: OCU, camera: JausID, sensor: int, url: str) -> AsyncIt
 async def watch(ocu: OCU, camera: JausID, sensor: int, address: tuple[str, int], seconds: float | None) -> None:
     """Keep the endpoint registered until the time is up."""
     async with ocu, registered(ocu, camera, sensor, url_of(address)):
-        print(f"{camera} sends to {url_of(address)}; Ctrl-C ends it", flush=True)
+        console.print_lines(f"{camera} sends to {url_of(address)}; Ctrl-C ends it")
         await _sleep(seconds)
 
 
@@ -157,7 +157,7 @@ async def record(
         loop.add_reader(receiver.fileno(), take)
         try:
             async with ocu, registered(ocu, camera, sensor, url_of(address)):
-                print(f"recording {camera} to {file}; Ctrl-C ends it", flush=True)
+                console.print_lines(f"recording {camera} to {file}; Ctrl-C ends it")
                 with suppress(TimeoutError):
                     await asyncio.wait_for(started.wait(), START_TIMEOUT)
                     await asyncio.wait_for(ended.wait(), seconds)
@@ -179,10 +179,12 @@ def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> N
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error}; choose another file with --sdp") from error
     ffplay = ["ffplay", *ffmpeg_source(file)]
-    print(f"wrote {file}; watch the video with one of these commands (GStreamer has the lowest delay):")
-    print(f"  {shlex.join(ffplay)}")
-    print(f"  gst-launch-1.0 {_quoted(gstreamer_source(address[1]))} ! autovideosink sync=false")
-    print(f"  vlc --network-caching=100 {shlex.quote(str(file))}", flush=True)
+    console.print_lines(
+        f"wrote {file}; watch the video with one of these commands (GStreamer has the lowest delay):",
+        f"  {shlex.join(ffplay)}",
+        f"  gst-launch-1.0 {_quoted(gstreamer_source(address[1]))} ! autovideosink sync=false",
+        f"  vlc --network-caching=100 {shlex.quote(str(file))}",
+    )
     if show:
         _show(ffplay)
 

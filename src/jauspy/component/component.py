@@ -69,7 +69,7 @@ class ComponentOptions:
 
     `delivery` has the settings of reliable delivery and large messages. `schema` and `registry` replace the definitions
     and messages that are built in or that services bring. `clock` is monotonic, in seconds; `utc_now` the wall clock.
-    `max_message_age` is the time in seconds for which a received message may wait while the component does not read, as
+    `max_message_age` is the time in seconds for which a received command may wait while the component does not read, as
     when its process is stopped; an older one is dropped, unless it is acknowledged. 0 is no limit.
     """
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from datetime import UTC, datetime
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any, Final
@@ -12,6 +11,7 @@ from jauspy.capture import writer
 from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
 from jauspy.conformance.trace import Direction, TraceEntry
 from jauspy.errors import ConfigError
+from jauspy.printable import printable_lines
 from jauspy.protocol import judp
 
 if TYPE_CHECKING:
@@ -35,7 +35,12 @@ def html_template() -> Template:
     except ImportError as error:
         raise ConfigError("HTML reports need Jinja2: pip install 'jauspy[conformance]'") from error
     environment = Environment(
-        autoescape=True, trim_blocks=True, lstrip_blocks=True, keep_trailing_newline=True, undefined=StrictUndefined
+        autoescape=True,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        keep_trailing_newline=True,
+        undefined=StrictUndefined,
+        finalize=lambda value: printable_lines(value) if type(value) is str else value,
     )
     return environment.from_string(files(__package__).joinpath("report.html.j2").read_text())
 
@@ -54,9 +59,6 @@ def page(report: Report) -> str:
 
 
 # --- JUnit ------------------------------------------------------------------------------------------------------------
-
-_FORBIDDEN: Final = re.compile(r"[^\t\n\r\x20-\uD7FF\uE000-\uFFFD]")
-"""Characters that XML 1.0 does not allow."""
 
 
 def junit(report: Report) -> bytes:
@@ -78,28 +80,29 @@ def junit(report: Report) -> bytes:
     if known := [(name, value) for name, value in facts if value]:
         properties = ET.SubElement(suite, "properties")
         for name, value in known:
-            ET.SubElement(properties, "property", name=name, value=_clean(value))
+            ET.SubElement(properties, "property", name=name, value=printable_lines(value))
     for result in report.results:
         _case(suite, report, result)
     if report.problem:
         case = ET.SubElement(suite, "testcase", classname=f"jauspy.{report.profile}", name="the run", time="0")
-        ET.SubElement(case, "error", type="could not run", message=_clean(report.problem))
+        ET.SubElement(case, "error", type="could not run", message=printable_lines(report.problem))
     ET.indent(suites)
     written: bytes = ET.tostring(suites, encoding="utf-8", xml_declaration=True)
     return written
 
 
 def _case(suite: ET.Element, report: Report, result: Result) -> None:
-    name = _clean(f"{result.id} {result.title}")
+    name = printable_lines(f"{result.id} {result.title}")
     case = ET.SubElement(
         suite, "testcase", classname=f"jauspy.{report.profile}", name=name, time=f"{result.elapsed:.3f}"
     )
     if result.verdict is Verdict.SKIPPED:
-        ET.SubElement(case, "skipped", message=_clean(result.reason))
+        ET.SubElement(case, "skipped", message=printable_lines(result.reason))
     elif result.verdict is not Verdict.PASS:
-        failure = ET.SubElement(case, "failure", type=str(result.verdict), message=_clean(result.reason))
-        failure.text = _clean("\n".join((*(f"expected: {each}" for each in result.expected), f"from: {result.why}")))
-    ET.SubElement(case, "system-out").text = _clean("\n".join(transcript(result)))
+        failure = ET.SubElement(case, "failure", type=str(result.verdict), message=printable_lines(result.reason))
+        lines = (*(f"expected: {each}" for each in result.expected), f"from: {result.why}")
+        failure.text = printable_lines("\n".join(lines))
+    ET.SubElement(case, "system-out").text = printable_lines("\n".join(transcript(result)))
 
 
 def transcript(result: Result) -> list[str]:
@@ -109,10 +112,6 @@ def transcript(result: Result) -> list[str]:
         lines.append(f"{entry.at:10.4f} {entry.direction} {entry.data.hex()}")
         lines += [f"{'':13}{line}" for line in entry.lines]
     return [*lines, result.rest] if result.rest else lines
-
-
-def _clean(text: str) -> str:
-    return _FORBIDDEN.sub("\ufffd", text)
 
 
 # --- JSON -------------------------------------------------------------------------------------------------------------

@@ -316,7 +316,7 @@ class RobotConfig(StrictConfig):
     backend: Name = "kinematic"
     world: Name = "empty"
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
-    """Seconds for which a message may wait while the robot's process does not run; 0 is no limit."""
+    """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
     """Without an origin there are no services with global poses."""
     operators: Annotated[str, Field(min_length=1)] | None = None

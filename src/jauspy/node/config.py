@@ -259,7 +259,7 @@ class NodeConfig(NetworkConfig):
     rate_burst: float = Field(default=1000.0, ge=1)
     """Messages that a source may send at once under `rate_limit`."""
     max_message_age: float = Field(default=MAX_AGE, ge=0)
-    """Seconds for which a message may wait in a socket or queue of the node manager. An older one is dropped, unless it
+    """Seconds for which a command may wait in a socket or queue of the node manager. An older one is dropped, unless it
     is acknowledged: a command of an operator who may be gone. 0 is no limit."""
     local_udp: bool = True
     """Allow components of this machine to connect by UDP, as those of ROS/IOP do, if their user may use the local

@@ -158,7 +158,7 @@ class Ingress:
             for _ in range(count):
                 data, port, since = queue.popleft()
                 size += len(data)
-                if since < oldest and not judp.is_acknowledged(data, self._skips.get(port.network, 0)):
+                if since < oldest and not judp.may_be_late(data, self._skips.get(port.network, 0)):
                     self._counters.drop("stale", port)
                 else:
                     receive(data, port)

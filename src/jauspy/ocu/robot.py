@@ -8,6 +8,7 @@ from jauspy.ids import JausID
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo
+from jauspy.printable import printable
 
 
 class ComponentClient:
@@ -18,7 +19,7 @@ class ComponentClient:
         self._connection = connection
 
     def __repr__(self) -> str:
-        return f"<{self.info.name or 'component'} {self.id}>"
+        return f"<{printable(self.info.name) or 'component'} {self.id}>"
 
     @property
     def id(self) -> JausID:

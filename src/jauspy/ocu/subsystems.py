@@ -12,6 +12,7 @@ from typing import Final, TypeAlias
 from jauspy.codec.message import Message
 from jauspy.ids import JausID, is_called
 from jauspy.messages.core import QueryIdentification, ReportIdentification, ReportServices
+from jauspy.printable import printable
 
 Level: TypeAlias = QueryIdentification.QueryType
 
@@ -35,7 +36,7 @@ class ServiceInfo:
     @property
     def short(self) -> str:
         """The URN without the prefix `urn:jaus:jss:` of the standard services."""
-        return self.urn.removeprefix("urn:jaus:jss:")
+        return printable(self.urn.removeprefix("urn:jaus:jss:"))
 
     def __str__(self) -> str:
         return f"{self.short} {self.version}"

@@ -11,7 +11,7 @@ from typing import Final
 
 from jauspy.errors import ProtocolError
 from jauspy.protocol import header, junior, legacy
-from jauspy.protocol.header import Ack, Packet, Priority, RawPacket
+from jauspy.protocol.header import Ack, DataFlag, Packet, Priority, RawPacket
 from jauspy.protocol.legacy import LegacyPacket, LegacyVersion
 
 PORT: Final = 3794
@@ -23,6 +23,8 @@ _PLAIN: Final = bytes([header.VERSION, 0])
 _ACK_REQUIRED: Final = Ack.REQUIRED << 4
 _ACK_MASK: Final = 3 << 4
 _COMPRESSION_BYTES: Final = 2
+_QUERIES_AND_REPORTS: Final = range(0x2000, 0x6000)
+"""Their message ids (AS5710); below are commands, above are those of experiments."""
 _LEGACY_FIRST_BYTES: Final = (bytes([legacy.V1]), legacy.OPC_GREETING[:1])
 
 
@@ -138,18 +140,25 @@ def with_ack_required(datagram: bytes) -> bytes:
     return datagram[:at] + bytes([datagram[at] | _ACK_REQUIRED]) + datagram[at + 1 :]
 
 
-def is_acknowledged(data: bytes, skip: int = 0) -> bool:
-    """True if all packets of an unchecked datagram request an ACK, or are one; control messages count as such.
+def may_be_late(data: bytes, skip: int = 0) -> bool:
+    """True if no packet of an unchecked datagram is a command whose sender does not learn that it was lost.
 
-    Age does not matter to them: whoever sends them repeats them, or knows that they were lost.
+    Queries and reports do no harm when they are late. Packets that request an ACK, or are one, are repeated. Of a large
+    command only the first fragment, which has its id, is late; without it the others are never put together.
     """
     datagram = data[skip:]
     if junior.parse(datagram) is not None:
         return True
     try:
-        return all(raw.ack for raw, _, _ in packets(datagram))
+        return all(_may_be_late(raw, packet) for raw, packet, _ in packets(datagram))
     except ProtocolError:
         return False
+
+
+def _may_be_late(raw: RawPacket, packet: bytes) -> bool:
+    if raw.ack or raw.control >> 6 in (DataFlag.MIDDLE, DataFlag.LAST):
+        return True
+    return int.from_bytes(packet[raw.payload_start : raw.payload_start + 2], "little") in _QUERIES_AND_REPORTS
 
 
 def peek_priority(data: bytes, skip: int = 0) -> int:

@@ -102,7 +102,7 @@ class PendingDestinations:
         for _ in range(len(pending.messages)):
             since, datagram = pending.messages[0]
             self._take(pending)
-            if now - since <= self._max_age or judp.is_acknowledged(datagram):
+            if now - since <= self._max_age or judp.may_be_late(datagram):
                 pending.messages.append((since, datagram))
                 self._bytes += len(datagram)
             else:

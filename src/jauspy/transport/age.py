@@ -13,7 +13,7 @@ from jauspy.protocol import judp
 from jauspy.protocol.counters import Counters
 
 MAX_AGE: Final = 0.5
-"""Seconds for which a datagram may wait in a socket or queue, unless it is acknowledged."""
+"""Seconds for which a command may wait in a socket or queue, unless it requests an ACK."""
 UNCHECKED_TIME: Final = 0.05
 """Seconds after a socket was empty in which the age of what it has is not checked: it is no older than that."""
 MAX_DATAGRAM: Final = 65536
@@ -26,7 +26,7 @@ Receive: TypeAlias = Callable[[int], tuple[bytes, Any]]
 
 
 class DatagramReader:
-    """Reads a non-blocking socket, UDP or Unix; datagrams older than `max_age` seconds are dropped and counted.
+    """Reads a non-blocking socket, UDP or Unix; commands older than `max_age` seconds are dropped and counted.
 
     Linux stamps each datagram when it arrives. The stamp is read only if the socket was not seen empty for a while, so
     that reading costs the same as without. On other systems nothing is dropped. `skip` bytes precede the version byte.
@@ -62,7 +62,7 @@ class DatagramReader:
     def _receive_new(self, size: int) -> tuple[bytes, Any]:
         while True:
             data, control, _, sender = self.socket.recvmsg(size, _CONTROL_SPACE)
-            if _age(control) <= self._max_age or judp.is_acknowledged(data, self.skip):
+            if _age(control) <= self._max_age or judp.may_be_late(data, self.skip):
                 return data, sender
             self._counters.drop("stale", sender)
 

@@ -192,14 +192,14 @@ class SendQueue:
         return count
 
     def drop_stale(self) -> int:
-        """Remove what has waited too long and is not acknowledged; returns how many. To be called before sending."""
+        """Remove commands that have waited too long without ACK; returns how many. To be called before sending."""
         oldest, dropped = time.monotonic() - self._max_age, 0
         for queue in self._queues:
             if not queue or queue[0][1] >= oldest:
                 continue
             for _ in range(len(queue)):
                 datagram, since = queue.popleft()
-                if since >= oldest or judp.is_acknowledged(datagram):
+                if since >= oldest or judp.may_be_late(datagram):
                     queue.append((datagram, since))
                 else:
                     self._resize(-1, -len(datagram))

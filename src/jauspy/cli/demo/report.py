@@ -148,7 +148,7 @@ class View:
         self._line(Text.assemble("  ", (mark, style), f" {result.stage}: {result.measured}"))
 
     def _line(self, text: Text) -> None:
-        print(f"{self.state.elapsed:6.1f} s  {text.plain}", flush=True)
+        console.print_lines(f"{self.state.elapsed:6.1f} s  {text.plain}")
 
 
 class LiveView(View):

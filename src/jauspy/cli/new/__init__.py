@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from pathlib import Path
 
+from jauspy.cli import console
 from jauspy.errors import ConfigError
 
 
@@ -18,7 +19,7 @@ def write_new(files: Mapping[Path, str | bytes]) -> None:
             path.parent.mkdir(parents=True, exist_ok=True)
             with path.open("xb") as file:
                 file.write(content.encode() if isinstance(content, str) else content)
-            print(path)
+            console.print_lines(str(path))
     except OSError as error:
         raise ConfigError(f"{error.filename} cannot be written: {error.strerror}") from None
 

@@ -12,6 +12,7 @@ from typing import Annotated, Final
 
 import typer
 
+from jauspy.cli import console
 from jauspy.cli.new import write_new_folder
 from jauspy.codec.codegen import indent
 from jauspy.codec.names import class_name, unique
@@ -57,7 +58,7 @@ def component(
     schema = _schema(source)
     definition = _find(schema, service, version, source)
     write_new_folder(Path(name), package(name, definition, schema, source, me))
-    print(f"run it with `python -m {name}`, test it with `pytest {name}` (pip install pytest-asyncio)")
+    console.print_lines(f"run it with `python -m {name}`, test it with `pytest {name}` (pip install pytest-asyncio)")
 
 
 def _check(name: str) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Annotated, Any
@@ -51,10 +50,10 @@ def diff(
     found = compare(_schema(one, beside or []), _schema(other, beside or []))
     for number, service in enumerate(found):
         if as_json:
-            print(json.dumps(_object(service), ensure_ascii=False))
+            console.print_json(_object(service))
             continue
         if number:
-            print()
+            console.print_lines("")
         for line in _lines(service):
             console.stdout().print(line)
     if not all(service.same for service in found):

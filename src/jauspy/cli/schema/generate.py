@@ -88,7 +88,7 @@ def _write(folder: Path, sources: Mapping[str, str]) -> None:
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text, encoding="utf-8")
-            print(_shown(path))
+            console.print_lines(_shown(path))
     except OSError as error:
         raise ConfigError(f"{error.filename} cannot be written: {error.strerror}") from None
 
@@ -104,4 +104,4 @@ def _report(folder: Path, name: str, number: int, empty: list[str]) -> None:
         above = above.parent
     if empty:
         console.note(f"no messages in {', '.join(empty)}")
-    print(f"{number} files. Import with {_shown(above)} in PYTHONPATH: from {name} import registry")
+    console.print_lines(f"{number} files. Import with {_shown(above)} in PYTHONPATH: from {name} import registry")

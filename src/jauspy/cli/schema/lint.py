@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import asdict
@@ -56,7 +55,7 @@ def lint(
     findings = run(_paths(files or []), rules)
     for finding in findings:
         if as_json:
-            print(json.dumps(asdict(finding), ensure_ascii=False))
+            console.print_json(asdict(finding))
         else:
             _print(finding)
     if not as_json:

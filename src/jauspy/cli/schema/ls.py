@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -11,6 +10,7 @@ from typing import Annotated, Any
 
 import typer
 
+from jauspy.cli import console
 from jauspy.cli.console import print_table
 from jauspy.cli.options import Json
 from jauspy.codec.names import set_package
@@ -69,7 +69,7 @@ def ls(
     services = _of_set(definitions(sources).services, set_name)
     if as_json:
         for service in services:
-            print(json.dumps(as_object(service), ensure_ascii=False))
+            console.print_json(as_object(service))
         return
     rows = [_row(service) for service in sorted(services, key=lambda service: (set_of(service), service.name))]
     print_table(("set", "service", "version", "inherits from", "messages"), rows)

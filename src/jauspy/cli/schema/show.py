@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
@@ -60,10 +59,10 @@ def show(
     schema = definitions(sources)
     for number, match in enumerate(find(schema, name, version)):
         if as_json:
-            print(json.dumps(_object(match), ensure_ascii=False))
+            console.print_json(_object(match))
             continue
         if number:
-            print()
+            console.print_lines("")
         if match.message is None:
             _show_service(match.service, schema)
         else:
