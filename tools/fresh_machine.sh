@@ -12,6 +12,7 @@
 # With --offline, DIR must have run the command once with a network. The committed state of HEAD is what is tested.
 # Needs root and debootstrap (apt-get install debootstrap). apt, pip and certificates are configured as on this machine.
 set -eu
+unset PIP_FIND_LINKS # a folder of this machine
 
 # The mounts are in a mount namespace of their own: nothing of them reaches this machine, and they end with this script.
 [ "${FRESH_MACHINE_MOUNTS-}" = private ] || [ "$(id -u)" != 0 ] ||
@@ -40,7 +41,7 @@ command -v debootstrap >/dev/null || { say "needs debootstrap: apt-get install d
 source=$(cd "$(dirname "$0")/.." && pwd)
 machine=${keep:-$(mktemp -d /tmp/fresh-XXXXXX)}
 finish() {
-    umount -l "$machine/dev/shm" "$machine/dev" "$machine/proc" 2>/dev/null || : # before anything is removed
+    umount -l "$machine/dev/shm" "$machine/dev/pts" "$machine/dev" "$machine/proc" 2>/dev/null || : # before anything is removed
     [ -n "$keep" ] || rm -rf "$machine"
 }
 trap finish EXIT
@@ -56,6 +57,7 @@ fi
 mkdir -p "$machine/proc" "$machine/dev"
 mount -t proc proc "$machine/proc"
 mount --bind /dev "$machine/dev"
+mount -t devpts -o newinstance,ptmxmode=0666,mode=0620,gid=5 devpts "$machine/dev/pts"
 [ -d "$machine/dev/shm" ] && mount -t tmpfs -o mode=1777 tmpfs "$machine/dev/shm"
 
 # how this machine reaches its registries
