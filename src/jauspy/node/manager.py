@@ -68,7 +68,10 @@ class NodeManager:
             max_sockets=descriptors.max_component_sockets(),
             networks=[network.name for network in self.config.all_networks],
             gateway=make_gateway(self.config),
-            sources=SourceChecks(source_limits(self.config)),
+            sources=SourceChecks(
+                source_limits(self.config),
+                authenticated=[each.name for each in self.config.all_networks if each.key_file],
+            ),
             changed=self._invalidate,
         )
         self._cache = RoutingCache(self._router, self._sender_for)
