@@ -9,6 +9,7 @@ import threading
 from collections.abc import Callable
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -19,7 +20,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import Resume
 from jauspy.messages.operators import ReportSealChallenge
-from jauspy.modules.audit import MAX_UNSEALED, MAX_WAITING, AuditLog, Head, head_file, verify
+from jauspy.modules.audit import MAX_PAYLOAD, MAX_UNSEALED, MAX_WAITING, AuditLog, Head, head_file, verify
 from jauspy.protocol.seal import Operator, OperatorKey
 from jauspy.services.core.command_seal import CommandRecord
 
@@ -189,6 +190,15 @@ def test_what_anybody_can_cause_is_bounded(path):
     report = verify(path)
     assert dict(report.commands) == {"-": MAX_UNSEALED, "alice": 1}
     assert (report.refused, report.not_recorded) == (MAX_UNSEALED, 100 - MAX_UNSEALED)
+
+
+def test_of_large_messages_the_hash_is_kept(path):
+    with AuditLog(path, "inc1") as log:
+        log.record(replace(record(1), payload=bytes(MAX_PAYLOAD + 1)))
+    entry = json.loads(lines(path)[1])
+    assert (entry["sha256"], "payload" in entry) == (sha256(bytes(MAX_PAYLOAD + 1)).hexdigest(), False)
+    report = verify(path, operators=[ALICE])
+    assert (report.problem, report.verified) == ("", 0)
 
 
 def test_a_disk_that_hangs_stops_nobody(path, monkeypatch):

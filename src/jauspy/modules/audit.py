@@ -38,7 +38,7 @@ MAX_WAITING: Final = 1024
 """Records that wait for the disk; further ones are lost, and counted."""
 MAX_UNSEALED: Final = 20
 """Records in a second without the seal of an operator: anybody can cause these. Further ones are counted only."""
-MAX_PAYLOAD: Final = 4096
+MAX_PAYLOAD: Final = 16 * 1024
 """Bytes of a message that are recorded; of a longer one the hash."""
 MAX_LINE: Final = 64 * 1024
 REPORT_INTERVAL: Final = 1.0
@@ -85,7 +85,7 @@ class AuditLog:
         self.counters: Counter[str] = Counter()
         """`lost`: the disk is slow; `not_written`: it is full or broken; `not_recorded`: more than `MAX_UNSEALED`."""
         self._robot = robot
-        self._waiting: queue.Queue[CommandRecord | None] = queue.Queue(MAX_WAITING)
+        self._waiting: queue.Queue[CommandRecord | dict[str, Any] | None] = queue.Queue(MAX_WAITING)
         self._second = (0, 0)
         self._thread = threading.Thread(target=self._run, name=f"audit log {path}", daemon=True)
         self._file = -1
@@ -125,7 +125,7 @@ class AuditLog:
                 self.counters["not_recorded"] += 1
                 return
         try:
-            self._waiting.put_nowait(record)
+            self._waiting.put_nowait(record if len(record.payload) <= MAX_PAYLOAD else _line_of(record))
         except queue.Full:
             self.counters["lost"] += 1
 
@@ -163,13 +163,13 @@ class AuditLog:
         reported = Counter[str]()
         closing = False
         while not closing:
-            records: list[CommandRecord | None] = []
+            records: list[CommandRecord | dict[str, Any] | None] = []
             with suppress(queue.Empty):
                 records.append(self._waiting.get(timeout=REPORT_INTERVAL if self.counters != reported else None))
                 while len(records) < MAX_WAITING:
                     records.append(self._waiting.get_nowait())
             closing = None in records
-            entries = [_line_of(each) for each in records if each is not None]
+            entries = [each if isinstance(each, dict) else _line_of(each) for each in records if each is not None]
             counted = self.counters.copy()
             is_due = counted != reported and (closing or not entries)
             if is_due:
