@@ -54,6 +54,14 @@ def test_points_that_are_not_whole() -> None:
         Cloud(b"\0" * 13, "a", 0.0).encode()
 
 
+def test_the_name_of_a_frame_stays_in_its_line(tmp_path: Path) -> None:
+    """A publisher does not write the header."""
+    save(Cloud(COLOURED, "a\nelement vertex 9\r\x1b[2Jé", 0.0, 6), tmp_path / "a.ply")
+    header, _, _ = (tmp_path / "a.ply").read_bytes().partition(b"end_header\n")
+    assert header.count(b"\nelement") == 1
+    assert b"comment frame a\\nelement vertex 9\\r\\x1b[2J\\xe9\n" in header
+
+
 def test_ply(tmp_path: Path) -> None:
     save(Cloud(COLOURED, "lidar_link", 0.0, 6), tmp_path / "a.ply")
     header, _, body = (tmp_path / "a.ply").read_bytes().partition(b"end_header\n")

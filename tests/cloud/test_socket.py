@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -110,3 +111,28 @@ def test_without_pynng_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) 
     monkeypatch.setattr(socket.importlib, "import_module", missing)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[cloud\]'"):
         CloudPublisher("tcp://127.0.0.1:1")
+
+
+def test_a_stream_of_rubbish_does_not_keep_it_from_returning(address: str, subscriber: CloudSubscriber) -> None:
+    """Nor do empty messages, which pynng cannot hand on."""
+    with pynng.Pub0(listen=address, send_buffer_size=8) as rubbish:
+        until_heard(lambda: rubbish.send(Cloud(POINT, "a", 0.0).encode()), subscriber)
+        stop = threading.Event()
+
+        def flood() -> None:
+            while not stop.is_set():
+                rubbish.send(b"rubbish")
+                rubbish.send(b"")
+
+        thread = threading.Thread(target=flood)
+        thread.start()
+        begin = time.monotonic()
+        try:
+            while subscriber.receive(0.1) is not None:
+                pass
+        finally:
+            took = time.monotonic() - begin
+            stop.set()
+            thread.join()
+    assert took < PATIENCE / 4
+    assert subscriber.counters["malformed"] > 1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -72,3 +73,25 @@ def test_scans_go_into_the_map_only_after_some_driving() -> None:
         pose = PlanarPose(step * 0.01)
         mapper.add(pose, PlanarPose(), ANGLES.tolist(), ranges(pose))
     assert len(mapper.path) == 3
+
+
+def test_a_scan_with_more_rays_than_are_useful_costs_no_more() -> None:
+    """As many as a message of a robot may have, all 15 m long, would take gigabytes."""
+    rays = 65535
+    angles = np.linspace(-math.pi, math.pi, rays, endpoint=False).tolist()
+    mapper = Mapper(OccupancyGrid(30.0), matching=False)
+    tracemalloc.start()
+    try:
+        mapper.add(PlanarPose(), PlanarPose(), angles, [14.0] * rays)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak < 300e6
+    crossed = np.count_nonzero(mapper.grid.log_odds < 0.0) * 0.05**2
+    assert crossed == pytest.approx(math.pi * 14.0**2, rel=0.02), "no cell is left out"
+
+
+def test_rays_without_a_direction_are_left_out() -> None:
+    mapper = Mapper(OccupancyGrid(30.0), matching=False)
+    mapper.add(PlanarPose(), PlanarPose(), [math.inf, math.nan, 0.0], [3.0, 3.0, 3.0])
+    assert int((mapper.grid.log_odds > 0.0).sum()) == 1

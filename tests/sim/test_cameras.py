@@ -20,7 +20,7 @@ from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy_sim import cameras
 from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
-from jauspy_sim.rays import MAX_RAYS, MAX_RAYS_OF_STILL, PLAIN_SKY, RayRenderer, Sky
+from jauspy_sim.rays import DEFAULT_SKY_COLOUR, MAX_RAYS, MAX_RAYS_OF_STILL, RayRenderer, SkyBox
 from jauspy_sim.robot import SimulatedRobot
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
@@ -205,14 +205,14 @@ def test_rays_and_gl_see_the_same(world, name, monkeypatch):
 
 
 def test_the_sky_is_lighter_towards_the_horizon(robot):
-    sky = Sky(robot.model)
+    sky = SkyBox(robot.model)
     up, slanting, level, down = sky.colours(np.array([[0, 0, 1], [0.6, 0, 0.8], [0, 1, 0], [0, 0, -1]], float)).sum(1)
     assert up < slanting < level < down
 
 
 def test_a_world_without_a_sky_box_has_a_plain_one():
     model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
-    assert (Sky(model).colours(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])) == PLAIN_SKY).all()
+    assert (SkyBox(model).colours(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])) == DEFAULT_SKY_COLOUR).all()
 
 
 def test_the_floor_shows_its_pattern_by_rays_where_it_is_not_too_fine(monkeypatch):

@@ -19,6 +19,7 @@ from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetu
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
 from jauspy.transport.age import MAX_AGE
 
@@ -243,6 +244,8 @@ class ModuleConfig(StrictConfig):
     camera: UrdfName | None = None
     """Name of the camera that a CM-VIS streams."""
     access_control: AccessControlConfig = AccessControlConfig()
+    registrants: Registrants = "machine"
+    """Whose registrations the module's Discovery lists: those of components on its machine, or of its subsystem."""
     announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
     """The id of a console that the module queries for its identification until it answers, to be discovered by it."""
 

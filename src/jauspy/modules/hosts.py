@@ -81,8 +81,11 @@ def module_host(
         Management(),
         *more,
     ]
-    optional: dict[str, Callable[[], Service]]
-    optional = {"Discovery": lambda: Discovery(identities), "Time": Time, "Liveness": Liveness}
+    optional: dict[str, Callable[[], Service]] = {
+        "Discovery": lambda: Discovery(identities, registrants=config.registrants),
+        "Time": Time,
+        "Liveness": Liveness,
+    }
     core += [make() for name, make in optional.items() if config.offers(name)]
     try:
         services = catalogue.make(config.type, config.services, context)

@@ -109,6 +109,7 @@ def kind_of(type: int) -> str:
 class _Entry:
     """One component; times are seconds of a monotonic clock."""
 
+    id: JausID
     first_seen: float
     last_seen: float
     responds: bool = False
@@ -118,7 +119,8 @@ class _Entry:
 
     @property
     def offered(self) -> frozenset[ServiceInfo]:
-        return frozenset().union(*self.services.values())
+        """What it reports itself; what others report of it counts only as long as it reports nothing."""
+        return self.services.get(self.id) or frozenset().union(*self.services.values())
 
 
 class SubsystemTree:
@@ -240,7 +242,7 @@ class SubsystemTree:
         """The entry of a component, new if need be; None when the tree is full."""
         if id not in self._entries and len(self._entries) >= MAX_COMPONENTS:
             return None
-        return self._entries.setdefault(id, _Entry(now, now))
+        return self._entries.setdefault(id, _Entry(id, now, now))
 
     def _add_services(self, id: JausID, services: frozenset[ServiceInfo], source: JausID, now: float) -> None:
         entry = None if id in self._silent else self._entry(id, now)

@@ -143,7 +143,8 @@ class Router:
         """Nobody listens on `port` any more: remove its components, and the addresses learned from it."""
         self._registrar.remove_dead(port)
         if isinstance(port, UdpPort):
-            self.address_book.forget(port)
+            for id in self.address_book.forget(port):
+                self._changed(id)
 
     def disconnected(self, port: NetworkPort) -> None:
         """A connection has ended: remove the addresses learned from it."""
@@ -234,7 +235,7 @@ class Router:
             if legacy_version is not None:
                 self._egress.peer_versions.learn(raw.source, legacy_version)
             if not verified:
-                self._learn(raw.source, port, now)
+                self._learn(raw.source, port, now, judp.sequence_number(raw, datagram))
             self._route_from_network(raw, datagram, port.network, now)
 
     def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, *, verified: bool) -> str | None:
@@ -243,8 +244,12 @@ class Router:
         if self._registrar.is_in_use(source) or (not verified and self._is_own(source)):
             self._duplicate_ids.warn_duplicate(source, port)
             return "hijack"
-        if not verified and not addressing.is_incomplete(source) and not self.sources.check_address(source, port, now):
-            return "address_mismatch"
+        if not verified and not addressing.is_incomplete(source):
+            sequence = judp.sequence_number(raw, datagram)
+            if not self.sources.check_address(source, port, now, sequence):
+                if self.sources.has_new_claim(source, now):
+                    self._changed(source)
+                return "address_mismatch"
         if self.sources.are_limited and not self.sources.within_rate(source, raw.priority, now):
             return "rate"
         if self.gateway is not None and (why := self.gateway.refusal(raw, datagram, port.network, now)) is not None:
@@ -301,10 +306,10 @@ class Router:
             return self.gateway.onward(raw, home.network)
         return self.gateway.reach(raw.source, raw.destination)
 
-    def _learn(self, id: int, port: NetworkPort, now: float) -> None:
+    def _learn(self, id: int, port: NetworkPort, now: float, sequence: int | None) -> None:
         if addressing.is_incomplete(id):
             return
-        self.sources.heard(id, port, now)
+        self.sources.heard(id, port, now, sequence)
         if self.address_book.learn(id, port, now):
             self._changed(id)
             for datagram in self._pending.pop(id, now):

@@ -14,7 +14,7 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
 from jauspy.logs import get_logger
-from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
+from jauspy.protocol.addressing import HERE, Location
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.protocol.seal import Operator
@@ -191,8 +191,8 @@ class ServiceHost:
         """Difference of the component's clock to the wall clock; set by Time."""
         self.on_timer_change: Callable[[], None] = lambda: None
         """Called when a timer is set from outside of the host; set by the component that runs it."""
-        self.locate: Callable[[JausID, Callable[[Location], None]], None] = lambda _, found: found(UNKNOWN_LOCATION)
-        """Calls back, now or later, with the machine that another component is on; set by the component."""
+        self.locate: Callable[[JausID, Callable[[Location], None]], None] = lambda _, found: found(HERE)
+        """Calls back, now or later, with the machine of another component; set by the component that runs it."""
         self.counters = Counters(_LOG)
         self._output = OutputQueue(max_output, self.counters)
         self._timers = Timers()

@@ -65,9 +65,15 @@ class Directory:
         """Remove the components whose time is over."""
         self._entries = {id: entry for id, entry in self._entries.items() if entry.until > now}
 
+    def is_permanent(self, id: JausID) -> bool:
+        """True for a component that does not expire: of the same program."""
+        entry = self._entries.get(id)
+        return entry is not None and entry.until == math.inf
+
     def forget(self, id: JausID) -> None:
-        """Remove a component, if it is registered."""
-        self._entries.pop(id, None)
+        """Remove a component, if it is registered and not permanent."""
+        if not self.is_permanent(id):
+            self._entries.pop(id, None)
 
     def matching(self, wanted: Mapping[AddressPattern, SearchFilters]) -> dict[JausID, tuple[OfferedService, ...]]:
         """The services of the components addressed, which may be wildcards; those registered first come first.

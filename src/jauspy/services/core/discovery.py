@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from itertools import groupby
 from operator import attrgetter
-from typing import Any, Final
+from typing import Any, Final, Literal, TypeAlias
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID, component_id
@@ -25,6 +26,7 @@ from jauspy.messages.core import (
     ServiceRec,
     SubsystemRec,
 )
+from jauspy.protocol.addressing import HERE, Location
 from jauspy.services.core.directory import AddressPattern, Directory, OfferedService, SearchFilters, within
 from jauspy.services.service import Service, ServiceHost
 
@@ -41,6 +43,7 @@ MAX_REPORT: Final = 4000
 """Bytes of services in one report: it fits one packet (4079), also inside an Event, so that every client takes it."""
 MAX_FILTERS: Final = 64
 """Search filters of one query that are applied."""
+Registrants: TypeAlias = Literal["machine", "subsystem"]
 _ALL: Final = frozenset({""})
 _RECORDS: Final = 8
 """Bytes around the services of a component: the records of subsystem, node and component with their counts."""
@@ -77,13 +80,24 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     Registrations end `REGISTRATION_LIFETIME` seconds after the last message from the component. Reports name as many
     components as fit one packet, this one first, then those registered first; what is left out is counted.
 
+    `registrants`: whose registrations count, those of components on this machine, or of the whole subsystem, which is
+    whoever uses one of its ids on the network. A registration is for the component that sends it, and for none of this
+    program.
+
     `register_with`: the id of a component of the same subsystem whose Discovery is to list this one as long as it
     runs, for clients that ask only there.
     """
 
     def __init__(
-        self, identities: Mapping[int, Identity] | None = None, *, register_with: str | JausID | None = None
+        self,
+        identities: Mapping[int, Identity] | None = None,
+        *,
+        register_with: str | JausID | None = None,
+        registrants: Registrants = "machine",
     ) -> None:
+        if registrants not in ("machine", "subsystem"):
+            raise ConfigError(f"registrants is {registrants!r}; it must be 'machine' or 'subsystem'")
+        self.registrants = registrants
         self.identities = dict(identities or {})
         self.directory = Directory()
         self._registrar = None if register_with is None else _one_component(register_with)
@@ -129,10 +143,19 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
         """List another component of this subsystem; one that registers no services is removed."""
-        if source.subsystem != self.host.id.subsystem or source == self.host.id:
+        if source.subsystem != self.host.id.subsystem or self.directory.is_permanent(source):
             self.host.count("foreign_registration", str(source))
             return
         self._renew(source)
+        if self.registrants == "subsystem":
+            self._list(msg, source, HERE)
+        else:
+            self.host.locate(source, partial(self._list, msg, source))
+
+    def _list(self, msg: RegisterServices, source: JausID, location: Location) -> None:
+        if not location.is_here:
+            self.host.count("foreign_registration", f"{source} is on another machine; registrants may be 'subsystem'")
+            return
         if not msg.service_list:
             self.directory.forget(source)
             return
@@ -146,9 +169,8 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("registration_dropped", str(source))
 
     def client_lost(self, client: JausID) -> None:
-        """Remove the component from the list, unless it is this one."""
-        if client != self.host.id:
-            self.directory.forget(client)
+        """Remove the component from the list, unless it is of this program."""
+        self.directory.forget(client)
 
     def _renew(self, source: JausID) -> None:
         self.directory.renew(source, self.host.now + REGISTRATION_LIFETIME)
