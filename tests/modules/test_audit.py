@@ -7,6 +7,7 @@ import logging
 import os
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from hashlib import sha256
@@ -113,7 +114,7 @@ def test_lines_that_were_cut_off_before_a_restart_are_named(path, write):
     write()
     path.write_bytes(b"".join(lines(path)[:3]))
     write()
-    assert verify(path).problem.startswith("lines were cut off before line 4: the head was 7:")
+    assert verify(path).problem.startswith("lines were cut off before line 4: the head was '7:")
 
 
 def test_lines_that_were_added_are_named(path, write):
@@ -152,13 +153,13 @@ def test_who_rewrites_everything_cannot_invent_commands_of_an_operator(path):
     with AuditLog(path, "inc1") as log:
         log.record(record(1))
     assert verify(path, operators=[ALICE]).problem == ""
-    assert "alice has not sealed" in verify(path, operators=[mallory]).problem
+    assert "'alice' has not sealed" in verify(path, operators=[mallory]).problem
     with AuditLog(path, "inc1") as log:
         log.record(replace(record(2), payload=Resume().encode()))
     assert verify(path, operators=[ALICE]).problem.startswith("line 5 was not written by the robot")
     with AuditLog(path.with_name("other"), "inc1") as log:
         log.record(replace(record(2), message="Shutdown"))
-    assert "alice has not sealed" in verify(path.with_name("other"), operators=[ALICE]).problem
+    assert "'alice' has not sealed" in verify(path.with_name("other"), operators=[ALICE]).problem
 
 
 def test_a_line_that_was_torn_by_a_power_failure(path, write):
@@ -249,6 +250,18 @@ def test_any_bytes_are_verified_without_an_error(tmp_path_factory, noise, at, ov
 
 
 LOG: dict[str, object] = {}
+
+
+@pytest.mark.parametrize("operator", [["alice"], {"a": 1}, 7, True, "bob\x1b[2J"])
+def test_lines_with_other_values(path, write, operator, capsys):
+    """Those of somebody who writes the whole chain anew."""
+    entry = {"n": 1, "previous": "0" * 64, "message": 7, "operator": operator, "payload": 7, "outcome": []}
+    path.write_text(json.dumps(entry) + "\n")
+    head_file(path).write_text(str(Head(1, sha256(path.read_bytes()[:-1]).hexdigest())))
+    assert verify(path, operators=[ALICE]).problem
+    with suppress(ConfigError):
+        cli.audit(path=path)
+    assert "\x1b" not in capsys.readouterr().out
 
 
 def test_the_verb(path, write, capsys, tmp_path):

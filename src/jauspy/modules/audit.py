@@ -300,7 +300,7 @@ def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping
     if (expected := hashes.get(number)) is not None and expected != _hash(line):
         return f"line {number} was changed: its hash is not that of the head"
     if "expected_head" in entry:
-        return f"lines were cut off before line {number}: the head was {entry['expected_head']}"
+        return f"lines were cut off before line {number}: the head was {entry['expected_head']!r}"
     return ""
 
 
@@ -310,12 +310,14 @@ def _count(entry: dict[str, Any], report: AuditReport, operators: Mapping[str, O
     if "message" not in entry:
         return ""
     name = entry.get("operator")
+    if not isinstance(name, str | None):
+        return f"line {entry['n']} was changed: it is no line of an audit log"
     report.commands[name or "-"] += 1
     report.refused += str(entry.get("outcome", "")).startswith("refused")
     if not operators or name is None or "payload" not in entry:
         return ""
     if name not in operators or not _is_sealed_as_recorded(entry, operators[name]):
-        return f"line {entry['n']} was not written by the robot: {name} has not sealed this command"
+        return f"line {entry['n']} was not written by the robot: {name!r} has not sealed this command"
     report.verified += 1
     return ""
 
@@ -328,7 +330,7 @@ def _is_sealed_as_recorded(entry: dict[str, Any], operator: Operator) -> bool:
         return False
     inside = sealed.command.NAME if isinstance(sealed.command, Message) else entry["message"]
     ids = [str(JausID.from_int(each)) for each in (sealed.destination, sealed.source)]
-    recorded = [entry["message"], entry["component"], entry["source"]]
+    recorded = [entry["message"], entry.get("component"), entry.get("source")]
     return operator.key.has_signed(payload) and [inside, *ids] == recorded
 
 
