@@ -93,12 +93,12 @@ def audit(
     anchors = [log.Head.parse(each) for each in head or ()]
     report = log.verify(path, anchors, file.load(operators) if operators is not None else ())
     commands = ", ".join(f"{number} of {printable(name)}" for name, number in report.commands.most_common())
-    print(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
+    console.print_lines(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
     if operators is not None:
-        print(f"signatures: {report.verified} verified")
+        console.print_lines(f"signatures: {report.verified} verified")
     if report.not_recorded:
-        print(f"not recorded: {report.not_recorded}, since they were too many or the disk too slow")
-    print(f"head: {report.head}")
+        console.print_lines(f"not recorded: {report.not_recorded}, since they were too many or the disk too slow")
+    console.print_lines(f"head: {report.head}")
     if report.problem:
         raise ConfigError(f"{path}: {report.problem}")
 
