@@ -52,9 +52,9 @@ for name in sys.argv[1:]:
 
 
 @pytest.fixture(autouse=True)
-def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def _here(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture) -> None:
     monkeypatch.chdir(tmp_path)
-    logging.getLogger("jauspy.codec").setLevel(logging.ERROR)
+    caplog.set_level(logging.ERROR, "jauspy.codec")
 
 
 def test_texts_of_a_definition_never_run() -> None:

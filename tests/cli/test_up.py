@@ -17,7 +17,7 @@ def test_says_how_to_drive_only_what_can_be_driven(capsys, services, drives) -> 
     config = load("inc1")
     module = config.modules[0].model_copy(update={"services": services})
     config = config.model_copy(update={"modules": (module,)})
-    runner = SimpleNamespace(config=config, components=[SimpleNamespace(id=config.id_of(module))])
+    runner = SimpleNamespace(config=config, audit=None, components=[SimpleNamespace(id=config.id_of(module))])
     print_summary(runner, "running", Path("/tmp/elsewhere"))
     text = capsys.readouterr().out
     assert ("drive it:  jauspy send 101.1.102 SetWrenchEffort" in text) == drives
@@ -39,7 +39,9 @@ def test_says_that_a_robot_goes_on_without_its_client(capsys, robot, timeout, wa
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
     print_summary(
-        SimpleNamespace(config=config, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)), "", Path()
+        SimpleNamespace(config=config, audit=None, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)),
+        "",
+        Path(),
     )
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("warning:")]
     assert lines[:1] == [warning] * bool(warning)

@@ -8,7 +8,7 @@ from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway, GatewayRules
 from jauspy.protocol.header import Packet
 from jauspy.protocol.routing import Router
-from jauspy.protocol.sources import MOVE_TIMEOUT, SourceChecks, SourceLimits
+from jauspy.protocol.sources import MOVE_TIMEOUT, VERIFIED_INTERVAL, SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))
 PEER, OTHER = UdpPort("10.0.0.2", 3794), UdpPort("10.0.0.3", 3794)
@@ -63,10 +63,10 @@ def test_all_else_is_looked_at(source: JausID, destination: JausID, port: Port) 
     assert Node().cacheable_route(source, destination, port) is None
 
 
-def test_what_was_heard_is_checked_again_after_a_second() -> None:
+def test_what_was_heard_is_checked_again_after_a_moment() -> None:
     node = Node()
-    assert node.cacheable_route(FAR, B, PEER, 0.9) is not None
-    assert node.cacheable_route(FAR, B, PEER, 1.0) is None
+    assert node.cacheable_route(FAR, B, PEER, 0.9 * VERIFIED_INTERVAL) is not None
+    assert node.cacheable_route(FAR, B, PEER, VERIFIED_INTERVAL) is None
     assert node.cacheable_route(A, FAR, home(A), 600.0) is None
 
 

@@ -143,7 +143,8 @@ class Router:
         """Nobody listens on `port` any more: remove its components, and the addresses learned from it."""
         self._registrar.remove_dead(port)
         if isinstance(port, UdpPort):
-            self.address_book.forget(port)
+            for id in self.address_book.forget(port):
+                self._changed(id)
 
     def disconnected(self, port: NetworkPort) -> None:
         """A connection has ended: remove the addresses learned from it."""
