@@ -13,7 +13,7 @@ from jauspy.modules.robot_files import load
 
 
 @pytest.mark.parametrize(("services", "drives"), [(None, True), (("Discovery", "LocalPoseSensor"), False)])
-def test_says_how_to_drive_only_what_can_be_driven(capsys, services, drives) -> None:
+def test_drive_example_is_printed_only_for_robots_that_drive(capsys, services, drives) -> None:
     config = load("inc1")
     module = config.modules[0].model_copy(update={"services": services})
     config = config.model_copy(update={"modules": (module,)})
@@ -32,7 +32,7 @@ def test_says_how_to_drive_only_what_can_be_driven(capsys, services, drives) -> 
         ("igvc", 0, "warning:   105.1.1 keeps moving without limit after its client died: access_control.timeout = 0"),
     ],
 )
-def test_says_that_a_robot_goes_on_without_its_client(capsys, robot, timeout, warning) -> None:
+def test_long_control_timeout_causes_a_warning(capsys, robot, timeout, warning) -> None:
     config = load(robot)
     if timeout is not None:
         access = AccessControlConfig(timeout=timeout)
