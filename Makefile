@@ -55,7 +55,7 @@ imports: dev
 
 # the documentation as a web site, for which a warning is an error
 docs: dev
-	$(BIN)/mkdocs build -q --strict
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build -q --strict
 
 unit: dev
 	$(BIN)/pytest -n 2 $(PYTEST_ARGS)

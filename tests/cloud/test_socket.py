@@ -59,7 +59,7 @@ def test_clouds_arrive_in_order_with_their_numbers(address: str, subscriber: Clo
     assert subscriber.counters == {"received": before + 5, "lost": 0}
 
 
-def test_a_slow_subscriber_counts_what_it_lost(address: str, subscriber: CloudSubscriber) -> None:
+def test_slow_subscriber_counts_lost_clouds(address: str, subscriber: CloudSubscriber) -> None:
     with CloudPublisher(address) as publisher:
         first = until_heard(lambda: publisher.publish(POINT, "a", 0.0), subscriber)
         big = POINT * 100_000
@@ -76,7 +76,7 @@ def test_a_slow_subscriber_counts_what_it_lost(address: str, subscriber: CloudSu
     assert subscriber.counters["lost"] == found[-1].number - first.number - (len(found) - 1)
 
 
-def test_rubbish_is_counted_and_left_out(address: str, subscriber: CloudSubscriber) -> None:
+def test_malformed_messages_are_counted_and_skipped(address: str, subscriber: CloudSubscriber) -> None:
     with pynng.Pub0(listen=address) as rubbish:
         good = Cloud(POINT, "a", 0.0).encode()
 
@@ -88,14 +88,14 @@ def test_rubbish_is_counted_and_left_out(address: str, subscriber: CloudSubscrib
         assert subscriber.counters["malformed"] >= 1
 
 
-def test_a_publisher_that_starts_anew_is_no_loss(address: str, subscriber: CloudSubscriber) -> None:
+def test_restart_of_the_publisher_is_no_loss(address: str, subscriber: CloudSubscriber) -> None:
     for _ in range(2):
         with CloudPublisher(address) as publisher:
             until_heard(lambda publisher=publisher: publisher.publish(POINT, "a", 0.0), subscriber)  # type: ignore[misc]
     assert subscriber.counters["restarts"] == 1
 
 
-def test_addresses_that_cannot_be(address: str) -> None:
+def test_invalid_addresses_are_rejected(address: str) -> None:
     with CloudPublisher(address), pytest.raises(TransportError, match="cannot publish there"):
         CloudPublisher(address)
     with pytest.raises(TransportError, match="cannot publish there"):
@@ -104,7 +104,7 @@ def test_addresses_that_cannot_be(address: str) -> None:
         CloudSubscriber("nonsense")
 
 
-def test_without_pynng_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_pynng_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     def missing(name: str) -> None:
         raise ImportError(name)
 

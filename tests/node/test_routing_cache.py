@@ -97,7 +97,7 @@ def any_datagram(chance: random.Random, source: JausID, number: int) -> bytes:
 
 @pytest.mark.parametrize("check_address", [False, True])
 @pytest.mark.parametrize("seed", range(3))
-async def test_nobody_can_tell_the_difference(seed: int, check_address: bool) -> None:
+async def test_routing_is_the_same_with_and_without_cache(seed: int, check_address: bool) -> None:
     """With checks, the first who uses an id has it, and few packets are accepted at all."""
     chance = random.Random(seed)
     quick, whole = (CountingRouter(cached=cached, check_address=check_address) for cached in (True, False))
@@ -118,7 +118,7 @@ async def test_nobody_can_tell_the_difference(seed: int, check_address: bool) ->
     quick.cache.clear()
 
 
-async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_cached_routes_expire(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(routing_cache, "CACHE_LIFETIME", 0.0)
     router = CountingRouter(cached=True)
     now = asyncio.get_running_loop().time()
@@ -132,7 +132,7 @@ async def test_ways_are_looked_for_again_after_a_while(monkeypatch: pytest.Monke
             await asyncio.sleep(0)
 
 
-async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_unknown_destinations_are_not_cached(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(routing_cache, "MAX_ROUTES", 3)
     router = CountingRouter(cached=True)
     now = asyncio.get_running_loop().time()
@@ -147,7 +147,7 @@ async def test_made_up_destinations_do_not_pile_up(monkeypatch: pytest.MonkeyPat
     router.cache.clear()
 
 
-async def test_rules_that_are_loaded_hold_for_the_next_packet(root: Path, introduce, udp) -> None:
+async def test_reloaded_rules_apply_to_the_next_packet(root: Path, introduce, udp) -> None:
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root)
     query = judp.pack(Packet(FAR, HERE, b"\x02\x20"))
     async with NodeManager(config) as node:
@@ -166,7 +166,7 @@ async def test_rules_that_are_loaded_hold_for_the_next_packet(root: Path, introd
                 await asyncio.sleep(0)
 
 
-async def test_a_mirror_sees_what_could_take_the_short_way(root: Path, tmp_path: Path, introduce) -> None:
+async def test_mirror_disables_the_cache(root: Path, tmp_path: Path, introduce) -> None:
     file = tmp_path / "all.pcapng"
     texts = [b"\x02\x20" + bytes([n]) * 8 for n in range(20)]
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, mirror=str(file))) as node:

@@ -12,6 +12,7 @@ import typer
 from jauspy.cli import console
 from jauspy.errors import ConfigError
 from jauspy.ocu.sealing import load_key
+from jauspy.printable import printable
 from jauspy.protocol.seal import OperatorKey
 
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,64}")
@@ -65,6 +66,41 @@ def show(
       jauspy keys show alice.key
     """
     console.print_lines(_line(name or file.stem, role, load_key(file)))
+
+
+def audit(
+    *,
+    path: Annotated[Path, typer.Argument(metavar="PATH", help="The file that audit_log of a robot names.")],
+    head: Annotated[
+        list[str] | None,
+        typer.Option("--head", metavar="NUMBER:HASH", help="A head that was noted earlier; may be repeated."),
+    ] = None,
+    operators: Annotated[
+        Path | None,
+        typer.Option("--operators", metavar="FILE", help="The operators file, to verify the signatures of commands."),
+    ] = None,
+) -> None:
+    """Verify an audit log: name the first line that was changed or removed, or cut off at the end.
+
+    The head that is printed is worth noting elsewhere. With it (--head), nobody can change or cut off the lines up to
+    there unnoticed, not even who can write to the robot's disk. The exit status is 1 if something is wrong.
+
+    Example:
+      jauspy audit robot.audit --operators operators.toml
+    """
+    from jauspy.modules import audit as log, operators as file
+
+    anchors = [log.Head.parse(each) for each in head or ()]
+    report = log.verify(path, anchors, file.load(operators) if operators is not None else ())
+    commands = ", ".join(f"{number} of {printable(name)}" for name, number in report.commands.most_common())
+    console.print_lines(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
+    if operators is not None:
+        console.print_lines(f"signatures: {report.verified} verified")
+    if report.not_recorded:
+        console.print_lines(f"not recorded: {report.not_recorded}, since they were too many or the disk too slow")
+    console.print_lines(f"head: {report.head}")
+    if report.problem:
+        raise ConfigError(f"{path}: {report.problem}")
 
 
 def _line(name: str, role: str, key: OperatorKey) -> str:

@@ -6,8 +6,10 @@ import asyncio
 import contextlib
 import errno
 import os
+import pwd
 import shutil
 import socket
+import stat
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Final, Self
@@ -33,6 +35,8 @@ KEEP_ALIVE_INTERVAL: Final = 1.0
 """Seconds between Connects while connected; node managers answer each, so that a missing answer shows a dead one."""
 MAX_UNANSWERED: Final = 2
 """Unanswered keep-alives after which the node manager is regarded as dead."""
+REFUSED_AFTER: Final = 5.0
+"""Seconds without an Accept of a node manager that is alive, after which the log tells why that may be."""
 SEND_RETRY_INTERVAL: Final = 0.002
 """Seconds until a full socket is tried again; a datagram socket does not signal when its peer has room."""
 MAX_PATH: Final = 107
@@ -194,7 +198,14 @@ class LocalTransport:
 
     async def _keep_connected(self) -> None:
         interval = CONNECT_INTERVAL
+        loop = asyncio.get_running_loop()
+        accepted_at, told = loop.time(), False
         while self._sender is not None:
+            if self.connected:
+                accepted_at, told = loop.time(), False
+            elif not told and loop.time() - accepted_at > REFUSED_AFTER and is_alive(Path(self._node)):
+                told = True
+                _LOGGER.warning("%s", self._no_answer())
             if self.connected and self._unanswered >= MAX_UNANSWERED:
                 self._accepted.clear()
             if self.connected:
@@ -373,6 +384,35 @@ def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | N
     return sock
 
 
+def check_directory(root: Path) -> None:
+    """Make the directory, if it does not exist; raises `TransportError` if another user could replace its sockets."""
+    with contextlib.suppress(OSError):  # which `bind` reports
+        root.mkdir(parents=True, exist_ok=True)
+    try:
+        link, found = root.lstat(), root.stat()
+    except OSError:
+        return
+    for each in (link, found):
+        if each.st_uid not in (os.geteuid(), 0):
+            raise TransportError(
+                f"{root} belongs to another user ({_user_name(each.st_uid)}), who could replace the local sockets; "
+                f"{OTHER_DIRECTORY}, or run as this user"
+            )
+    if found.st_mode & stat.S_IWOTH and not found.st_mode & stat.S_ISVTX:
+        raise TransportError(f"all users could replace the local sockets in {root}; do: chmod +t {root}")
+
+
+def connect(sock: socket.socket, path: str) -> None:
+    """Connect to the socket that was bound as `path`; raises `OSError`, with `ELOOP` if a link leads to another one.
+
+    Only the directory of a component's usual path, which ends in its id, may be written differently.
+    """
+    sock.connect(path)
+    bound, name = sock.getpeername(), Path(path).name
+    if bound != path and not (name.isdecimal() and isinstance(bound, str) and Path(bound).name == name):
+        raise OSError(errno.ELOOP, f"{path} leads to the socket of another program")
+
+
 def give_to_group(path: Path, group: str | None) -> None:
     """Change the group of the socket; raises `TransportError` if this user may not."""
     if group is None:
@@ -389,6 +429,13 @@ def clean_up(path: Path) -> None:
     """As `SocketProbe.clean_up`; does nothing without a descriptor for the probe."""
     with contextlib.suppress(OSError), SocketProbe() as probe:
         probe.clean_up(path)
+
+
+def _user_name(user: int) -> str:
+    try:
+        return pwd.getpwuid(user).pw_name
+    except KeyError:
+        return str(user)
 
 
 def _probe(path: Path) -> int:
