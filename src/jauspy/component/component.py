@@ -403,6 +403,7 @@ class Component:
 
     def _handle_packets(self) -> None:
         """Handle what was received, up to `MAX_PACKETS_PER_TURN`; beyond `MAX_WAITING_PER_TURN` some have to wait."""
+        flush = True
         for _ in range(MAX_PACKETS_PER_TURN):
             packet = self._endpoint.next_event()
             if packet is None:
@@ -411,13 +412,16 @@ class Component:
                 if len(self._inbox) or self._handled >= MAX_WAITING_PER_TURN:
                     self._inbox.put(packet)
                     self._end_turn()
+                    flush = False  # the next turn does it
                     continue
                 self._handled += 1
                 self._end_turn()
             self._handle(packet)
+            flush = True
         else:
             self._end_turn()
-        self._flush()
+        if flush:
+            self._flush()
 
     def _handle(self, packet: Packet) -> None:
         with self._guard:
