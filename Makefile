@@ -10,13 +10,14 @@ PORT = 3794
 PYTEST_ARGS ?=
 CASES ?= 200000
 SECONDS ?= 600
+ATTACK_ARGS ?=
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak format generate clean
+.PHONY: help setup dev demo test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: test-slow coverage lint types imports docs unit wheel-test bench fuzz soak format generate clean (see CONTRIBUTING.md)"
+	@echo "others: test-slow coverage lint types imports docs unit wheel-test bench fuzz soak attack format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -54,7 +55,7 @@ imports: dev
 
 # the documentation as a web site, for which a warning is an error
 docs: dev
-	$(BIN)/mkdocs build -q --strict
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build -q --strict
 
 unit: dev
 	$(BIN)/pytest -n 2 $(PYTEST_ARGS)
@@ -70,6 +71,10 @@ fuzz: dev
 
 soak: dev
 	$(BIN)/python tools/soak.py --seconds $(SECONDS)
+
+# every attack of tools/attack on running victims; as root in network namespaces, else on the loopback interface
+attack: dev
+	$(BIN)/python -m tools.attack --seconds $(SECONDS) $(ATTACK_ARGS)
 
 format: dev
 	$(BIN)/ruff check --fix

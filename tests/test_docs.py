@@ -25,7 +25,7 @@ def program(name: str, beginning: str) -> str:
     return found
 
 
-def test_the_synchronous_ocu(node_manager: LocalNode, robot) -> None:
+def test_documented_synchronous_ocu_runs(node_manager: LocalNode, robot) -> None:
     source = program("ocu.md", "from jauspy.sync import OCU")
     start = "from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort\n"
     exec(start + source.replace('OCU("42.1.1")', f'OCU("42.1.1", "{node_manager.local}")'), {})
@@ -33,7 +33,7 @@ def test_the_synchronous_ocu(node_manager: LocalNode, robot) -> None:
     assert robot.components[0].host.state.endswith("NotControlled.Available.Standby")
 
 
-async def test_the_gate_with_states_of_its_own(virtual_network: VirtualNetwork) -> None:
+async def test_documented_gate_runs(virtual_network: VirtualNetwork) -> None:
     states = program("components.md", '<state name="Ready" initial_state="Closed">')
     assert " ".join(states.split()) in " ".join(GATE.read_text().split())
     names: dict[str, Any] = {}
@@ -59,7 +59,7 @@ async def test_the_gate_with_states_of_its_own(virtual_network: VirtualNetwork) 
     assert "host.action_failed" not in component.counters
 
 
-def test_the_first_tests_of_a_component(pytester: pytest.Pytester) -> None:
+def test_documented_component_test_runs(pytester: pytest.Pytester) -> None:
     first = program("testing.md", "from jauspy.messages.core import QueryHeartbeatPulse")
     without_asyncio = program("testing.md", "def test_it_is_found")
     pytester.makepyfile("\n\n".join([first, "import jauspy", without_asyncio]))
@@ -67,7 +67,7 @@ def test_the_first_tests_of_a_component(pytester: pytest.Pytester) -> None:
     result.assert_outcomes(passed=2)
 
 
-def test_the_index_of_decisions_is_complete() -> None:
+def test_index_of_decisions_is_complete() -> None:
     listed = [line for line in (DOCS / "adr" / "README.md").read_text().splitlines() if line.startswith("| [")]
     records = []
     for path in sorted((DOCS / "adr").glob("[0-9]*.md")):

@@ -35,17 +35,17 @@ PUBLIC = {
 }
 
 
-def test_the_public_names_are_these():
+def test_public_names_are_pinned():
     assert set(jauspy._EXPORTS) == PUBLIC
     assert set(dir(jauspy)) >= PUBLIC
 
 
 @pytest.mark.parametrize("name", sorted(PUBLIC))
-def test_each_can_be_had(name):
+def test_all_public_names_can_be_imported(name):
     assert getattr(jauspy, name) is getattr(sys.modules[jauspy._EXPORTS[name]], name)
 
 
-def test_others_are_an_attribute_error():
+def test_unknown_names_raise_attribute_error():
     with pytest.raises(AttributeError, match="no attribute 'Ocu'"):
         jauspy.Ocu  # noqa: B018
 
@@ -63,7 +63,7 @@ def test_packages_are_imported_on_first_use():
         ("import jauspy; jauspy.OCU", "pydantic rich typer construct mujoco psutil"),
     ],
 )
-def test_what_is_not_used_is_not_loaded(statement, unwanted):
+def test_unused_packages_are_not_imported(statement, unwanted):
     code = f"import sys; {statement}; print(*sys.modules)"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert not set(unwanted.split()) & set(run.stdout.split())
@@ -77,7 +77,7 @@ def test_what_is_not_used_is_not_loaded(statement, unwanted):
         ("from jauspy.messages.mobility import SetWrenchEffort", 40),
     ],
 )
-def test_little_is_loaded(statement, most):
+def test_import_loads_few_modules(statement, most):
     """Modules, not milliseconds: of jauspy, and of all others beyond what Python itself loads."""
     code = f"import sys; before = set(sys.modules); {statement}; print(*(set(sys.modules) - before))"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)

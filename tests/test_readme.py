@@ -27,13 +27,13 @@ def blocks() -> list[str]:
     return [textwrap.dedent(block) for block in re.findall(r"(?:^ {4}.*\n|^\n)+", README.read_text(), re.MULTILINE)]
 
 
-def test_the_examples_of_messages() -> None:
+def test_message_examples_are_right() -> None:
     results = doctest.testfile(str(README), module_relative=False, optionflags=doctest.NORMALIZE_WHITESPACE)
     assert results.attempted >= 2
     assert results.failed == 0
 
 
-async def test_the_ocu_drives_the_robot(virtual_network: VirtualNetwork, robot: RobotRunner) -> None:
+async def test_ocu_example_drives_the_robot(virtual_network: VirtualNetwork, robot: RobotRunner) -> None:
     (program,) = [block for block in blocks() if "jauspy.OCU(" in block]
     program = program.replace('jauspy.OCU("42.1.1")', 'network.ocu("42.1.1")').replace("asyncio.run(main())", "")
     names: dict[str, Any] = {"network": virtual_network}
@@ -45,7 +45,7 @@ async def test_the_ocu_drives_the_robot(virtual_network: VirtualNetwork, robot: 
     assert mobility.host.state.endswith("NotControlled.Available.Standby")
 
 
-async def test_the_component_is_found_asked_and_subscribed_to(
+async def test_component_example_is_queried_and_subscribed(
     root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     (program,) = [block for block in blocks() if "jauspy.Component(" in block]

@@ -8,9 +8,15 @@
 #   tools/fresh_machine.sh --no-multicast ...     the same, but the first `make` may use the network
 #
 # --keep DIR uses the machine in DIR, and makes it there the first time; else a temporary one is removed at the end.
+# The clone of an earlier run in DIR is brought to HEAD.
 # With --offline, DIR must have run the command once with a network. The committed state of HEAD is what is tested.
 # Needs root and debootstrap (apt-get install debootstrap). apt, pip and certificates are configured as on this machine.
 set -eu
+unset PIP_FIND_LINKS # a folder of this machine
+
+# The mounts are in a mount namespace of their own: nothing of them reaches this machine, and they end with this script.
+[ "${FRESH_MACHINE_MOUNTS-}" = private ] || [ "$(id -u)" != 0 ] ||
+    exec env FRESH_MACHINE_MOUNTS=private unshare --mount --propagation private "$0" "$@"
 
 usage() { sed -n '2,/^set/s/^# \{0,1\}//p' "$0" | sed '/^set/d' >&2; exit 2; }
 say() { printf '%s\n' "fresh_machine: $*" >&2; }
@@ -34,8 +40,10 @@ command -v debootstrap >/dev/null || { say "needs debootstrap: apt-get install d
 
 source=$(cd "$(dirname "$0")/.." && pwd)
 machine=${keep:-$(mktemp -d /tmp/fresh-XXXXXX)}
-unmount() { for each in dev/shm dev proc; do umount -l "$machine/$each" 2>/dev/null || :; done; }
-finish() { unmount; [ -n "$keep" ] || rm -rf "$machine"; }
+finish() {
+    umount -l "$machine/dev/shm" "$machine/dev/pts" "$machine/dev" "$machine/proc" 2>/dev/null || : # before anything is removed
+    [ -n "$keep" ] || rm -rf "$machine"
+}
 trap finish EXIT
 
 if [ ! -e "$machine/.made" ]; then
@@ -49,6 +57,7 @@ fi
 mkdir -p "$machine/proc" "$machine/dev"
 mount -t proc proc "$machine/proc"
 mount --bind /dev "$machine/dev"
+mount -t devpts -o newinstance,ptmxmode=0666,mode=0620,gid=5 devpts "$machine/dev/pts"
 [ -d "$machine/dev/shm" ] && mount -t tmpfs -o mode=1777 tmpfs "$machine/dev/shm"
 
 # how this machine reaches its registries
@@ -74,10 +83,15 @@ fi
 
 home=/root
 [ "$user" = root ] || home=/home/$user
-if [ ! -d "$machine$home/jauspy" ]; then
-    git clone -q --no-hardlinks "$source" "$machine$home/jauspy"
-    [ "$user" = root ] || chroot "$machine" chown -R "$user:$user" "$home/jauspy"
+clone=$machine$home/jauspy
+if [ ! -d "$clone" ]; then
+    git clone -q --no-hardlinks "$source" "$clone"
+else # of an earlier run: what git ignores stays, as in the clone of somebody who pulls
+    git -c safe.directory='*' -C "$clone" fetch -q "$source" HEAD
+    git -c safe.directory='*' -C "$clone" reset -q --hard FETCH_HEAD
+    git -c safe.directory='*' -C "$clone" clean -qfd
 fi
+chroot "$machine" chown -R "$user:$user" "$home/jauspy"
 
 run() { # run PREFIX... -- COMMAND: in the clone, as the user
     chroot "$machine" su "$user" -c "cd ~/jauspy && PIP_CERT=${PIP_CERT:-} LC_ALL=C.UTF-8 $*"

@@ -1,4 +1,4 @@
-"""Puts a robot into a world: a URDF and a MJCF file become one MuJoCo model."""
+"""Combines a robot (URDF) and a world (MJCF) to one MuJoCo model."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
 
 ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
-"""Armature of a joint as a part of its greatest effort: what geared rotors add to what a joint moves."""
+"""Armature of a joint as a fraction of its maximal effort: the reflected inertia of geared rotors."""
 
 VISUAL: Final = 1
 COLLISION: Final = 3
@@ -39,17 +39,17 @@ HEIGHT_FIELDS: Final = 2
 """Geometry group of height fields, which collide and are drawn."""
 
 RAY_MESHES: Final = 4
-"""Geometry group of the meshes that stand for height fields in ray casts."""
+"""Geometry group of the meshes that replace height fields in ray casts."""
 
 
 def known_worlds() -> list[str]:
-    """Names of the worlds that come along, sorted."""
+    """Names of the included worlds, sorted."""
     folder = files("jauspy_sim") / "worlds"
     return sorted(entry.name.removesuffix(".xml") for entry in folder.iterdir() if entry.name.endswith(".xml"))
 
 
 def prefix(robot: str) -> str:
-    """What the names of a robot's parts begin with in the model, `inc1/base_link`, apart from the world's names."""
+    """Prefix of the names of a robot's parts in the model, as in `inc1/base_link`."""
     return f"{robot}/"
 
 
@@ -95,7 +95,7 @@ def _world(name: str) -> mujoco.MjSpec:
 
 
 def _from_urdf(description: RobotDescription) -> mujoco.MjSpec:
-    """MuJoCo would weld fixed links together and drop what is only seen; both are wanted: frames, and pictures."""
+    """Parse the URDF without merging fixed links and without dropping visual shapes, which frames and pictures need."""
     root = etree.fromstring(description.urdf.encode())
     options = etree.SubElement(etree.SubElement(root, "mujoco"), "compiler")
     options.set("discardvisual", "false")
@@ -124,13 +124,13 @@ def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
 
 
 def _belt(spec: mujoco.MjSpec, joint: Joint, tracks: TrackSetup) -> None:
-    """A body whose position is put back to zero after every step, so that only the speed of its surface acts."""
+    """Add the body of a belt; its position is reset to zero after every step, so that only its surface speed acts."""
     found = spec.joint(joint.name)
     found.armature = tracks.inertia
     found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
     found.solref_friction = (2.0 * TIMESTEP, 1.0)
     for geom in spec.body(joint.child).geoms:
-        geom.priority = 1  # the belt's friction counts, whatever it runs on
+        geom.priority = 1  # the belt's friction has priority over that of the ground
     spec.add_exclude(bodyname1=joint.parent, bodyname2=joint.child)
 
 
@@ -143,17 +143,17 @@ def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     """MuJoCo's cameras look along -z with y up; the frame of a link looks along x with z up."""
     added = spec.body(camera.link).add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
-    added.fovy = math.degrees(camera.fov)  # from top to bottom: set anew when the shape of the picture is known
+    added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
 
 
 def _same_shape(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
-    """MuJoCo 4 keeps damping as a polynomial of the speed, MuJoCo 3 as a number."""
+    """The damping in the form of the MuJoCo version: 4 has a polynomial of the speed, 3 a number."""
     terms = np.size(present)
     return (value, *[0.0] * (terms - 1)) if terms > 1 else value
 
 
 def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
-    """Put a sensor between that link and the one that carries it."""
+    """Add a sensor between a link and the link that carries it."""
     spec.body(setup.link).add_site(name=setup.name)
     for kind, type_ in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
         spec.add_sensor(name=f"{setup.name}_{kind}", type=type_, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=setup.name)
@@ -177,7 +177,7 @@ def add_ray_meshes(world: mujoco.MjSpec) -> None:
 
 
 def _surface(model: mujoco.MjModel, field: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Corners, and the triangles that MuJoCo, too, makes of each cell."""
+    """Vertices and triangles of a height field, with the same triangles as MuJoCo's."""
     rows, columns, begin = model.hfield_nrow[field], model.hfield_ncol[field], model.hfield_adr[field]
     width, depth, height, _ = model.hfield_size[field]
     heights = height * model.hfield_data[begin : begin + rows * columns]
@@ -198,5 +198,5 @@ def _warn(text: str) -> None:
 
 
 def view(array: NDArray[np.float64]) -> Numbers:
-    """The same memory; a number is read or written three times faster than through the array."""
+    """A memoryview of an array, with which numbers are read and written three times faster."""
     return cast("Numbers", array.data)

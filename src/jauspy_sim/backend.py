@@ -22,7 +22,7 @@ class MujocoBackend:
     name: str = "sim"
 
     def open(self, robot: RobotModel, world: str) -> Robot:
-        """That robot, settled on the ground at the world's origin.
+        """Open a robot, at rest on the ground at the world's origin.
 
         Raises `ConfigError` if MuJoCo is missing or cannot be imported: it loads the GL library that MUJOCO_GL names.
         """
@@ -36,7 +36,7 @@ class MujocoBackend:
             )
         try:
             from jauspy_sim.robot import SimulatedRobot  # noqa: PLC0415 - only where MuJoCo is installed
-        except (ImportError, AttributeError, RuntimeError) as error:  # what MuJoCo and PyOpenGL raise without their GL
+        except (ImportError, AttributeError, RuntimeError) as error:  # no GL library
             setting = f" with MUJOCO_GL={way}" if way else ""
             raise ConfigError(f"the backend 'sim' cannot import MuJoCo{setting}: {error}") from error
         return SimulatedRobot.open(robot, world)

@@ -29,7 +29,7 @@ def state_size(model: mujoco.MjModel) -> int:
 
 
 class Renderer(Protocol):
-    """Renders what a camera sees."""
+    """Renders the image of a camera."""
 
     @property
     def description(self) -> str:
@@ -41,14 +41,14 @@ class Renderer(Protocol):
         ...
 
     def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-        """A picture, at most that large, and the distances of its pixels along the camera's axis: metres, or inf.
+        """Render a picture of at most that size, and the depths of its pixels along the camera's axis: metres, or inf.
 
         Shapes (rows, columns, 3) and (rows, columns).
         """
         ...
 
     def close(self) -> None:
-        """Release what it holds."""
+        """Release all resources."""
         ...
 
 
@@ -67,7 +67,7 @@ class SimulatedCamera:
         return (self.descriptor,)
 
     def open(self) -> SimulatedCameraSession:
-        """By GL if it works here, else by rays."""
+        """Open with GL if it works, else with ray casting."""
         redirect_warnings()
         return SimulatedCameraSession(self)
 
@@ -83,26 +83,26 @@ class SimulatedCameraSession:
 
     @property
     def description(self) -> str:
-        """By which GL, or why by none."""
+        """The GL library, or why there is none."""
         return self._renderer.description
 
     @property
     def reduced(self) -> bool:
-        """Rays are fewer than pixels."""
+        """True with ray casting, which uses fewer rays than pixels."""
         return isinstance(self._renderer, RayRenderer)
 
     def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
-        """The world as the robot's process left it with its last step."""
+        """Render the world after the last step of the robot's process."""
         taken = self._update()
         return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
-        """The same, with distances; rays are fewer than pixels may be."""
+        """Render with depths; with ray casting in fewer pixels."""
         taken = self._update()
         return DepthFrame(*self._renderer.measure(self._data, width, height), taken)
 
     def close(self) -> None:
-        """Give GL and memory back."""
+        """Release GL and the shared memory."""
         self._renderer.close()
         self._state.close()
 
@@ -133,7 +133,7 @@ def _renderer(camera: SimulatedCamera) -> Renderer:
 
 
 class SimulatedCameras:
-    """One memory for all of them; their names in the model begin with `prefix`."""
+    """The cameras of a robot with one shared memory; `prefix` is that of their names in the model."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, setups: Sequence[CameraSetup]) -> None:
         self._data = data
@@ -146,12 +146,12 @@ class SimulatedCameras:
         self.show()
 
     def show(self) -> None:
-        """The robot has moved."""
+        """Write the robot's state to the shared memory."""
         if self._shared is not None:
             self._shared.write(state_of(self._data))
 
     def close(self) -> None:
-        """Give the memory back; twice is fine."""
+        """Release the shared memory. May be called twice."""
         if self._shared is not None:
             self._shared.close()
             self._shared = None

@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 from jauspy_sim.rays import MAX_DISTANCE
 
 MIN_DISTANCE: Final = 0.02
-"""Metres from a camera to the nearest that it sees: the gripper is close to the arm's."""
+"""Near plane in metres: the gripper is close to the arm's camera."""
 
 MAX_GEOMS: Final = 10_000
-"""Shapes in a picture, at most."""
+"""Maximal number of shapes in a picture."""
 
 
 class GlRenderer:
-    """A `Renderer` without shadows and smoothed edges, which would halve its speed.
+    """A `Renderer` without shadows and anti-aliasing, which would halve its speed.
 
     Raises when GL does not work after all, and then as any of several exceptions.
     """
@@ -50,25 +50,25 @@ class GlRenderer:
         *,
         thoroughly: bool = False,  # noqa: ARG002 - it always does
     ) -> NDArray[np.uint8]:
-        """A picture of that size."""
+        """Render a picture of that size."""
         self._render(data, width, height)
         image = np.empty((height, width, 3), np.uint8)
         mujoco.mjr_readPixels(image, None, self._rect, self._context)
         return np.ascontiguousarray(image[::-1])  # GL's first row is the lowest
 
     def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-        """A picture of that size, and how far its pixels are along the camera's axis."""
+        """Render a picture, and the depths of its pixels along the camera's axis, in metres."""
         self._render(data, width, height)
         image, depth = np.empty((height, width, 3), np.uint8), np.empty((height, width), np.float32)
         mujoco.mjr_readPixels(image, depth, self._rect, self._context)
-        # The sky box has a depth, too: it is beyond everything that rays would meet.
+        # The sky box has a depth, too, but counts as no surface.
         near, far = (self._model.stat.extent * plane for plane in (self._model.vis.map.znear, self._model.vis.map.zfar))
         upright = depth[::-1]  # 1 at the near plane, 0 at the far one
         along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
         return np.ascontiguousarray(image[::-1]), np.where(along < MAX_DISTANCE, along, np.float32(math.inf))
 
     def close(self) -> None:
-        """Give the GL context back; twice is fine."""
+        """Release the GL context. May be called twice."""
         self._context.free()
         self._gl.free()
 

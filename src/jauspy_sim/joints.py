@@ -1,4 +1,4 @@
-"""Joint groups and the tracked chassis in MuJoCo: commands to motors and belts, states from its state."""
+"""Joint groups and the tracked chassis in MuJoCo: commands to motors and belts, and their states."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class SimulatedJoints:
         self.every = max(1, round(1.0 / (setup.rate * TIMESTEP)))
         """Physics steps from one `control` to the next."""
         self._dt = self.every * TIMESTEP
-        _place(data, model, prefix, description, dict(zip(setup.joints, setup.start, strict=True)))
+        _set_initial_positions(data, model, prefix, description, dict(zip(setup.joints, setup.start, strict=True)))
         self._controllers = [
             JointController(joint, setup.gains[joint.name], start)
             for joint, start in zip(self._joints, setup.start, strict=True)
@@ -51,7 +51,7 @@ class SimulatedJoints:
         return self._chain
 
     def command(self, targets: Sequence[Target | None]) -> None:
-        """What each joint is to do from now on, base to tip; None leaves a joint at what it does."""
+        """Set the targets of the joints, base to tip; None keeps a joint's target."""
         state = self.state()
         rows = zip(self._controllers, targets, state.positions, state.velocities, strict=True)
         for controller, target, position, velocity in rows:
@@ -72,16 +72,16 @@ class SimulatedJoints:
         )
 
     def control(self) -> None:
-        """Set the motors' efforts for the next `every` physics steps; the bias is gravity, and what motion adds."""
+        """Set the motors' efforts for the next `every` physics steps; MuJoCo's bias compensates gravity and motion."""
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
         for controller, position, dof, motor in self._rows:
             ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, bias[dof])
 
 
-def _place(
+def _set_initial_positions(
     data: mujoco.MjData, model: mujoco.MjModel, prefix: str, description: RobotDescription, start: dict[str, float]
 ) -> None:
-    """Put joints, and those that mimic them, where they start."""
+    """Set the initial positions of joints and of those that mimic them."""
     for joint in description.joints.values():
         position = start.get(joint.name, start.get(joint.mimics or ""))
         if position is not None:
@@ -139,7 +139,7 @@ class TrackedDrive(SkidSteerDrive):
         linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
         return Twist(*linear.tolist(), *velocity[3:].tolist())
 
-    def rewind_belts(self) -> None:
-        """Put the belts back to position zero: only their surface speed shall act."""
+    def reset_belts(self) -> None:
+        """Reset the belts to position zero, so that only their surface speed acts."""
         for position in self._belt_positions:
             self._qpos[position] = 0.0

@@ -11,26 +11,26 @@ from numpy.typing import NDArray
 
 from jauspy_sim.assembly import RAY_MESHES, VISUAL
 
-PLAIN_SKY: Final = (150, 190, 230)
+DEFAULT_SKY_COLOUR: Final = (150, 190, 230)
 """Red, green, blue of the sky of a world without a sky box."""
 
 ZENITH: Final = 90
-"""Degrees of elevation; colours are kept for -90..90."""
+"""Degrees of elevation; colours are stored for -90..90."""
 
 _SIDE, _TOP, _BOTTOM = 0, 2, 3
 """Faces of the box, as MuJoCo stacks them: right, left, up, down, front, back."""
 
 PATTERN_PERIOD: Final = 2.0
-"""Metres after which a pattern repeats on a floor, when its material says once for each unit."""
+"""Metres after which the pattern of a floor repeats, if its material has one repetition per unit."""
 
 MAX_RAYS: Final = 160 * 120
-"""Rays of one picture, at most: 11 ms on a small machine."""
+"""Maximal number of rays of one picture: 11 ms on a small machine."""
 
 MAX_RAYS_OF_STILL: Final = 480 * 360
-"""The same for one that may take half a second."""
+"""Maximal number of rays of a still image, which may take half a second."""
 
 MAX_DISTANCE: Final = 40.0
-"""Metres beyond which nothing is seen."""
+"""Maximal distance of a hit, in metres."""
 
 _VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
 
@@ -47,7 +47,7 @@ class RayRenderer:
     def __init__(self, model: mujoco.MjModel, camera: int, fov: float) -> None:
         self._model, self._camera = model, camera
         self._spread = math.tan(fov / 2.0)
-        self._sky, self._shading = Sky(model), Shading(model)
+        self._sky, self._shading = SkyBox(model), Shading(model)
 
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
         """Return an image of shape (height, width, 3), enlarged from fewer rays; `thoroughly` casts more."""
@@ -115,13 +115,13 @@ class RayRenderer:
 
 
 def _grid_size(width: int, height: int, max_rays: int) -> tuple[int, int]:
-    """Columns and rows of a picture of that shape, in rays."""
+    """Number of columns and rows of rays for a picture of that shape."""
     shrink = max(1.0, math.sqrt(width * height / max_rays))
     return round(width / shrink), round(height / shrink)
 
 
-class Sky:
-    """The sky by elevation, read from the world's sky box; it looks the same in all directions."""
+class SkyBox:
+    """Colours of the sky by elevation, from the world's sky box; they do not depend on the azimuth."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
@@ -129,7 +129,7 @@ class Sky:
         self._colours = (
             np.array([_colour(_faces(model, int(boxes[0])), elevation) for elevation in elevations])
             if len(boxes)
-            else np.tile(np.array(PLAIN_SKY, np.float64), (2 * ZENITH + 1, 1))
+            else np.tile(np.array(DEFAULT_SKY_COLOUR, np.float64), (2 * ZENITH + 1, 1))
         )
 
     def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -140,7 +140,7 @@ class Sky:
 
 
 def _faces(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
-    """The faces of the box, each as rows of pixels, outermost first; one that has a single face has it six times."""
+    """The faces of the box, each as rows of pixels, outermost first; a box with a single face repeats it six times."""
     size, begin = int(model.tex_width[texture]), int(model.tex_adr[texture])
     channels, rows = int(model.tex_nchannel[texture]), int(model.tex_height[texture])
     pixels = model.tex_data[begin : begin + size * rows * channels].reshape(-1, size, size, channels)
@@ -148,7 +148,7 @@ def _faces(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
 
 
 def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
-    """In the middle of a side, or from the middle of the top or the bottom outwards."""
+    """Colour at an elevation: on the centre line of a side, or from the centre of the top or bottom outwards."""
     last = faces.shape[1] - 1
     if abs(elevation) <= np.pi / 4.0:
         row = round((1.0 - np.tan(elevation)) / 2.0 * last)
@@ -158,11 +158,11 @@ def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
 
 
 class Shading:
-    """Of a model's shapes. Lights are directional ones and the camera's own; nothing casts a shadow."""
+    """Computes the colours of a model's shapes, with directional lights and the camera's own, without shadows."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         self._model = model
-        self._plain = 255.0 * np.array([_plain(model, geom) for geom in range(model.ngeom)])
+        self._base_colour = 255.0 * np.array([_base_colour(model, geom) for geom in range(model.ngeom)])
         self._patterns = {
             int(geom): pattern
             for geom in np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_PLANE)
@@ -172,8 +172,8 @@ class Shading:
     def colours(
         self, data: mujoco.MjData, hit: NDArray[np.int32], points: NDArray[np.float64], widths: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """Of the shapes that were hit, at these points of the world; dots that are too wide for a pattern blur it."""
-        colours: NDArray[np.float64] = self._plain[hit]
+        """Colours of shapes at points of the world; a pattern finer than a dot is averaged."""
+        colours: NDArray[np.float64] = self._base_colour[hit]
         for geom, pattern in self._patterns.items():
             on = hit == geom
             local = (points[on] - data.geom_xpos[geom]) @ data.geom_xmat[geom].reshape(3, 3)
@@ -186,7 +186,7 @@ class Shading:
     def light(
         self, data: mujoco.MjData, facing: NDArray[np.float64], normals: NDArray[np.float64]
     ) -> NDArray[np.float64]:
-        """What falls on surfaces with these normals, which face the camera so much (0..1): red, green, blue."""
+        """Light (red, green, blue) on surfaces; `facing` is the cosine of the angle to the camera."""
         model, own = self._model, self._model.vis.headlight
         light = np.asarray(own.ambient) + facing[:, None] * np.asarray(own.diffuse)
         for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
@@ -195,8 +195,8 @@ class Shading:
         return np.asarray(light)
 
 
-def _plain(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
-    """Its colour, 0..1. Patterns are drawn on floors; elsewhere they count with their mean."""
+def _base_colour(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
+    """Base colour of a shape, 0..1. Patterns are drawn on floors only; elsewhere their mean is used."""
     material = int(model.geom_matid[geom])
     if material < 0:
         return np.array(model.geom_rgba[geom][:3])
@@ -207,7 +207,7 @@ def _plain(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:
 
 
 def _pattern(model: mujoco.MjModel, geom: int) -> NDArray[np.float64] | None:
-    """The texture of its material as rows of pixels, 0..1."""
+    """The texture of a shape's material as rows of pixels, 0..1."""
     material = int(model.geom_matid[geom])
     textures = [int(each) for each in np.ravel(model.mat_texid[material]) if each >= 0] if material >= 0 else []
     if not textures:

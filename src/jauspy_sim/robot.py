@@ -18,13 +18,13 @@ from jauspy_sim.joints import SimulatedJoints, TrackedDrive
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
 
 SETTLING_STEPS: Final = 250
-"""Steps before time starts, in which the robot sinks into its contacts and comes to rest."""
+"""Steps before time starts, in which the robot settles on the ground."""
 
 MAX_STEPS_AT_ONCE: Final = 2
-"""Steps that MuJoCo makes in one go at most: the belts travel 6 mm in it before they are put back."""
+"""Maximal number of physics steps in one call of MuJoCo; the belts travel 6 mm in it before they are reset."""
 
 ROUNDING: Final = 1e-9
-"""Part of a step by which sums of floats may fall short of a whole one."""
+"""Tolerance for rounding errors of times, as a fraction of a step."""
 
 
 class SimulatedRobot:
@@ -55,7 +55,7 @@ class SimulatedRobot:
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
-        """Build and settle that robot in that world; `ConfigError` lists the worlds there are."""
+        """Build a robot in a world, and let it settle. Raises `ConfigError` with the known worlds."""
         redirect_warnings()
         return cls(build(robot, world), robot)
 
@@ -66,7 +66,7 @@ class SimulatedRobot:
 
     @property
     def data(self) -> mujoco.MjData:
-        """MuJoCo's state; whoever writes into it moves the world by hand."""
+        """MuJoCo's state; writing to it moves the world."""
         return self._data
 
     @property
@@ -96,7 +96,7 @@ class SimulatedRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """Those of the chassis."""
+        """The optional parts of the chassis."""
         return self._drive.optional_parts
 
     @property
@@ -105,7 +105,7 @@ class SimulatedRobot:
         return self._steps * TIMESTEP
 
     def advance(self, dt: float) -> None:
-        """Simulate `dt` seconds in whole steps of `TIMESTEP`; the rest is carried to the next call."""
+        """Simulate `dt` seconds in whole steps of `TIMESTEP`; the remainder is carried over to the next call."""
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         self._owed += dt / TIMESTEP
@@ -121,14 +121,14 @@ class SimulatedRobot:
         self._cameras.show()
 
     def close(self) -> None:
-        """Stop, and release what cameras share; MuJoCo's memory goes with the object."""
+        """Stop, and release the shared memory of the cameras; MuJoCo's memory is released with the object."""
         self._drive.stop()
         for group in self._groups.values():
             group.hold()
         self._cameras.close()
 
     def _run(self, steps: int) -> None:
-        """Controllers and sensors act on a grid of their own, whatever the pieces in which time passes."""
+        """Run physics steps; controllers and sensors act on a fixed grid, however `advance` divides the time."""
         every, end = self._every, self._steps + steps
         while self._steps < end:
             phase = self._steps % every
@@ -138,7 +138,7 @@ class SimulatedRobot:
             mujoco.mj_step(self._model, self._data, count)
             self._steps += count
             if phase + count == every:
-                self._drive.rewind_belts()
+                self._drive.reset_belts()
                 self._update_sensors()
 
     def _control(self) -> None:

@@ -17,10 +17,10 @@ from jauspy_sim.assembly import COLLISION, HEIGHT_FIELDS, VISUAL
 
 _IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
 _GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)
-"""All but robots, since a lidar sits among its robot's own parts, and height fields, which have ray meshes."""
+"""Geometry groups that rays hit: all but robots, and height fields, which have ray meshes."""
 
 _NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
-"""MuJoCo 4 can give the normals of what the rays hit."""
+"""True if MuJoCo can return normals (version 4)."""
 
 
 def simulated_lidar(model: mujoco.MjModel, data: mujoco.MjData, prefix: str, setup: LidarSetup) -> Scanner:
@@ -40,14 +40,14 @@ class _Rays:
         """As `Measure`."""
         if not angles:
             return []
-        mujoco.mj_kinematics(self._model, self._data)  # after a step, frames are those of its beginning
+        mujoco.mj_kinematics(self._model, self._data)  # after a step, frames are those of its start
         rays = self._in_its_plane(angles) @ self._body.xmat.reshape(3, 3).T
         distances = cast_rays(self._model, self._data, self._body.xpos, rays)
         noise: NDArray[np.float64] = self._random.normal(0.0, self._noise, len(angles))
         return (distances + noise).tolist()  # type: ignore[no-any-return]  # numpy's tolist is untyped
 
     def _in_its_plane(self, angles: Sequence[float]) -> NDArray[np.float64]:
-        """Rays in the link's frame; the same angles come again and again."""
+        """Ray directions in the link's frame, cached because the angles repeat."""
         if angles is not self._angles:
             at = np.asarray(angles)
             self._angles, self._turned = angles, np.stack([np.cos(at), np.sin(at), np.zeros_like(at)], axis=1)
@@ -57,7 +57,7 @@ class _Rays:
 def cast_rays(
     model: mujoco.MjModel, data: mujoco.MjData, start: NDArray[np.float64], rays: NDArray[np.float64]
 ) -> NDArray[np.float64]:
-    """How far it is from a point to the world along rays of unit length; inf where nothing is."""
+    """Distances from a point along unit vectors, in metres; inf without a hit."""
     count = len(rays)
     found, distances = np.empty(count, np.int32), np.empty(count)
     mujoco.mj_multiRay(
@@ -89,6 +89,6 @@ def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueS
 
 
 def _noisy(held: NDArray[np.float64], deviation: float, random: np.random.Generator) -> Vector:
-    """MuJoCo tells what holds the link; what the link does to its carrier is the opposite."""
+    """The negated measurement with noise: MuJoCo reports the action of the carrier on the link."""
     x, y, z = (random.normal(0.0, deviation, 3) - held).tolist()
     return x, y, z

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-import ast
 import io
 import json
 import logging
 import re
 from collections.abc import Iterator
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Final
 
 import pytest
@@ -32,7 +30,6 @@ TEXT: Final = f"\x1b]0;title\x07\x1b[2J\x9b31mred\x08\x7f\x85\x1bPq\x9c\r\n{FORG
 """A title, an empty screen, a colour in eight bits, and a line of its own; all that Latin-1 has."""
 TURNED: Final = f"{TEXT}\u202egnirts\u2066\u200f\u2028"
 STYLE: Final = re.compile(r"\x1b\[[\d;]*m|\x1b\[\?25[lh]")
-CLI: Final = Path(console.__file__).parent
 
 
 @pytest.fixture(params=["pipe", "terminal"])
@@ -142,15 +139,3 @@ def test_any_text(text: str) -> None:
     assert all(line.isprintable() for line in printable_lines(text).split("\n"))
     if text.isprintable():
         assert printable(text) == text
-
-
-def test_all_output_goes_through_one_module() -> None:
-    """No verb prints by itself, so none can forget."""
-    found = [
-        f"{path.relative_to(CLI)}:{node.lineno}"
-        for path in CLI.rglob("*.py")
-        if path.name != "console.py"
-        for node in ast.walk(ast.parse(path.read_text("utf-8")))
-        if isinstance(node, ast.Call) and ast.unparse(node.func) in ("print", "sys.stdout.write", "sys.stderr.write")
-    ]
-    assert found == []

@@ -6,7 +6,7 @@ from jauspy.capture.dissect import read_message
 from jauspy.messages import registry
 
 
-def test_an_id_of_two_messages_is_not_guessed() -> None:
+def test_ambiguous_id_is_not_decoded() -> None:
     content = read_message(bytes.fromhex("2af900"), registry)
     assert content.message is None
     assert content.problem == (

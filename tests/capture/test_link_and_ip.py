@@ -47,7 +47,7 @@ ETHERNET = b"\1" * 6 + b"\2" * 6
         (reader.IPV4, PACKET),
     ],
 )
-def test_every_link_type_gives_the_same_datagram(link_type, frame):
+def test_all_link_types_give_the_same_datagram(link_type, frame):
     udp = Assembler().add(reader.ip_packet(link_type, frame))
     assert udp is not None
     assert udp.payload == MESSAGE
@@ -64,15 +64,15 @@ def test_every_link_type_gives_the_same_datagram(link_type, frame):
         (reader.NULL, b"\x1e\0\0\0" + bytes(60)),
     ],
 )
-def test_frames_without_ipv4_are_left_out(link_type, frame):
+def test_frames_without_ipv4_are_skipped(link_type, frame):
     assert reader.ip_packet(link_type, frame) is None
 
 
-def test_ethernet_padding_is_cut_off():
+def test_ethernet_padding_is_removed():
     assert Assembler().add(PACKET + bytes(11)).payload == MESSAGE
 
 
-def test_udp_length_rules_when_ip_length_is_zero():
+def test_udp_length_is_used_if_the_ip_length_is_zero():
     """Captured before segmentation offload filled the IP length in."""
     packet = bytearray(PACKET)
     packet[2:4] = b"\0\0"
@@ -80,7 +80,7 @@ def test_udp_length_rules_when_ip_length_is_zero():
 
 
 @pytest.mark.parametrize("order", [(0, 1, 2), (2, 1, 0), (1, 0, 2), (0, 0, 1, 1, 2)])
-def test_fragments_come_together_in_any_order(order):
+def test_fragments_in_any_order_are_reassembled(order):
     payload = bytes(range(256)) * 4
     pieces = fragments(payload, 400)
     assert len(pieces) == 3
@@ -91,7 +91,7 @@ def test_fragments_come_together_in_any_order(order):
     assert not assembler.skipped
 
 
-def test_a_missing_fragment_is_counted():
+def test_missing_fragment_is_counted():
     first, _, last = fragments(bytes(1000), 400)
     assembler = Assembler()
     assert assembler.add(first) is None
@@ -100,7 +100,7 @@ def test_a_missing_fragment_is_counted():
     assert assembler.skipped == {"IP packet with missing fragments": 1}
 
 
-def test_open_packets_are_bounded():
+def test_incomplete_packets_are_bounded():
     assembler = Assembler()
     for identifier in range(MAX_OPEN_PACKETS + 10):
         assembler.add(fragments(bytes(1000), 400, identifier)[0])
@@ -128,7 +128,7 @@ def test_overlapping_fragments_are_bounded():
         (bytes(dpkt.ip.IP(p=6, data=bytes(20))), "not UDP over IPv4"),
     ],
 )
-def test_what_is_no_datagram_is_counted(packet, reason):
+def test_other_packets_are_counted(packet, reason):
     assembler = Assembler()
     assert assembler.add(packet) is None
     assert assembler.skipped == {reason: 1}

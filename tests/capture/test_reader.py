@@ -33,7 +33,7 @@ def read(data, **options):
 
 
 @pytest.mark.parametrize("writer", [dpkt.pcap.Writer, dpkt.pcapng.Writer])
-def test_both_formats(writer):
+def test_pcap_and_pcapng_are_read(writer):
     data = capture_file([frame(), frame(dport=4000)], writer)
     assert is_capture(data)
     found, skipped = read(data)
@@ -42,7 +42,7 @@ def test_both_formats(writer):
     assert not skipped
 
 
-def test_nanosecond_files():
+def test_nanosecond_timestamps_are_read():
     found, _ = read(capture_file([frame()], nano=True))
     assert found[0].time == 1000.0
 
@@ -57,7 +57,7 @@ def test_port_filter():
 
 
 @pytest.mark.parametrize("writer", [dpkt.pcap.Writer, dpkt.pcapng.Writer])
-def test_a_file_cut_off_anywhere_but_between_records_is_an_error(writer):
+def test_truncated_file_raises_an_error(writer):
     whole = capture_file([frame(), frame()], writer)
     ends = [len(capture_file([frame()] * count, writer)) for count in range(3)]
     for length in range(4, len(whole) + 1):
@@ -73,7 +73,7 @@ def test_a_file_cut_off_anywhere_but_between_records_is_an_error(writer):
         assert all(datagram.payload == MESSAGE for datagram in found)
 
 
-def test_a_file_cut_off_in_a_record_header_says_where():
+def test_truncated_record_header_error_names_the_offset():
     reader = CaptureReader(io.BufferedReader(io.BytesIO(capture_file([frame(), frame()])[:-70])), name="x.pcap")
     found = []
     with pytest.raises(ConfigError, match=r"x\.pcap is damaged or cut off after frame 1"):
@@ -81,14 +81,14 @@ def test_a_file_cut_off_in_a_record_header_says_where():
     assert [datagram.number for datagram in found] == [1]
 
 
-def test_garbage_is_no_capture():
+def test_garbage_is_not_recognised_as_capture():
     assert not is_capture(b"")
     assert not is_capture(b"020011")
     with pytest.raises(ConfigError, match=r"x\.pcap is not a readable"):
         read(b"\xa1\xb2\xc3\xd4\x00")
 
 
-def test_an_unknown_link_type_says_which_are_known():
+def test_unknown_link_type_error_lists_the_known_ones():
     data = bytearray(capture_file([frame()]))
     data[20:24] = struct.pack(">I" if data[0] == 0xA1 else "<I", 105)
     with pytest.raises(ConfigError, match=r"link type 105 is not supported.*Ethernet"):

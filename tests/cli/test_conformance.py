@@ -33,7 +33,7 @@ def invoke(*arguments):
     return CliRunner().invoke(app, ["conformance", *map(str, arguments)])
 
 
-def test_some_steps_by_udp_and_through_a_node_manager(robot, tmp_path):
+def test_steps_run_by_udp_and_through_a_node_manager(robot, tmp_path):
     root, port = robot
     files = {kind: tmp_path / f"run.{kind}" for kind in ("junit", "html", "pcapng")}
     options = [word for kind, path in files.items() for word in (f"--{kind}", path)]
@@ -52,7 +52,7 @@ def test_some_steps_by_udp_and_through_a_node_manager(robot, tmp_path):
     assert is_capture(files["pcapng"].read_bytes()[:4])
 
 
-def test_what_fails_is_explained(robot):
+def test_failures_are_explained(robot):
     _, port = robot
     listed = invoke("ugv-1.0", "--list", "--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}", "--timeout", 5)
     assert listed.exit_code == 0
@@ -68,13 +68,13 @@ def test_what_fails_is_explained(robot):
     assert "0 of 1 points" in result.stdout
 
 
-def test_a_target_that_is_not_there(free_port):
+def test_missing_target_ends_with_status_2(free_port):
     result = invoke("igvc-2015", "--target", "7.1.255", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", 0.1)
     assert result.exit_code == 2
     assert "7.1.255 answers nothing" in result.stderr
 
 
-def test_a_reader_that_has_had_enough_does_not_make_a_run_a_success(free_port):
+def test_closed_output_pipe_keeps_the_exit_status(free_port):
     where = ("--target", "7.1.255", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.1")
     command = [*JAUSPY, "conformance", "igvc-2015", *where, "--json"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
@@ -87,7 +87,7 @@ def test_a_reader_that_has_had_enough_does_not_make_a_run_a_success(free_port):
     assert all(each.startswith("no multicasts on interface") for each in notes)  # where there is no network
 
 
-def test_sigterm_ends_a_run_as_ctrl_c_does():
+def test_sigterm_ends_a_run_like_ctrl_c():
     before = signal.getsignal(signal.SIGTERM)
     with stoppable() as status:
         with pytest.raises(KeyboardInterrupt):
@@ -96,7 +96,7 @@ def test_sigterm_ends_a_run_as_ctrl_c_does():
     assert signal.getsignal(signal.SIGTERM) is before
 
 
-def test_who_stops_a_run_twice_gets_the_report_all_the_same(monkeypatch):
+def test_second_ctrl_c_still_writes_the_report(monkeypatch):
     with stoppable() as status:
         with pytest.raises(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
@@ -108,7 +108,7 @@ def test_who_stops_a_run_twice_gets_the_report_all_the_same(monkeypatch):
             signal.raise_signal(signal.SIGINT)
 
 
-def test_wrong_use():
+def test_wrong_usage_ends_with_status_2():
     assert "there are: " in invoke("igvc-1815", "--target", "1.1.1").stderr
     nothing = invoke("igvc-2015")
     assert nothing.exit_code == 2
@@ -120,7 +120,7 @@ def test_wrong_use():
 
 
 @pytest.mark.parametrize("kind", ["junit", "html", "pcapng"])
-def test_a_file_that_cannot_be_written_is_told_before_the_run(kind, tmp_path, free_port):
+def test_unwritable_report_is_an_error_before_the_run(kind, tmp_path, free_port):
     where = ("igvc-2015", "--target", "1.1.1", "--connect", f"udp://127.0.0.1:{free_port}")
     missing = invoke(*where, f"--{kind}", tmp_path / "none" / "x")
     assert missing.exit_code == 2
@@ -129,7 +129,7 @@ def test_a_file_that_cannot_be_written_is_told_before_the_run(kind, tmp_path, fr
     assert "it is a directory" in invoke(*where, f"--{kind}", tmp_path).stderr
 
 
-def test_two_reports_in_one_file_are_a_mistake(tmp_path):
+def test_two_reports_in_one_file_are_rejected(tmp_path):
     both = tmp_path / "report"
     result = invoke("igvc-2015", "--target", "1.1.1", "--html", both, "--junit", tmp_path / "." / "report")
     assert result.exit_code == 2
@@ -137,7 +137,7 @@ def test_two_reports_in_one_file_are_a_mistake(tmp_path):
     assert not both.exists()
 
 
-def test_what_cannot_be_written_costs_no_other_report(tmp_path, free_port):
+def test_failed_report_does_not_prevent_the_others(tmp_path, free_port):
     where = ("--target", "7.1.1", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.1")
     files = ("--html", "/dev/full", "--pcapng", str(tmp_path / "run.pcapng"))
     command = [*JAUSPY, "conformance", "igvc-2015", *where, *files, "--json"]
@@ -150,7 +150,7 @@ def test_what_cannot_be_written_costs_no_other_report(tmp_path, free_port):
     assert is_capture((tmp_path / "run.pcapng").read_bytes()[:4])
 
 
-def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
+def test_ctrl_c_writes_the_report_and_releases_the_robot(robot, tmp_path):
     _, port = robot
     where = ("--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}")
     steps = ("--only", "23", "--only", "32", "--only", "33", "--only", "75")
@@ -168,7 +168,7 @@ def test_ctrl_c_leaves_a_report_and_a_free_robot(robot, tmp_path):
     assert free.exit_code == 0, free.stdout
 
 
-def test_steps_that_are_made_for_a_target_need_one(free_port):
+def test_listing_generated_steps_requires_a_target(free_port):
     assert "add --target, as in --target 101.1.102" in invoke("core-1.1", "--list").stderr
     nobody = invoke(
         "core-1.1", "--list", "--target", "7.1.1", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", 0.1
@@ -191,7 +191,7 @@ NONE = 5
 """
 
 
-def test_a_profile_of_ones_own(tmp_path, monkeypatch):
+def test_user_defined_profile_runs(tmp_path, monkeypatch):
     (tmp_path / "my_test.py").write_text(OWN)
     command = [Path(sys.executable).with_name("jauspy"), "conformance", "my_test:PROFILE", "--list"]
     listed = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)

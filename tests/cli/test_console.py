@@ -5,7 +5,7 @@ from rich.table import Table
 from jauspy.cli import console
 
 
-def test_a_table_in_a_pipe_is_as_wide_as_its_lines_need(capsys):
+def test_piped_table_is_not_folded(capsys):
     table = Table(box=None)
     table.add_column("what", overflow="fold")
     table.add_row("x" * 250)

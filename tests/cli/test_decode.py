@@ -59,14 +59,14 @@ def sae_packets(found):
     assert (messages[1]["ack"], messages[1]["code"]) == ("ACK", None)
 
 
-def test_the_golden_capture_as_hex_comes_back_byte_by_byte():
+def test_golden_capture_as_hex_reencodes_exactly():
     found = objects(GOLDEN)
     sae_packets(found)
     assert [item["hex"] for item in found] == GOLDEN.read_text().split()
 
 
 @pytest.mark.skipif(not CAPTURES.is_dir(), reason="the captures are not here")
-def test_the_sae_capture_comes_back_byte_by_byte():
+def test_sae_capture_reencodes_exactly():
     found = objects(CAPTURES / "sae_management.pcap")
     sae_packets(found)
     assert [item["hex"] for item in found] == GOLDEN.read_text().split()
@@ -76,7 +76,7 @@ def test_the_sae_capture_comes_back_byte_by_byte():
 
 
 @pytest.mark.skipif(not CAPTURES.is_dir(), reason="the captures are not here")
-def test_a_run_with_messages_of_other_services_is_no_failure():
+def test_unknown_messages_in_a_capture_are_no_failure():
     found = objects(CAPTURES / "cop_waypoint_run_2013.pcap")
     assert len(found) == 752
     assert not [item["errors"] for item in found if item["errors"]]
@@ -84,7 +84,7 @@ def test_a_run_with_messages_of_other_services_is_no_failure():
     assert "ReportIdentification" in lines
 
 
-def test_for_people_a_heading_and_the_fields():
+def test_text_output_has_a_heading_and_the_fields():
     text = run(REPORT_STATUS).stdout
     assert "126.1.10 → 126.1.20  ReportStatus (4002h)" in text
     assert "status: STANDBY (2)" in text
@@ -92,13 +92,13 @@ def test_for_people_a_heading_and_the_fields():
 
 
 @pytest.mark.parametrize("text", ["0220", "0x02 0x20", "02:20"])
-def test_a_bare_message(text):
+def test_bare_message_is_decoded(text):
     [item] = objects(text)
     assert item["messages"][0]["message"] == "QueryStatus"
     assert "source" not in item["messages"][0]
 
 
-def test_as_forces_what_the_bytes_are():
+def test_option_as_selects_the_kind_of_bytes():
     assert objects("0220", "--as", "datagram", status=1)[0]["errors"]
     assert objects(QUERY_STATUS, "--as", "message", status=1)[0]["messages"][0]["message"] == "Shutdown"
 
@@ -111,7 +111,7 @@ def test_packed_datagrams_show_every_message():
     assert "   + " in run(packed).stdout
 
 
-def test_old_headers_are_shown_and_no_failure(tmp_path):
+def test_legacy_headers_are_shown_without_failure(tmp_path):
     opc = b"JAUS01.0" + bytes.fromhex("060202420101ffff01010182000075f4")
     v1 = bytes.fromhex("0100000010060201000000000014017e0000000000")
     path = pcap(tmp_path / "old.pcap", [opc, v1])
@@ -119,7 +119,7 @@ def test_old_headers_are_shown_and_no_failure(tmp_path):
     assert run(path).stdout.count("not decoded") == 2
 
 
-def test_wrong_bytes_are_shown_and_fail(tmp_path):
+def test_invalid_bytes_are_shown_and_fail(tmp_path):
     good = bytes.fromhex(QUERY_STATUS)
     truncated_message = bytes.fromhex("02001100010a017e0014017e00024000" + "0200")
     path = pcap(tmp_path / "bad.pcap", [b"", b"\xff" * 30, good[:-3], truncated_message, good])
@@ -134,7 +134,7 @@ def test_wrong_bytes_are_shown_and_fail(tmp_path):
     assert "encodes to 02 40" in text
 
 
-def test_fragments_are_not_taken_for_messages(tmp_path):
+def test_fragments_are_not_decoded_as_messages(tmp_path):
     first = bytearray.fromhex(QUERY_STATUS)
     first[4] = 0x41
     [item] = objects(bytes(first).hex())
@@ -143,7 +143,7 @@ def test_fragments_are_not_taken_for_messages(tmp_path):
 
 
 @pytest.mark.parametrize("kind", ["pcap", "hex"])
-def test_standard_input_takes_captures_and_hex(tmp_path, kind):
+def test_standard_input_accepts_captures_and_hex(tmp_path, kind):
     path = pcap(tmp_path / "x.pcap", [bytes.fromhex(QUERY_STATUS)])
     data = path.read_bytes() if kind == "pcap" else f"# two\n{QUERY_STATUS}\n".encode()
     done = subprocess.run(
@@ -153,7 +153,7 @@ def test_standard_input_takes_captures_and_hex(tmp_path, kind):
 
 
 @pytest.mark.parametrize("form", ["--json", ""])
-def test_head_is_no_failure_and_no_traceback(form):
+def test_closed_pipe_causes_no_failure_or_traceback(form):
     command = f"{sys.executable} -m jauspy.cli.main decode - {form} | head -1"
     lines = GOLDEN.read_text() * 200
     done = subprocess.run(
@@ -173,7 +173,7 @@ def test_head_is_no_failure_and_no_traceback(form):
         ("decode 0220 >&-", "standard output is closed; redirect it to /dev/null to discard the results"),
     ],
 )
-def test_closed_and_full_streams_get_one_sentence(command, sentence):
+def test_closed_and_full_streams_cause_one_sentence(command, sentence):
     done = subprocess.run(
         ["bash", "-c", f"{sys.executable} -m jauspy.cli.main {command}"], capture_output=True, text=True, check=False
     )
@@ -181,13 +181,13 @@ def test_closed_and_full_streams_get_one_sentence(command, sentence):
 
 
 @pytest.mark.parametrize("cut", [1, 2, 3, 8, 13])
-def test_a_datagram_cut_short_is_no_message(cut):
+def test_truncated_datagram_is_not_decoded_as_message(cut):
     [item] = objects(QUERY_STATUS[: -2 * cut], status=1)
     assert "packet not readable: truncated" in item["errors"][0]
     assert item["messages"] == []
 
 
-def test_a_message_as_long_as_a_datagram_and_with_its_first_byte_is_one():
+def test_message_that_resembles_a_datagram_is_decoded_as_message():
     pose = registry.by_name("ReportGlobalPose")(latitude=30.0, longitude=-120.0, altitude=12.0, yaw=0.5).encode()
     assert (pose[0], len(pose) >= 15) == (2, True)
     assert objects(pose.hex())[0]["messages"][0]["message"] == "ReportGlobalPose"
@@ -197,13 +197,13 @@ def test_a_message_as_long_as_a_datagram_and_with_its_first_byte_is_one():
 @pytest.mark.parametrize(
     ("pack", "text"), [(junior.connect, "Connect from 126.1.20"), (junior.accept, "Accept to 126.1.20")]
 )
-def test_control_messages_of_local_sockets(pack, text):
+def test_control_messages_of_the_junior_protocol_are_decoded(pack, text):
     data = pack(JausID(126, 1, 20)).hex()
     assert run(data).stdout == f"{text}, of the Junior local protocol (21 bytes)\n"
     assert objects(data)[0]["note"].startswith(text)
 
 
-def test_a_capture_cut_short_is_shown_and_fails(tmp_path):
+def test_truncated_capture_is_shown_and_fails(tmp_path):
     path = pcap(tmp_path / "x.pcap", [bytes.fromhex(QUERY_STATUS)] * 2)
     path.write_bytes(path.read_bytes()[:-1])
     result = run(path, status=1)
@@ -211,19 +211,19 @@ def test_a_capture_cut_short_is_shown_and_fails(tmp_path):
     assert "is damaged or cut off after frame 1" in result.stderr
 
 
-def test_a_capture_without_packets_says_so(tmp_path):
+def test_capture_without_packets_is_reported(tmp_path):
     result = run(pcap(tmp_path / "x.pcap", []))
     assert (result.stdout, result.stderr) == ("", "the capture has no packets\n")
 
 
-def test_a_control_byte_of_ff_is_decoded_and_remarked():
+def test_control_byte_ff_is_decoded_with_a_note():
     [item] = objects(QUERY_STATUS[:8] + "ff" + QUERY_STATUS[10:])
     assert item["messages"][0]["message"] == "QueryStatus"
     assert "control byte FF" in item["messages"][0]["deviations"][0]
     assert item["reencodes"]
 
 
-def test_explain_names_offset_and_bytes():
+def test_explain_shows_offsets_and_bytes():
     text = run("--explain", REPORT_STATUS).stdout
     assert "02 40" in text
     assert "STANDBY" in text
@@ -237,7 +237,7 @@ def test_explain_names_offset_and_bytes():
         (["."], "cannot be read: Is a directory"),
     ],
 )
-def test_wrong_input_gets_one_sentence(arguments, sentence):
+def test_invalid_input_causes_one_sentence(arguments, sentence):
     result = run(*arguments, status=1)
     assert result.stderr.startswith("Error: ")
     assert sentence in result.stderr
@@ -247,7 +247,7 @@ def test_wrong_input_gets_one_sentence(arguments, sentence):
 @pytest.mark.parametrize(
     "content", [b"", b"\x00\xff\x80 garbage", b"hello\n", struct.pack("<I", 0xA1B2C3D4), b"\n\r\r\n"]
 )
-def test_garbage_files_get_one_sentence(tmp_path, content):
+def test_garbage_files_cause_one_sentence(tmp_path, content):
     path = tmp_path / "garbage"
     path.write_bytes(content)
     result = run(path, status=1)
@@ -255,18 +255,18 @@ def test_garbage_files_get_one_sentence(tmp_path, content):
     assert "Traceback" not in result.output
 
 
-def test_wrong_use_is_status_2():
+def test_wrong_usage_ends_with_status_2():
     assert "neither a UDP port" in run("0220", "--port", "many", status=2).output
 
 
 @pytest.mark.parametrize(
     "text", ["ffff0102", "01080000", "0208ff0100ff00ffffffffff"], ids=["unknown", "cut", "cut, too"]
 )
-def test_a_bare_message_that_cannot_be_read_is_a_failure(text):
+def test_invalid_bare_message_fails(text):
     objects(text, status=1)
 
 
-def test_a_message_that_begins_like_an_old_header_is_a_message():
+def test_message_that_begins_like_a_legacy_header_is_decoded():
     message = registry.by_name("ConfirmSensorConfiguration", version="2.0")
     data = "01085a0100043412010d4c5457442f6d5f4267654d6961"
     [found] = objects(data)

@@ -27,7 +27,7 @@ def decoded(*arguments, status=0):
 
 
 @pytest.mark.parametrize("source", [LAMP, LAMP.parent])
-def test_messages_of_own_files(source):
+def test_messages_of_user_files_are_decoded(source):
     assert decoded("03d046", status=1)["problem"] == "unknown message D003h"
     found = decoded("03d046", "--schemas", source)
     assert (found["message"], found["service"], found["version"]) == ("ReportLamp", "urn:example:vendor:Lamp", "1.2")
@@ -35,18 +35,18 @@ def test_messages_of_own_files(source):
     assert "urn:jaus:jss:core:" in decoded("0f0000", "--schemas", source)["service"]
 
 
-def test_own_messages_are_explained():
+def test_user_defined_messages_are_explained():
     assert "brightness" in run("decode", "03d046", "--schemas", LAMP, "--explain").stdout.casefold()
     assert "response" in run("decode", "0f0000", "--schemas", LAMP, "--explain").stdout.casefold()
 
 
-def test_own_messages_inside_built_in_ones():
+def test_user_defined_messages_inside_built_in_ones_are_decoded():
     event = Event(1, 0, bytes.fromhex("03d046")).encode().hex()
     assert "hex" in decoded(event)["fields"]["report_message"]
     assert decoded(event, "--schemas", LAMP)["fields"]["report_message"]["message"] == "ReportLamp"
 
 
-def test_other_versions_are_named_once(tmp_path):
+def test_other_versions_are_noted_once(tmp_path):
     found = decoded("0306010100000000")
     assert found["message"] == "SetJointVelocity"
     assert found["also"] == [
@@ -63,7 +63,7 @@ def test_other_versions_are_named_once(tmp_path):
     assert shown.count("SetJointVelocities in manipulator:ManipulatorJointVelocitiesDriver 1.0 (--version 1.0)") == 1
 
 
-def test_what_is_meant_can_be_said():
+def test_options_select_a_definition():
     older = decoded("0306010100000000", "--version", "1.0")
     assert (older["message"], older["also"]) == ("SetJointVelocities", [])
     assert decoded("0306010100000000", "--service", "ManipulatorJointVelocitiesDriver")["version"] == "1.0"
@@ -73,7 +73,7 @@ def test_what_is_meant_can_be_said():
     assert decoded("2af900", "--service", "MeasurementSensor", status=1)["message"] == "QueryMeasurement"
 
 
-def test_two_messages_of_one_service():
+def test_option_message_selects_one_of_two():
     data = "32f90001000000000000"
     found = decoded(data, status=1)
     assert found["message"] is None
@@ -93,11 +93,11 @@ def test_two_messages_of_one_service():
         ("--schemas", "nowhere/*.xml", "no JSIDL file matches 'nowhere/*.xml'"),
     ],
 )
-def test_what_is_not_there(option, value, sentence):
+def test_unknown_names_are_rejected(option, value, sentence):
     assert sentence in run("decode", "0f0000", "--schemas", LAMP, option, value, status=1).stderr
 
 
-def test_a_message_of_one_service_and_version():
+def test_options_select_service_and_version():
     known = definitions(None)
     newest = message_from(known.registry, "SetTime", ["date_stamp={day: 1, month: 2, year: 3}"])
     older = message_from(
@@ -121,7 +121,7 @@ def test_a_message_of_one_service_and_version():
         ("send", ["QueryLamp"], "QueryLamp is a query"),
     ],
 )
-def test_own_messages_are_sent(verb, message, sentence, free_port):
+def test_user_defined_messages_are_sent(verb, message, sentence, free_port):
     where = ("--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.3", "--schemas", LAMP, "--version", "1.2")
     status = 0 if "does not answer" in sentence else 1
     assert sentence in run(verb, "101.1.7", *message, *where, status=status).stderr

@@ -16,24 +16,24 @@ def build(name, *assignments):
 
 
 @pytest.mark.parametrize("text", ["12.5", "1.25e1", "+12.5", " 12.5"])
-def test_numbers(text):
+def test_numbers_are_parsed(text):
     assert build("SetWrenchEffort", f"propulsive_linear_effort_x={text}").propulsive_linear_effort_x == 12.5
 
 
 @pytest.mark.parametrize("text", ["0x43", "67", "0b1000011"])
-def test_integers(text):
+def test_integers_are_parsed(text):
     assert build("querylocalpose", f"presence_vector={text}").presence_vector == 67
 
 
 @pytest.mark.parametrize("text", ["EVERY_CHANGE", "every change", "Every-Change", "1"])
-def test_enumerations_by_name_and_number(text):
+def test_enumerations_are_parsed_by_name_and_number(text):
     message = build(
         "CreateEvent", "request_id=1", f"event_type={text}", "requested_periodic_rate=0", "query_message=0220"
     )
     assert message.event_type.name == "EVERY_CHANGE"
 
 
-def test_a_message_in_a_message_as_mapping():
+def test_nested_message_is_given_as_mapping():
     message = build(
         "CreateEvent",
         "request_id=1",
@@ -44,14 +44,14 @@ def test_a_message_in_a_message_as_mapping():
     assert message.query_message.encode() == b"\x02\x20"
 
 
-def test_dots_reach_into_mappings():
+def test_dotted_paths_set_nested_fields():
     by_dots = build(
         "SetTime", *(f"time_stamp.{name}=1" for name in ("milliseconds", "seconds", "minutes", "hour", "day"))
     )
     assert by_dots == build("SetTime", "time_stamp={milliseconds: 1, seconds: 1, minutes: 1, hour: 1, day: 1}")
 
 
-def test_a_presence_vector_left_out_asks_for_all_there_is():
+def test_omitted_presence_vector_requests_all_fields():
     assert build("QueryLocalPose").presence_vector == 0x1FF
 
 
@@ -71,18 +71,18 @@ def test_a_presence_vector_left_out_asks_for_all_there_is():
         (["QueryLocalPose", "presence_vector=3", "presence_vector=4"], "'presence_vector' is set twice"),
     ],
 )
-def test_what_is_wrong_is_said(arguments, what):
+def test_invalid_values_raise_a_config_error(arguments, what):
     with pytest.raises(ConfigError, match=what):
         build(*arguments)
 
 
-def test_a_wrong_field_lists_the_right_ones_with_units():
+def test_unknown_field_error_lists_fields_with_units():
     with pytest.raises(ConfigError) as caught:
         build("SetWrenchEffort", "nonsense=1")
     assert "\n  resistive_linear_effort_x       0..100 %, optional\n" in str(caught.value)
 
 
-def test_every_message_can_be_described_and_drawn():
+def test_all_messages_can_be_described_and_rendered():
     for cls in registry:
         assert cls.NAME in describe(cls)
         message, _ = cls.decode(cls.CODE.to_bytes(2, "little") + bytes(200), strict=False)
@@ -91,7 +91,7 @@ def test_every_message_can_be_described_and_drawn():
         assert list(data) == list(message.to_dict())
 
 
-def test_values_have_the_decimals_that_the_wire_resolves():
+def test_values_have_the_decimals_of_their_resolution():
     message = registry.by_name("ReportLocalPose")(x=2.0, yaw=math.pi / 2)
     message = type(message).decode(message.encode())
     assert [line.plain for line in field_lines(message)] == ["x: 2 m", "yaw: 1.5708 rad"]

@@ -20,7 +20,7 @@ def run(*arguments):
     return CliRunner().invoke(app, ["fuzz", *map(str, arguments)])
 
 
-def test_nothing_found(tmp_path):
+def test_campaign_without_findings_succeeds(tmp_path):
     result = run("codec", "--cases", 300, "--message", "ConfirmControl", "--out", tmp_path / "out")
     assert result.exit_code == 0
     assert re.fullmatch(rf"300 cases from \d+ seeds of {VERSIONS} messages: nothing found\n", result.stdout)
@@ -28,7 +28,7 @@ def test_nothing_found(tmp_path):
     assert not (tmp_path / "out").exists()
 
 
-def test_hex_files_are_seeds(tmp_path):
+def test_hex_files_are_used_as_seeds(tmp_path):
     (tmp_path / "seeds.hex").write_text("0f0009\n02001000010a017e0014017e0002200200\n")
     result = run("codec", tmp_path / "seeds.hex", "--cases", 10, "--message", "confirmcontrol")
     with_files = int(result.stdout.split()[3])
@@ -36,7 +36,7 @@ def test_hex_files_are_seeds(tmp_path):
     assert with_files == int(result.stdout.split()[3]) + VERSIONS
 
 
-def test_a_file_without_messages_is_left_out(tmp_path):
+def test_file_without_messages_is_skipped(tmp_path):
     (tmp_path / "empty.hex").write_text("")
     (tmp_path / "seeds.hex").write_text("0f0009\n")
     with_both = run(
@@ -47,7 +47,7 @@ def test_a_file_without_messages_is_left_out(tmp_path):
     assert with_both.stdout == run("codec", tmp_path / "seeds.hex", "--cases", 10, "--message", "ConfirmControl").stdout
 
 
-def test_equal_campaigns_say_the_same():
+def test_equal_campaigns_print_the_same():
     one, other = (run("codec", "--cases", 1700, "--message", "ConfirmControl") for _ in range(2))
     assert (one.stdout, one.stderr) == (other.stdout, other.stderr)
     assert [line.split(",")[0] for line in one.stderr.splitlines()] == [
@@ -69,13 +69,13 @@ def test_findings_are_saved(tmp_path, monkeypatch):
     assert run("replay", file).exit_code == 1
 
 
-def test_messages_of_ones_own(tmp_path):
+def test_user_defined_messages_are_fuzzed(tmp_path):
     result = run("codec", "--schemas", LAMP, "--cases", 30, "--out", tmp_path)
     assert result.exit_code == 0, result.output
     assert re.fullmatch(r"30 cases from \d+ seeds of 3 messages: nothing found\n", result.stdout)
 
 
-def test_findings_in_messages_of_ones_own(tmp_path, monkeypatch):
+def test_findings_in_user_defined_messages_are_replayed(tmp_path, monkeypatch):
     write = Number.write
     monkeypatch.setattr(Number, "write", lambda self, writer, value, path: write(self, writer, value ^ 1, path))
     result = run("codec", "--schemas", LAMP, "--cases", 20, "--message", "SetLamp", "--out", tmp_path)
@@ -101,5 +101,5 @@ def test_findings_in_messages_of_ones_own(tmp_path, monkeypatch):
         ("replay", __file__),
     ],
 )
-def test_wrong_use(arguments):
+def test_wrong_usage_ends_with_status_2(arguments):
     assert run(*arguments).exit_code == 2

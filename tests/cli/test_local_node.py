@@ -27,7 +27,7 @@ def children() -> list[psutil.Process]:
     return [each for each in psutil.Process().children() if "node-manager" in each.cmdline()]
 
 
-async def test_one_that_was_running_is_replaced_when_it_ends(
+async def test_foreign_node_manager_is_replaced_when_it_ends(
     root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
     other = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
@@ -46,14 +46,14 @@ async def test_one_that_was_running_is_replaced_when_it_ends(
     assert list(root.iterdir()) == []
 
 
-async def test_a_child_is_stopped_even_when_its_keeper_never_ran(root: Path, free_port: int) -> None:
+async def test_child_is_stopped_if_the_supervisor_never_ran(root: Path, free_port: int) -> None:
     async with up.node_manager(root, free_port) as node:
         assert node.where == f"UDP port {free_port}, local sockets in {root}"
         assert len(children()) == 1
     assert children() == []
 
 
-async def test_what_is_wrong_with_the_next_one_is_told_once(
+async def test_repeated_start_error_is_logged_once(
     root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """The port is taken, so none can be started; when it is free, one is."""

@@ -29,7 +29,7 @@ def test_help_lists_the_verbs():
     assert all(verb in text for verb in VERBS)
 
 
-def test_help_imports_nothing_heavy():
+def test_help_imports_no_heavy_modules():
     code = (
         "import sys\nfrom jauspy.cli.main import app\napp(['--help'], standalone_mode=False)\n"
         "print([m for m in ('asyncio', 'construct', 'dpkt', 'lxml', 'mujoco', 'pydantic', 'yaml') if m in sys.modules])"
@@ -45,44 +45,44 @@ def test_version():
 @pytest.mark.parametrize(
     "arguments", [["fly"], ["query"], ["decode", "--nonsense", "00"], ["up", "inc1", "--port", "0"]]
 )
-def test_wrong_use_is_status_2(arguments):
+def test_wrong_usage_ends_with_status_2(arguments):
     run(*arguments, status=2)
 
 
-def test_errors_are_one_sentence_unless_debugged():
+def test_errors_are_one_sentence_without_debug_option():
     assert run("query", "101.1", "QueryStatus", status=1).stderr.startswith("Error: '101.1' is not a JAUS id")
     result = CliRunner().invoke(app, ["--debug", "query", "101.1", "QueryStatus"])
     assert isinstance(result.exception, ConfigError)
 
 
-def test_a_command_is_no_query():
+def test_query_rejects_commands():
     assert "use `jauspy send`" in run("query", "101.1.1", "Resume", status=1).stderr
 
 
-def test_a_query_is_not_sent():
+def test_send_rejects_queries():
     assert "use `jauspy query`" in run("send", "101.1.1", "QueryStatus", status=1).stderr
 
 
 @pytest.mark.parametrize("verb", ["query", "send"])
-def test_ids_of_nobody_are_refused(verb):
+def test_ids_with_zeros_are_rejected(verb):
     assert "101.1.0 is not the id of a component" in run(verb, "101.1.0", "QueryStatus", status=1).stderr
 
 
-def test_a_command_is_waited_for_in_control_only():
+def test_option_within_requires_control():
     assert "it requires --control" in run("send", "101.1.1", "Resume", "--within", "1", status=2).stderr
 
 
-def test_control_of_many_is_refused():
+def test_control_of_a_wildcard_is_rejected():
     assert "control of one component" in run("send", "101.1.255", "Resume", "--control", "9", status=1).stderr
 
 
 @pytest.mark.parametrize(("group", "name"), [(group, name) for group, verbs in GROUPS.items() for name in verbs])
-def test_the_line_in_the_help_is_the_first_of_the_verbs_own_help(group, name):
+def test_help_line_is_the_first_line_of_the_verbs_help(group, name):
     target, line = GROUPS[group][name]
     module, _, function = target.partition(":")
     assert (getattr(import_module(module), function).__doc__ or "").partition("\n")[0] == line
 
 
-def test_a_verb_is_imported_when_it_runs():
+def test_verb_module_is_imported_when_the_verb_runs():
     script = "import sys; import jauspy.cli.main as main; print([m for m in sys.modules if m.startswith('jauspy.ocu')])"
     assert subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True).stdout == "[]\n"

@@ -13,7 +13,7 @@ from jauspy.testing import LocalNode
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 
 
-def test_writes_a_map_of_what_a_robot_sees(robot, node_manager: LocalNode, tmp_path):
+def test_map_of_the_surroundings_is_written(robot, node_manager: LocalNode, tmp_path):
     command = [*JAUSPY, "map", "yard", "--seconds", "2", "--connect", node_manager.local, "--id", "42.7.1"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
@@ -29,7 +29,7 @@ def test_writes_a_map_of_what_a_robot_sees(robot, node_manager: LocalNode, tmp_p
         (["yard", "--size", "1000", "--resolution", "0.01"], "cells along a side; a map has 2..4000"),
     ],
 )
-def test_mistakes_are_told_before_anything_is_mapped(options, said, tmp_path, monkeypatch, capsys):
+def test_invalid_options_are_rejected_before_mapping(options, said, tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     from typer.testing import CliRunner
 
@@ -38,7 +38,7 @@ def test_mistakes_are_told_before_anything_is_mapped(options, said, tmp_path, mo
     assert said in result.output + result.stderr
 
 
-def test_without_numpy_it_says_what_to_install(monkeypatch):
+def test_missing_numpy_error_names_the_extra(monkeypatch):
     from typer.testing import CliRunner
 
     monkeypatch.setattr(map_robot, "find_spec", lambda name: None)

@@ -32,7 +32,7 @@ def node_manager(free_port, local_root):
 
 
 @pytest.mark.parametrize(("number", "status"), [(signal.SIGTERM, 0), (signal.SIGINT, 130)])
-def test_it_stops_in_order_and_prints_counters(node_manager, local_root, number, status):
+def test_stop_is_orderly_and_prints_counters(node_manager, local_root, number, status):
     node_manager.send_signal(number)
     out, err = node_manager.communicate(timeout=20)
     assert (out, node_manager.returncode) == ("", status)
@@ -52,7 +52,7 @@ def test_sigusr1_prints_the_counters(node_manager, free_port):
     pytest.fail("the datagram was never counted")
 
 
-def test_a_taken_port_names_who_has_it_and_how_to_choose_another(node_manager, free_port, other_root):
+def test_port_in_use_error_names_the_process_and_the_option(node_manager, free_port, other_root):
     second = subprocess.run(
         [*COMMAND, "--port", str(free_port), "--local-root", str(other_root)],
         capture_output=True,
@@ -66,7 +66,7 @@ def test_a_taken_port_names_who_has_it_and_how_to_choose_another(node_manager, f
     assert len(second.stderr.splitlines()) == 1
 
 
-def test_wrong_settings_get_a_sentence():
+def test_invalid_settings_cause_one_sentence():
     done = subprocess.run(
         [*COMMAND, "--multicast-group", "10.0.0.1"], capture_output=True, text=True, check=False, timeout=30
     )
@@ -74,13 +74,13 @@ def test_wrong_settings_get_a_sentence():
     assert "write an IPv4 multicast address" in done.stderr
 
 
-def test_json_is_a_form_of_the_status():
+def test_status_has_a_json_form():
     ended = subprocess.run([*COMMAND, "--json"], check=False, capture_output=True, text=True, timeout=20)
     assert ended.returncode == 2
     assert "it requires --status" in ended.stderr
 
 
-def test_it_lets_itself_have_a_file_for_each_component(free_port, local_root):
+def test_file_limit_is_raised_for_all_components(free_port, local_root):
     limited = ["bash", "-c", 'ulimit -S -n 100; exec "$@"', "--", *COMMAND]
     where = ["--port", str(free_port), "--local-root", str(local_root)]
     process = subprocess.Popen([*limited, *where], stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
@@ -93,7 +93,7 @@ def test_it_lets_itself_have_a_file_for_each_component(free_port, local_root):
         process.communicate()
 
 
-def test_the_mode_of_the_socket(free_port, local_root):
+def test_socket_mode_is_applied(free_port, local_root):
     arguments = ["--port", str(free_port), "--local-root", str(local_root), "--socket-mode"]
     wide = {**os.environ, "COLUMNS": "200"}
     wrong = subprocess.run([*COMMAND, *arguments, "999"], capture_output=True, text=True, check=False, env=wide)
@@ -120,7 +120,7 @@ def test_the_printed_configuration_is_valid(tmp_path):
     assert "\nport = 4000\n" in first.stdout
 
 
-def test_a_wrong_file_names_file_key_and_fix(tmp_path):
+def test_invalid_file_error_names_file_key_and_fix(tmp_path):
     file = tmp_path / "nm.toml"
     file.write_text("prot = 3795\n")
     done = run("--config", str(file))
@@ -129,20 +129,20 @@ def test_a_wrong_file_names_file_key_and_fix(tmp_path):
     assert "prot = 3795: there is no such key; known here are: address," in done.stderr
 
 
-def test_the_status_of_the_running_one(node_manager, free_port, local_root):
+def test_status_of_a_running_node_manager_is_printed(node_manager, free_port, local_root):
     told = run("--status", "--local-root", str(local_root))
     assert told.stdout.startswith(f"node manager, process {node_manager.pid}, up ")
     assert f"0.0.0.0:{free_port}" in told.stdout
     assert json.loads(run("--status", "--json", "--local-root", str(local_root)).stdout)["pid"] == node_manager.pid
 
 
-def test_no_status_where_none_runs(local_root):
+def test_status_without_a_node_manager_is_an_error(local_root):
     done = run("--status", "--local-root", str(local_root))
     assert done.returncode == 1
     assert f"no node manager serves its status at {local_root}" in done.stderr
 
 
-def test_sighup_reads_the_file_again_and_a_bad_one_changes_nothing(free_port, local_root, tmp_path):
+def test_sighup_reloads_the_file_and_rejects_an_invalid_one(free_port, local_root, tmp_path):
     file = tmp_path / "nm.toml"
     interfaces = 'multicast_interfaces = ["127.0.0.1"]'  # others may not be there, which is said
     file.write_text(f'port = {free_port}\nlocal_root = "{local_root}"\n{interfaces}\n')
@@ -168,7 +168,7 @@ def test_sighup_reads_the_file_again_and_a_bad_one_changes_nothing(free_port, lo
         ("[gateway]\nsubsystem = 102", "gateway.subsystem = 102: the robot is subsystem 101"),
     ],
 )
-def test_a_robot_takes_only_its_own_gateway(tmp_path, local_root, text, told):
+def test_robot_rejects_the_gateway_of_another_subsystem(tmp_path, local_root, text, told):
     file = tmp_path / "gateway.toml"
     file.write_text(text)
     command = [*COMMAND[:-1], "up", "inc1", "--gateway", str(file), "--local-root", str(local_root)]
@@ -177,7 +177,7 @@ def test_a_robot_takes_only_its_own_gateway(tmp_path, local_root, text, told):
     assert told in done.stderr
 
 
-def test_a_robot_behind_a_gateway(tmp_path, local_root, free_port):
+def test_robot_runs_behind_a_gateway(tmp_path, local_root, free_port):
     file = tmp_path / "gateway.toml"
     file.write_text(f'port = {free_port}\n[gateway]\nsubsystem = 101\n[[gateway.rules]]\nsource = "42.*.*"\n')
     command = [*COMMAND[:-1], "up", "inc1", "--backend", "kinematic", "--gateway", str(file)]

@@ -81,7 +81,8 @@ def test_keys_of_a_robot_that_need_operators(folder, key):
 
 @pytest.fixture
 def robot(folder, free_port, local_root):
-    (folder / "robot.toml").write_text('extends = "inc1"\nbackend = "kinematic"\noperators = "operators.toml"\n')
+    keys = ['extends = "inc1"', 'backend = "kinematic"', 'operators = "operators.toml"', 'audit_log = "robot.audit"']
+    (folder / "robot.toml").write_text("\n".join(keys))
     command = ["up", str(folder / "robot.toml"), "--port", str(free_port), "--interface", "127.0.0.1"]
     process = subprocess.Popen(
         [*JAUSPY, *command, "--local-root", str(local_root)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
@@ -95,7 +96,7 @@ def robot(folder, free_port, local_root):
     assert not psutil.wait_procs(family, timeout=30)[1]
 
 
-def test_a_robot_that_requires_operators(robot, folder, local_root):
+def test_a_robot_that_requires_operators(robot, folder, local_root, capsys):
     def drive(*more):
         command = [*JAUSPY, *DRIVE, "--connect", f"local:{local_root}", *more]
         return subprocess.run(command, capture_output=True, text=True, check=False, timeout=60)
@@ -103,3 +104,5 @@ def test_a_robot_that_requires_operators(robot, folder, local_root):
     refused, driven = drive(), drive("--operator-key", str(folder / "alice.key"))
     assert (refused.returncode, driven.returncode, driven.stderr) == (1, 0, "")
     assert "refused RequestControl: it has no seal" in refused.stderr
+    operators.audit(path=folder / "robot.audit", operators=folder / "operators.toml")
+    assert re.search(r"commands: \d+ of alice, 1 of -; 1 refused", capsys.readouterr().out)

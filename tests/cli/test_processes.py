@@ -12,7 +12,7 @@ from jauspy.cli.processes import ChildFailed, ChildProcess
 from jauspy.transport.local import is_alive
 
 
-async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, local_root):
+async def test_child_is_ready_after_its_first_line_and_ends_on_exit(free_port, local_root):
     async with ChildProcess(
         "node manager", ["node-manager", "--port", str(free_port), "--local-root", str(local_root)]
     ) as child:
@@ -22,14 +22,14 @@ async def test_a_child_is_ready_when_it_says_so_and_gone_afterwards(free_port, l
     await child.stop()  # twice is fine
 
 
-async def test_a_child_that_fails_says_why(free_port, local_root):
+async def test_failed_child_error_has_its_output(free_port, local_root):
     arguments = ["node-manager", "--port", str(free_port), "--local-root", str(local_root), "--address", "203.0.113.9"]
     with pytest.raises(ChildFailed, match=r"^node manager: 203\.0\.113\.9 is no address of this machine"):
         async with ChildProcess("node manager", arguments):
             pass
 
 
-async def test_a_child_that_ends_is_noticed(free_port, local_root):
+async def test_end_of_a_child_is_detected(free_port, local_root):
     where = ["--port", str(free_port), "--interface", "127.0.0.1", "--local-root", str(local_root)]
     arguments = ["node-manager", *where]
     async with ChildProcess("node manager", arguments) as child:
@@ -38,7 +38,7 @@ async def test_a_child_that_ends_is_noticed(free_port, local_root):
     assert str(error) == "node manager: ended by signal 9"
 
 
-async def test_lines_of_any_length_are_read(monkeypatch, tmp_path):
+async def test_long_lines_are_read(monkeypatch, tmp_path):
     lines = []
     say = tmp_path / "say"
     say.write_text(
@@ -74,7 +74,7 @@ asyncio.run(main())
 """
 
 
-def test_a_killed_parent_takes_its_child_along(free_port, local_root):
+def test_child_ends_when_its_parent_is_killed(free_port, local_root):
     parent = subprocess.Popen(
         [sys.executable, "-c", PARENT, str(free_port), str(local_root)], stdout=subprocess.PIPE, text=True
     )

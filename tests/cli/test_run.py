@@ -45,14 +45,14 @@ def start(code):
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP])
-def test_being_told_to_stop_is_in_order_and_no_failure(number):
+def test_sigterm_ends_in_order_without_failure(number):
     process = start(FOREVER)
     process.send_signal(number)
     out, err = process.communicate(timeout=20)
     assert (out, err, process.returncode) == ("in order\n", "", 0)
 
 
-def test_ctrl_c_is_in_order_and_tells_the_caller():
+def test_ctrl_c_ends_in_order_and_raises_keyboard_interrupt():
     process = start(FOREVER)
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=20)
@@ -60,7 +60,7 @@ def test_ctrl_c_is_in_order_and_tells_the_caller():
     assert "KeyboardInterrupt" in err
 
 
-def test_a_closed_parent_ends_the_child_even_if_it_ignores_signals():
+def test_closed_parent_pipe_ends_a_child_that_ignores_signals():
     process = start(STUBBORN)
     process.stdin.close()
     assert process.wait(timeout=20) == 1
@@ -68,7 +68,7 @@ def test_a_closed_parent_ends_the_child_even_if_it_ignores_signals():
     process.stderr.close()
 
 
-def test_a_closed_parent_ends_the_child_in_order():
+def test_closed_parent_pipe_ends_the_child_in_order():
     process = start(FOREVER.replace("run(main())", "end_with_parent()\nrun(main())"))
     process.stdin.close()
     process.stdin = None
@@ -76,6 +76,6 @@ def test_a_closed_parent_ends_the_child_in_order():
     assert (out, err, process.returncode) == ("in order\n", "", 0)
 
 
-def test_result_and_error_pass_through():
+def test_result_and_error_are_passed_on():
     code = WAIT + "async def main():\n    return 7\nprint(run(main()))"
     assert subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True).stdout == "7\n"

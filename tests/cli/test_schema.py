@@ -207,7 +207,7 @@ def test_show_ranges_with_their_units(changed, type, inside, shown):
     assert rows["EffortX"]["values"] == [shown]
 
 
-def test_show_what_no_presence_bit_announces():
+def test_show_marks_fields_without_presence_bit():
     """The published CBRNDetection has fourteen optional members and a vector of eight bits."""
     text = run("show", "CBRNDetection").stdout
     assert "CBRNDetection  F931h, 8 to 55 bytes" in text
@@ -222,7 +222,7 @@ def test_show_what_no_presence_bit_announces():
 
 
 @pytest.mark.parametrize("name", ["core:Time{}", "urn:jaus:jss:core:Time{}", "SetTime{}", "0011{}"])
-def test_show_a_version_behind_the_name(name):
+def test_show_selects_a_version_by_suffix(name):
     for sign in "@:":
         assert objects("show", name.format(f"{sign}1.0"))[0]["version"] == "1.0"
     assert objects("show", name.format("@1.0"), "--version", "1.0")[0]["version"] == "1.0"
@@ -231,7 +231,7 @@ def test_show_a_version_behind_the_name(name):
     assert "with version 1.0 and with 1.1; give one version" in both
 
 
-def test_show_what_is_not_there():
+def test_show_unknown_name_is_an_error():
     assert (
         "no service or message is called 'SetWrenchEffor'; did you mean SetWrenchEffort"
         in run("show", "SetWrenchEffor", status=2).stderr
@@ -239,7 +239,7 @@ def test_show_what_is_not_there():
     assert "no service has version 9.9; the versions are 1" in run("show", "Time", "--version", "9.9", status=2).stderr
 
 
-def test_sets_by_every_name():
+def test_sets_are_found_by_all_names():
     def urns(name):
         return [service["urn"] for service in objects("ls", "--set", name)]
 
@@ -265,7 +265,7 @@ def test_sets_by_every_name():
     ],
     ids=" ".join,
 )
-def test_what_cannot_be_done_has_one_exit_status(arguments):
+def test_all_errors_have_exit_status_2(arguments):
     assert run(*arguments, status=2).stderr.startswith("Error: ")
 
 
@@ -277,7 +277,7 @@ def test_exit_statuses_are_documented():
 # --- diff -----------------------------------------------------------------------------------------------------------
 
 
-def test_diff_of_the_same(old, changed):
+def test_diff_of_equal_definitions_is_empty(old, changed):
     text = run("diff", old, old).stdout
     assert text.count("identical on the wire") == 3
     assert "behaviour: identical" in text
@@ -349,7 +349,7 @@ def test_diff_of_two_versions_of_a_set():
     assert time["b"] == {"urn": "urn:jaus:jss:core:Time", "version": "1.1"}
 
 
-def test_diff_json_of_the_same():
+def test_diff_json_of_equal_definitions():
     [found] = objects("diff", "core:Time@1.1", "core:Time")
     assert found["same"]
     assert {message["wire"] for message in found["messages"]} == {"identical"}
@@ -362,5 +362,5 @@ def test_diff_json_of_the_same():
         ("Time@7.0", "Time 7.0 is not built in; the versions are 1"),
     ],
 )
-def test_diff_of_what_cannot_be_read(what, sentence):
+def test_diff_of_unreadable_files_is_an_error(what, sentence):
     assert sentence in run("diff", what, "Time", status=2).stderr

@@ -73,14 +73,14 @@ def test_lint_of_a_clean_file(lamp):
     assert run("lint", lamp).stdout == ""
 
 
-def test_hints_are_no_failure(lamp):
+def test_lint_hints_are_no_failure(lamp):
     change(lamp, "<description>A lamp.</description>", "")
     result = run("lint", lamp)
     assert result.stdout == (f"{lamp}:1: hint: no-description: service 'Lamp' has no description; say what it is for\n")
     assert result.stderr == "1 hint\n"
 
 
-def test_errors_and_warnings_are(lamp):
+def test_lint_errors_and_warnings_are_failures(lamp):
     change(lamp, 'declared_type_ref="core.TimeStamp"', 'declared_type_ref="core.TimeStump"')
     result = run("lint", lamp.parent, status=1)
     line = next(n for n, text in enumerate(SERVICE.splitlines(), 1) if "core.TimeStamp" in text)
@@ -91,7 +91,7 @@ def test_errors_and_warnings_are(lamp):
     )  # fmt: skip
 
 
-def test_rules_can_be_left_out(lamp):
+def test_lint_rules_can_be_ignored(lamp):
     change(lamp, "<description>A lamp.</description>", "")
     assert run("lint", lamp, "--ignore", "no-description").stdout == ""
     assert (
@@ -102,14 +102,14 @@ def test_rules_can_be_left_out(lamp):
 
 
 @pytest.mark.parametrize("text", ["<oops", "<other/>", '<!DOCTYPE a><service_def xmlns="urn:jaus:jsidl:1.1"/>'])
-def test_what_cannot_be_read_is_status_2(lamp, text):
+def test_unreadable_file_ends_with_status_2(lamp, text):
     other = lamp.parent / "other.xml"
     other.write_text(text)
     result = run("lint", lamp, other, status=2)
     assert f"{other}:1: error: unreadable: " in result.stdout
 
 
-def test_no_such_file_is_status_2():
+def test_missing_file_ends_with_status_2():
     assert run("lint", "nowhere/*.xml", status=2).stderr == "Error: no JSIDL file matches 'nowhere/*.xml'\n"
 
 
@@ -163,12 +163,12 @@ def test_generate_a_package_inside_another(lamp, tmp_path, output):
     assert python(USE.format(package="acme.jaus"), tmp_path / "src") == "01d00007"
 
 
-def test_generating_again_is_no_trouble(lamp, tmp_path):
+def test_generating_again_overwrites_generated_files(lamp, tmp_path):
     for _ in range(2):
         run("generate", lamp, "-o", tmp_path / "acme")
 
 
-def test_files_of_others_are_not_overwritten(lamp, tmp_path):
+def test_foreign_files_are_not_overwritten(lamp, tmp_path):
     mine = tmp_path / "acme" / "__init__.py"
     mine.parent.mkdir()
     mine.write_text("mine = 1\n")
@@ -180,7 +180,7 @@ def test_files_of_others_are_not_overwritten(lamp, tmp_path):
     assert "registry" in mine.read_text()
 
 
-def test_wrong_use_gets_one_sentence(lamp, tmp_path):
+def test_wrong_usage_causes_one_sentence(lamp, tmp_path):
     assert "is not the name of a Python package" in run("generate", lamp, "-o", tmp_path / "a-b", status=2).output
     (tmp_path / "file").write_text("")
     assert "cannot be written" in run("generate", lamp, "-o", tmp_path / "file" / "acme", status=2).stderr

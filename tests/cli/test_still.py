@@ -18,7 +18,7 @@ def robot():
         yield ["--connect", running.local]
 
 
-def test_pictures_are_saved_as_their_names_say(robot, tmp_path):
+def test_picture_format_follows_the_file_suffix(robot, tmp_path):
     jpeg, png = tmp_path / "arm.jpg", tmp_path / "front.PNG"
     run = jauspy("still", "101.1.106", "--save", str(jpeg), "--timeout", "100", *robot)
     assert f"{jpeg}: JPEG by sensor 1 of 101.1.106, " in run.stdout
@@ -33,7 +33,7 @@ def test_pictures_are_saved_as_their_names_say(robot, tmp_path):
     assert (found["frame_size"], found["still_image_format"]) == ("VGA_640_X480", "JPEG")
 
 
-def test_a_component_without_cameras_and_a_sensor_that_is_not_there(robot, tmp_path):
+def test_missing_camera_or_sensor_is_an_error(robot, tmp_path):
     run = jauspy("still", "101.1.102", "--save", str(tmp_path / "x.jpg"), *robot, status=1)
     assert "101.1.102 does not offer StillImage; it offers" in " ".join(run.stderr.split())
     run = jauspy("still", "101.1.106", "--save", str(tmp_path / "x.jpg"), "--sensor", "4", *robot, status=1)
@@ -49,6 +49,6 @@ def test_a_component_without_cameras_and_a_sensor_that_is_not_there(robot, tmp_p
         (["101.1.106", "--save", "x.jpg", "--size", "large"], "'large' is not a size, as in --size 640x480"),
     ],
 )
-def test_wrong_use(arguments, said):
+def test_wrong_usage_ends_with_status_2(arguments, said):
     run = jauspy("still", *arguments, status=1)
     assert said in " ".join(run.stderr.split())

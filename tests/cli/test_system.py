@@ -35,7 +35,7 @@ def robot(free_port, local_root):
     running.close()
 
 
-def test_list_query_and_send(beside):
+def test_ls_query_and_send_work(beside):
     local, udp = beside.local, beside.udp
     [found] = [json.loads(line) for line in jauspy("ls", "--json", "--connect", udp).stdout.splitlines()]
     assert found["subsystem"] == 101
@@ -117,7 +117,7 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(beside):
             assert sources == set(MODULES)
 
 
-def test_send_says_what_speaks_against_an_effect(beside):
+def test_send_notes_what_prevents_an_effect(beside):
     where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
     assert "its controller, nobody; use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
@@ -129,7 +129,7 @@ def test_send_says_what_speaks_against_an_effect(beside):
     assert jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], *where).stderr == ""
 
 
-def test_send_waits_until_the_command_has_been_carried_out(beside):
+def test_send_waits_for_the_completion_of_a_command(beside):
     pan = ("send", "101.1.107", "SetPanTiltJointPositions", "joint1_position=0.3", "joint2_position=0.1")
     where = ("--control", "200", "--connect", beside.local)
     jauspy(*pan, "--within", "15", *where)
@@ -143,7 +143,7 @@ def test_send_waits_until_the_command_has_been_carried_out(beside):
 
 
 @pytest.mark.slow
-def test_losing_control_while_holding_it_is_a_failure(beside):
+def test_loss_of_control_during_hold_is_a_failure(beside):
     where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=10")
     weak = start("send", "101.1.102", *effort, "--control", "100", "--hold", "30", *where)
@@ -159,7 +159,7 @@ def test_losing_control_while_holding_it_is_a_failure(beside):
 @pytest.mark.parametrize(
     ("number", "status"), [(signal.SIGINT, 130), pytest.param(signal.SIGTERM, 0, marks=pytest.mark.slow)]
 )
-def test_up_stops_in_order_and_leaves_nothing(robot, local_root, number, status):
+def test_up_stops_in_order_and_leaves_no_process(robot, local_root, number, status):
     assert len(robot.family) == 1
     robot.process.send_signal(number)
     _, err = robot.process.communicate(timeout=20)
@@ -169,13 +169,13 @@ def test_up_stops_in_order_and_leaves_nothing(robot, local_root, number, status)
 
 
 @pytest.mark.slow
-def test_a_killed_up_leaves_no_process(robot):
+def test_killed_up_leaves_no_process(robot):
     robot.process.kill()
     robot.process.wait()
     assert_gone(robot.family)
 
 
-def test_up_passes_on_what_concerns_the_node_manager_and_prints_all_counters(free_port, local_root):
+def test_up_passes_node_manager_options_and_prints_all_counters(free_port, local_root):
     process = start(
         *("up", "inc1", "--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root)),
         *("--address", "127.0.0.1", "--interface", "127.0.0.1", "--multicast-group", "239.255.0.77"),
@@ -195,13 +195,13 @@ def test_up_passes_on_what_concerns_the_node_manager_and_prints_all_counters(fre
         process.communicate()
 
 
-def test_up_refuses_a_world_that_the_backend_has_not(local_root):
+def test_up_rejects_an_unknown_world(local_root):
     arguments = ("up", "inc1", "--backend", "kinematic", "--world", "moon", "--local-root", str(local_root))
     assert "has no worlds" in jauspy(*arguments, status=1).stderr
 
 
 @pytest.mark.slow
-def test_up_names_only_what_can_be_done(beside, tmp_path):
+def test_up_suggests_only_possible_commands(beside, tmp_path):
     copy = tmp_path / "other.toml"
     module = "[[modules]]\ntype = 'CM-MOB'\ncomponent = 102\nservices = []\n"
     copy.write_text(f"extends = 'inc1'\nsubsystem = 102\n{module}")
@@ -216,7 +216,7 @@ def test_up_names_only_what_can_be_done(beside, tmp_path):
     assert not [line for line in lines if "drive it" in line or "see it" in line]
 
 
-def test_up_uses_the_node_manager_that_runs(beside, tmp_path):
+def test_up_uses_a_running_node_manager(beside, tmp_path):
     copy = tmp_path / "other.toml"
     copy.write_text("extends = 'inc1'\nsubsystem = 102\n")
     second = start("up", str(copy), "--backend", "kinematic", "--local-root", str(beside.root))
@@ -225,7 +225,7 @@ def test_up_uses_the_node_manager_that_runs(beside, tmp_path):
     second.communicate(timeout=20)
 
 
-def test_a_dead_node_manager_is_started_again(robot, local_root):
+def test_dead_node_manager_is_restarted(robot, local_root):
     robot.family[0].kill()
     assert robot.process.stderr.readline() == "node manager: ended by signal 9; starting it again\n"
     until = time.monotonic() + 60
@@ -244,7 +244,7 @@ def test_up_without_a_node_manager_says_what_to_do(local_root):
     assert "jauspy node-manager" in done.stderr
 
 
-def test_an_unknown_robot_lists_the_known(local_root):
+def test_unknown_robot_error_lists_the_known_ones(local_root):
     assert "known are: igvc, inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
 
 
@@ -274,7 +274,7 @@ def test_the_demo(free_port):
         pytest.param(signal.SIGKILL, -9, marks=pytest.mark.slow),
     ],
 )
-def test_a_stopped_demo_says_so_and_leaves_nothing(free_port, local_root, monkeypatch, number, status):
+def test_interrupted_demo_says_so_and_leaves_no_process(free_port, local_root, monkeypatch, number, status):
     monkeypatch.setenv("TMPDIR", str(local_root))
     demo = start("demo", "--backend", "kinematic", "--port", str(free_port))
     family = wait_for(demo, "Drive 2 m")
@@ -293,7 +293,7 @@ def test_the_demo_has_one_default_backend():
     assert "the robot's own" not in text
 
 
-def test_a_taken_port_names_who_has_it(beside):
+def test_port_in_use_error_names_the_process(beside):
     err = jauspy("demo", "--backend", "kinematic", "--port", str(beside.port), status=1).stderr
     assert f"UDP port {beside.port} is used by process {beside.family[0].pid}" in err
     assert f"make demo PORT={beside.port + 1}" in err

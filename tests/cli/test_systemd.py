@@ -19,7 +19,7 @@ COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 WATCHDOG = 0.2
 
 
-def test_systemd_has_no_objection_to_the_unit(tmp_path: Path) -> None:
+def test_unit_passes_systemd_analyze(tmp_path: Path) -> None:
     """With the program at a place where it is."""
     if shutil.which("systemd-analyze") is None:
         pytest.skip("needs systemd-analyze")
@@ -33,7 +33,7 @@ def test_systemd_has_no_objection_to_the_unit(tmp_path: Path) -> None:
     assert "WatchdogSecs" in wrong.stderr
 
 
-def test_the_unit_lets_it_write_where_its_configuration_says() -> None:
+def test_unit_permits_writing_to_configured_paths() -> None:
     """ProtectSystem=strict makes all else read-only, /tmp with the local sockets included."""
     settings = dict(line.split("=", 1) for line in UNIT.read_text().splitlines() if "=" in line and line[0] != "#")
     assert settings["ProtectSystem"] == "strict"
@@ -89,7 +89,7 @@ def service(request: pytest.FixtureRequest, free_port: int, local_root: Path, tm
                 process.kill()
 
 
-def test_from_ready_to_stopping(service: Service) -> None:
+def test_readiness_and_stop_are_notified(service: Service) -> None:
     assert service.told() == "READY=1"
     assert [service.told() for _ in range(3)] == 3 * ["WATCHDOG=1"]
     service.process.send_signal(signal.SIGHUP)
@@ -100,7 +100,7 @@ def test_from_ready_to_stopping(service: Service) -> None:
     assert service.process.wait(20) == 0
 
 
-def test_one_that_hangs_does_not_feed_the_watchdog(service: Service) -> None:
+def test_hanging_event_loop_does_not_feed_the_watchdog(service: Service) -> None:
     """Stopped as by a debugger: systemd would restart it after WatchdogSec."""
     assert service.told() == "READY=1"
     service.process.send_signal(signal.SIGSTOP)
@@ -112,7 +112,7 @@ def test_one_that_hangs_does_not_feed_the_watchdog(service: Service) -> None:
     assert service.told() == "WATCHDOG=1"
 
 
-def test_one_that_cannot_start_never_says_that_it_is_ready(service: Service, free_port: int, other_root: Path) -> None:
+def test_failed_start_never_notifies_readiness(service: Service, free_port: int, other_root: Path) -> None:
     assert service.told() == "READY=1"
     name = str(other_root / "notify")
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sock:

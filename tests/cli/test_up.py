@@ -13,11 +13,11 @@ from jauspy.modules.robot_files import load
 
 
 @pytest.mark.parametrize(("services", "drives"), [(None, True), (("Discovery", "LocalPoseSensor"), False)])
-def test_says_how_to_drive_only_what_can_be_driven(capsys, services, drives) -> None:
+def test_drive_example_is_printed_only_for_robots_that_drive(capsys, services, drives) -> None:
     config = load("inc1")
     module = config.modules[0].model_copy(update={"services": services})
     config = config.model_copy(update={"modules": (module,)})
-    runner = SimpleNamespace(config=config, components=[SimpleNamespace(id=config.id_of(module))])
+    runner = SimpleNamespace(config=config, audit=None, components=[SimpleNamespace(id=config.id_of(module))])
     print_summary(runner, "running", Path("/tmp/elsewhere"))
     text = capsys.readouterr().out
     assert ("drive it:  jauspy send 101.1.102 SetWrenchEffort" in text) == drives
@@ -32,14 +32,16 @@ def test_says_how_to_drive_only_what_can_be_driven(capsys, services, drives) -> 
         ("igvc", 0, "warning:   105.1.1 keeps moving without limit after its client died: access_control.timeout = 0"),
     ],
 )
-def test_says_that_a_robot_goes_on_without_its_client(capsys, robot, timeout, warning) -> None:
+def test_long_control_timeout_causes_a_warning(capsys, robot, timeout, warning) -> None:
     config = load(robot)
     if timeout is not None:
         access = AccessControlConfig(timeout=timeout)
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
     print_summary(
-        SimpleNamespace(config=config, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)), "", Path()
+        SimpleNamespace(config=config, audit=None, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)),
+        "",
+        Path(),
     )
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("warning:")]
     assert lines[:1] == [warning] * bool(warning)

@@ -50,11 +50,11 @@ def drawn(runner, look):
         ("transport.dropped.full", True),
     ],
 )
-def test_what_went_well_and_answers_kept_to_a_packet_are_no_loss(counter, lost):
+def test_deliveries_and_truncated_answers_are_no_losses(counter, lost):
     assert _is_loss(counter) == lost
 
 
-async def test_shows_who_controls_what_and_what_was_lost() -> None:
+async def test_table_shows_controllers_and_losses() -> None:
     hub = LoopbackHub()
     endpoint, wire = Endpoint(CLIENT, first_sequence=0), LoopbackTransport(CLIENT, hub)
     await wire.open()
@@ -94,7 +94,7 @@ async def test_shows_who_controls_what_and_what_was_lost() -> None:
     assert "1 (20 Hz)" in text
 
 
-def test_is_drawn_on_a_terminal_and_ends_in_order(free_port, local_root) -> None:
+def test_table_is_drawn_on_a_terminal_and_ends_in_order(free_port, local_root) -> None:
     ours, theirs = pty.openpty()
     options = ("--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root))
     process = subprocess.Popen(

@@ -41,7 +41,7 @@ def port():
         return receiver.port
 
 
-def test_it_records_a_film(robot, port, tmp_path):
+def test_video_is_recorded(robot, port, tmp_path):
     film = tmp_path / "arm.mp4"
     recording = start("video", "101.1.106", "--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "3", *robot)
     out, said = recording.communicate(timeout=60)
@@ -54,14 +54,14 @@ def test_it_records_a_film(robot, port, tmp_path):
     assert (frames[0].width, frames[0].height) == (640, 480)
 
 
-def test_a_component_without_cameras(robot, port, tmp_path):
+def test_component_without_cameras_is_an_error(robot, port, tmp_path):
     film, to = tmp_path / "none.mp4", f"127.0.0.1:{port}"
     run = jauspy("video", "101.1.102", "--to", to, "--save", str(film), *robot, status=1)
     assert "101.1.102 does not offer DigitalResourceDiscovery; it offers" in " ".join(run.stderr.split())
     assert not film.exists()
 
 
-def test_it_says_how_to_watch_and_the_robot_sends_until_it_ends(robot, tmp_path):
+def test_players_are_printed_and_the_robot_sends_until_the_end(robot, tmp_path):
     file = tmp_path / "chassis.sdp"
     with RtpReceiver() as receiver:
         to = f"127.0.0.1:{receiver.port}"
@@ -85,7 +85,7 @@ def test_it_says_how_to_watch_and_the_robot_sends_until_it_ends(robot, tmp_path)
         pytest.fail("it still sends")
 
 
-def test_a_sensor_that_is_not_there(robot):
+def test_unknown_sensor_is_an_error(robot):
     run = jauspy("video", "101.1.107", "--sensor", "7", "--sdp", os.devnull, *robot, status=1)
     assert "101.1.107 does not send sensor 7 to rtp://127.0.0.1:5004" in run.stderr
 
@@ -99,5 +99,5 @@ def test_a_sensor_that_is_not_there(robot):
         (["101.1.106", "--save", "x.mp4", "--show"], 2, "cannot be combined with --save"),
     ],
 )
-def test_wrong_use(arguments, status, said):
+def test_wrong_usage_ends_with_status_2(arguments, status, said):
     assert said in " ".join(jauspy("video", *arguments, status=status).stderr.split())

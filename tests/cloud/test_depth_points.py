@@ -25,14 +25,14 @@ def points(distances: object, image: object = None, **settings: float) -> object
     return np.frombuffer(found, "<f4").reshape(-1, 6)
 
 
-def test_middles_of_pixels_left_and_up_are_positive() -> None:
+def test_pixel_centres_left_and_up_are_positive() -> None:
     found = points([[2.0, 2.0, 2.0, 4.0], [1.0, 1.0, 1.0, 1.0]])
     assert found[0, :3] == pytest.approx((2.0, 1.5, 0.5)), "upper left"
     assert found[3, :3] == pytest.approx((4.0, -3.0, 1.0)), "upper right, twice as far"
     assert found[4, :3] == pytest.approx((1.0, 0.75, -0.25)), "lower left"
 
 
-def test_nothing_where_nothing_is_and_out_of_range() -> None:
+def test_pixels_out_of_range_give_no_points() -> None:
     found = points([[math.inf, 0.4, 0.5, 5.0, 5.1, math.inf]], min_distance=0.5, max_distance=5.0)
     assert found[:, 0].tolist() == [0.5, 5.0]
 

@@ -63,7 +63,7 @@ async def next_cloud(subscriber: CloudSubscriber) -> Cloud:
     return cloud
 
 
-async def test_the_floor_is_where_it_is(process: DepthProcess, subscriber: CloudSubscriber) -> None:
+async def test_floor_points_are_at_the_right_height(process: DepthProcess, subscriber: CloudSubscriber) -> None:
     cloud = await next_cloud(subscriber)
     assert (cloud.frame, cloud.values) == ("chassis_camera_link", XYZ_RGB)
     points = np.frombuffer(cloud.points, "<f4").reshape(-1, 6)
@@ -76,9 +76,7 @@ async def test_the_floor_is_where_it_is(process: DepthProcess, subscriber: Cloud
     assert points[:, 3].std() > 0.05, "the floor has light and dark squares"
 
 
-async def test_each_cloud_has_a_number_and_what_was_sent_is_counted(
-    process: DepthProcess, subscriber: CloudSubscriber
-) -> None:
+async def test_clouds_are_numbered_and_counted(process: DepthProcess, subscriber: CloudSubscriber) -> None:
     first, second = await next_cloud(subscriber), await next_cloud(subscriber)
     assert second.number == first.number + 1
     assert second.time == pytest.approx(first.time, abs=0.01), "of the same state: the robot stands"
@@ -87,7 +85,7 @@ async def test_each_cloud_has_a_number_and_what_was_sent_is_counted(
     assert "floor" in process.description
 
 
-async def test_a_process_that_dies_is_started_again(
+async def test_dead_worker_is_restarted(
     process: DepthProcess, subscriber: CloudSubscriber, caplog: pytest.LogCaptureFixture
 ) -> None:
     caplog.set_level(logging.WARNING)
@@ -101,7 +99,7 @@ async def test_a_process_that_dies_is_started_again(
     assert "depth camera front: its process ended (-9); it starts again in 0.5 s" in caplog.text
 
 
-async def test_it_ends_when_it_is_closed(stream: DepthStream, subscriber: CloudSubscriber) -> None:
+async def test_worker_ends_on_close(stream: DepthStream, subscriber: CloudSubscriber) -> None:
     async with DepthProcess(stream) as process:
         await next_cloud(subscriber)
         pid = process.pid
@@ -110,6 +108,6 @@ async def test_it_ends_when_it_is_closed(stream: DepthStream, subscriber: CloudS
         os.kill(pid or 0, 0)
 
 
-async def test_an_address_that_is_taken_is_said_at_once(stream: DepthStream) -> None:
+async def test_address_in_use_is_an_error_on_open(stream: DepthStream) -> None:
     with CloudPublisher(stream.address), pytest.raises(TransportError, match="cannot publish there"):
         await DepthProcess(stream).open()

@@ -14,7 +14,7 @@ POINTS = struct.pack("<6f", 1.0, 2.0, 3.0, -1.0, 0.5, 0.25)
 COLOURED = struct.pack("<6f", 1.0, 2.0, 3.0, 1.0, 0.5, 0.0)
 
 
-def test_the_bytes_are_those_of_the_table() -> None:
+def test_bytes_match_the_documented_table() -> None:
     data = Cloud(POINTS, "lidar_link", 1700000000.5, 3, 0xDEADBEEF, 7).encode()
     header = "4a504331 0300 0a00 02000000 efbeadde 0700000000000000 00002040fc54d941"
     assert data[:32] == bytes.fromhex(header)
@@ -23,7 +23,7 @@ def test_the_bytes_are_those_of_the_table() -> None:
 
 
 @pytest.mark.parametrize("cloud", [Cloud(POINTS, "a", 1.0), Cloud(COLOURED, "ü", 2.0, 6, 1, 2), Cloud(b"", "", 0.0)])
-def test_what_is_encoded_is_decoded(cloud: Cloud) -> None:
+def test_encoded_cloud_decodes_to_the_same(cloud: Cloud) -> None:
     assert decode(cloud.encode()) == cloud
 
 
@@ -44,14 +44,22 @@ def test_rows_are_numbers() -> None:
         (lambda data: data[:32] + b"\xff" + data[33:], "not UTF-8"),
     ],
 )
-def test_damage_is_named(damage, said: str) -> None:
+def test_damaged_message_error_names_the_problem(damage, said: str) -> None:
     with pytest.raises(DecodeError, match=said):
         decode(damage(Cloud(POINTS, "a", 0.0).encode()))
 
 
-def test_points_that_are_not_whole() -> None:
+def test_incomplete_points_are_rejected() -> None:
     with pytest.raises(ValueError, match="13 bytes are no points of 3"):
         Cloud(b"\0" * 13, "a", 0.0).encode()
+
+
+def test_the_name_of_a_frame_stays_in_its_line(tmp_path: Path) -> None:
+    """A publisher does not write the header."""
+    save(Cloud(COLOURED, "a\nelement vertex 9\r\x1b[2Jé", 0.0, 6), tmp_path / "a.ply")
+    header, _, _ = (tmp_path / "a.ply").read_bytes().partition(b"end_header\n")
+    assert header.count(b"\nelement") == 1
+    assert b"comment frame a\\nelement vertex 9\\r\\x1b[2J\\xe9\n" in header
 
 
 def test_ply(tmp_path: Path) -> None:
@@ -70,7 +78,7 @@ def test_pcd(tmp_path: Path) -> None:
     assert body == POINTS
 
 
-def test_other_files_are_refused(tmp_path: Path) -> None:
+def test_other_file_types_are_rejected(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match=r"written as \.pcd or \.ply"):
         save(Cloud(POINTS, "a", 0.0), tmp_path / "a.xyz")
     with pytest.raises(ConfigError, match="cannot be written: No such file"):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import struct
+import threading
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -58,7 +59,7 @@ def test_clouds_arrive_in_order_with_their_numbers(address: str, subscriber: Clo
     assert subscriber.counters == {"received": before + 5, "lost": 0}
 
 
-def test_a_slow_subscriber_counts_what_it_lost(address: str, subscriber: CloudSubscriber) -> None:
+def test_slow_subscriber_counts_lost_clouds(address: str, subscriber: CloudSubscriber) -> None:
     with CloudPublisher(address) as publisher:
         first = until_heard(lambda: publisher.publish(POINT, "a", 0.0), subscriber)
         big = POINT * 100_000
@@ -75,7 +76,7 @@ def test_a_slow_subscriber_counts_what_it_lost(address: str, subscriber: CloudSu
     assert subscriber.counters["lost"] == found[-1].number - first.number - (len(found) - 1)
 
 
-def test_rubbish_is_counted_and_left_out(address: str, subscriber: CloudSubscriber) -> None:
+def test_malformed_messages_are_counted_and_skipped(address: str, subscriber: CloudSubscriber) -> None:
     with pynng.Pub0(listen=address) as rubbish:
         good = Cloud(POINT, "a", 0.0).encode()
 
@@ -87,14 +88,14 @@ def test_rubbish_is_counted_and_left_out(address: str, subscriber: CloudSubscrib
         assert subscriber.counters["malformed"] >= 1
 
 
-def test_a_publisher_that_starts_anew_is_no_loss(address: str, subscriber: CloudSubscriber) -> None:
+def test_restart_of_the_publisher_is_no_loss(address: str, subscriber: CloudSubscriber) -> None:
     for _ in range(2):
         with CloudPublisher(address) as publisher:
             until_heard(lambda publisher=publisher: publisher.publish(POINT, "a", 0.0), subscriber)  # type: ignore[misc]
     assert subscriber.counters["restarts"] == 1
 
 
-def test_addresses_that_cannot_be(address: str) -> None:
+def test_invalid_addresses_are_rejected(address: str) -> None:
     with CloudPublisher(address), pytest.raises(TransportError, match="cannot publish there"):
         CloudPublisher(address)
     with pytest.raises(TransportError, match="cannot publish there"):
@@ -103,10 +104,35 @@ def test_addresses_that_cannot_be(address: str) -> None:
         CloudSubscriber("nonsense")
 
 
-def test_without_pynng_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_pynng_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     def missing(name: str) -> None:
         raise ImportError(name)
 
     monkeypatch.setattr(socket.importlib, "import_module", missing)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[cloud\]'"):
         CloudPublisher("tcp://127.0.0.1:1")
+
+
+def test_a_stream_of_rubbish_does_not_keep_it_from_returning(address: str, subscriber: CloudSubscriber) -> None:
+    """Nor do empty messages, which pynng cannot hand on."""
+    with pynng.Pub0(listen=address, send_buffer_size=8) as rubbish:
+        until_heard(lambda: rubbish.send(Cloud(POINT, "a", 0.0).encode()), subscriber)
+        stop = threading.Event()
+
+        def flood() -> None:
+            while not stop.is_set():
+                rubbish.send(b"rubbish")
+                rubbish.send(b"")
+
+        thread = threading.Thread(target=flood)
+        thread.start()
+        begin = time.monotonic()
+        try:
+            while subscriber.receive(0.1) is not None:
+                pass
+        finally:
+            took = time.monotonic() - begin
+            stop.set()
+            thread.join()
+    assert took < PATIENCE / 4
+    assert subscriber.counters["malformed"] > 1

@@ -18,7 +18,7 @@ def fresh(own: Registry) -> list[Collision]:
     return [collision for collision in own.collisions if collision not in registry.collisions]
 
 
-def test_versions_of_a_service_live_beside_each_other(folder: Any) -> None:
+def test_versions_of_a_service_coexist(folder: Any) -> None:
     folder.add("Lamp", version="1.0", jsidl="1.0")
     folder.add("Lamp", version="1.10", type="unsigned short integer")
     folder.add("Lamp", version="1.9", type="unsigned integer")
@@ -31,7 +31,7 @@ def test_versions_of_a_service_live_beside_each_other(folder: Any) -> None:
     assert fresh(own) == []
 
 
-def test_services_of_one_name_and_set_from_two_vendors(folder: Any) -> None:
+def test_services_of_two_vendors_with_one_name_coexist(folder: Any) -> None:
     folder.add("Lamp", vendor="acme", code="D001")
     folder.add("Lamp", vendor="best", code="D002", message="SetLamp")
     own = folder.load()
@@ -39,7 +39,7 @@ def test_services_of_one_name_and_set_from_two_vendors(folder: Any) -> None:
     assert own.decode(b"\x02\xd0\x05").SERVICE == "urn:best:things:Lamp"
 
 
-def test_a_collision_names_both_files_and_is_resolved_by_service(folder: Any, caplog) -> None:
+def test_collision_error_names_both_files_and_service_resolves_it(folder: Any, caplog) -> None:
     lamp = folder.add("Lamp")
     horn = folder.add("Horn", message="Honk", type="unsigned short integer")
     with caplog.at_level(logging.WARNING):
@@ -66,13 +66,13 @@ def test_the_same_message_in_two_services_is_no_collision(folder: Any) -> None:
     assert own.decode(b"\x01\xd0\x05").NAME == "SetLevel"
 
 
-def test_messages_that_look_alike_and_are_called_differently_collide(folder: Any) -> None:
+def test_equal_bodies_with_different_names_collide(folder: Any) -> None:
     folder.add("Lamp")
     folder.add("Horn", message="Honk")
     assert len(fresh(folder.load())) == 1
 
 
-def test_a_collision_with_a_built_in_message(folder: Any, caplog) -> None:
+def test_collision_with_a_built_in_message_is_listed(folder: Any, caplog) -> None:
     path = folder.add("Lamp", code="4002")
     own = folder.load()
     [collision] = fresh(own)
@@ -84,7 +84,7 @@ def test_a_collision_with_a_built_in_message(folder: Any, caplog) -> None:
     assert own.nesting.message(b"\x02\x40\x05") == b"\x02\x40\x05"
 
 
-def test_a_newer_set_replaces_an_older_one_under_other_names(folder: Any) -> None:
+def test_newer_set_replaces_an_older_one_despite_other_names(folder: Any) -> None:
     """As the manipulator set did: services and messages were renamed from 1.0 to 2.0, their ids stayed."""
     folder.add("JointEfforts", urn="urn:jaus:jss:arms:JointEfforts", message="SetEfforts")
     kind = {"version": "2.0", "type": "unsigned short integer"}
@@ -95,7 +95,7 @@ def test_a_newer_set_replaces_an_older_one_under_other_names(folder: Any) -> Non
     assert own.decode(b"\x01\xd0\x05", version="1.0").NAME == "SetEfforts"
 
 
-def test_a_newer_service_of_a_vendor_does_not_hide_another_one(folder: Any) -> None:
+def test_newer_vendor_service_does_not_hide_another_one(folder: Any) -> None:
     """Vendors count the versions of each service; only the sets of the standard are published as a whole."""
     lamp = folder.add("Lamp", version="1.0")
     horn = folder.add("Horn", version="2.0", message="Honk", type="unsigned short integer")
@@ -107,7 +107,7 @@ def test_a_newer_service_of_a_vendor_does_not_hide_another_one(folder: Any) -> N
         own.decode(b"\x01\xd0\x05")
 
 
-def test_a_service_defined_again_replaces_the_built_in_one(folder: Any) -> None:
+def test_redefined_service_replaces_the_built_in_one(folder: Any) -> None:
     folder.add("Time", urn="urn:jaus:jss:core:Time", version="1.1", message="SetTime", code="0011")
     own = folder.load()
     assert own.decode(b"\x11\x00\x05").to_dict() == {"level": 5}
@@ -116,7 +116,7 @@ def test_a_service_defined_again_replaces_the_built_in_one(folder: Any) -> None:
     assert registry.by_name("QueryTime").NAME == "QueryTime"
 
 
-def test_other_xml_in_a_folder_is_left_alone(folder: Any) -> None:
+def test_other_xml_in_a_folder_is_ignored(folder: Any) -> None:
     folder.add("Lamp")
     (folder.path / "package.xml").write_text("<package><name>vendor</name></package>")
     assert folder.load().by_name("SetLevel").CODE == 0xD001
@@ -127,7 +127,7 @@ def test_other_xml_in_a_folder_is_left_alone(folder: Any) -> None:
         folder.load()
 
 
-def test_a_misspelt_state_does_not_cost_the_messages(folder: Any) -> None:
+def test_misspelt_state_does_not_prevent_use_of_messages(folder: Any) -> None:
     path = folder.add("Lamp")
     start = (
         '<start state_machine_name="M" state_name="Nowhere"/><state_machine name="M"><state name="A"/></state_machine>'
@@ -137,17 +137,17 @@ def test_a_misspelt_state_does_not_cost_the_messages(folder: Any) -> None:
     assert folder.load().by_name("SetLevel").CODE == 0xD001
 
 
-def test_files_of_generated_packages_are_their_modules() -> None:
+def test_file_of_a_generated_message_is_its_module() -> None:
     one = MessageEntry(1, "A", "urn:a:b:C", "1.0", "somewhere.c", "A")
     assert Registry([one]).file_of(one) == "somewhere.c"
     assert registry.file_of(registry.entries[0]).endswith(".xml")
 
 
-def test_built_in_messages_collide_only_where_the_published_ones_do() -> None:
+def test_only_published_collisions_are_built_in() -> None:
     assert {collision.code for collision in registry.collisions} == {0xF92A, 0xF932}
 
 
-def test_one_id_twice_in_one_service_is_resolved_by_name() -> None:
+def test_repeated_id_in_a_service_is_resolved_by_name() -> None:
     """The published CBRNSensor has that."""
     data = registry.by_name("RNDetailedMeasurement")(station_number=1, measurement="x").encode()
     [collision] = [each for each in registry.collisions if each.code == 0xF932]
@@ -164,7 +164,7 @@ def test_one_id_twice_in_one_service_is_resolved_by_name() -> None:
         registry.decode(data, message="SetLevel")
 
 
-def test_one_id_twice_in_one_service_of_a_user(folder: Any, caplog) -> None:
+def test_repeated_id_in_a_user_defined_service_collides(folder: Any, caplog) -> None:
     folder.add("Lamp", message="SetLevel", again="SetShade")
     with caplog.at_level(logging.WARNING):
         own = folder.load()
@@ -175,7 +175,7 @@ def test_one_id_twice_in_one_service_of_a_user(folder: Any, caplog) -> None:
     assert own.decode(b"\x01\xd0\x05", message="SetShade").NAME == "SetShade"
 
 
-def test_a_service_is_called_by_the_end_of_its_urn(folder: Any) -> None:
+def test_service_is_found_by_the_end_of_its_urn(folder: Any) -> None:
     folder.add("Lamp")
     folder.add("Horn", message="Honk")
     own = folder.load()
@@ -188,7 +188,7 @@ def test_a_service_is_called_by_the_end_of_its_urn(folder: Any) -> None:
         own.by_name("Honk", service="Lamp")
 
 
-def test_a_version_alone_may_leave_several_meanings(folder: Any) -> None:
+def test_version_alone_may_be_ambiguous(folder: Any) -> None:
     folder.add("Lamp")
     folder.add("Horn", message="Honk")
     with pytest.raises(DecodeError, match="say which service is meant"):

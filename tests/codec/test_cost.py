@@ -82,19 +82,19 @@ def inputs() -> list[tuple[type[Message], bytes]]:
     return [*deepest, *random.Random(1).sample(found, 150)]
 
 
-def test_the_normal_message_is_normal() -> None:
+def test_reference_message_takes_normal_time() -> None:
     assert len(normal()) == pytest.approx(SIZE, rel=0.03)
     assert len(ReportServices.decode(normal()).node_list[0].component_list) == 36
 
 
-def test_inputs_are_of_every_kind(inputs: Any) -> None:
+def test_cost_inputs_cover_all_kinds(inputs: Any) -> None:
     assert {len(data) for _, data in inputs} == {SIZE}
     assert len({cls for cls, _ in inputs}) > 10
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("number", range(4))
-def test_work_of_64_kb(number: int, inputs: Any) -> None:
+def test_decoding_64_kb_is_bounded_in_time(number: int, inputs: Any) -> None:
     most = 100 * work(lambda: ReportServices.decode(normal()))
     for cls, data in inputs[number::4]:
         assert work(lambda cls=cls, data=data: cls.decode(data)) <= most, cls
@@ -102,7 +102,7 @@ def test_work_of_64_kb(number: int, inputs: Any) -> None:
 
 
 @pytest.mark.slow
-def test_memory_of_64_kb(inputs: Any) -> None:
+def test_decoding_64_kb_is_bounded_in_memory(inputs: Any) -> None:
     most = 100 * memory(lambda: ReportServices.decode(normal()))
     assert most < 2**30  # a normal message takes less than 160 bytes for each of its own
     for cls, data in inputs[::3]:
@@ -110,7 +110,7 @@ def test_memory_of_64_kb(inputs: Any) -> None:
         assert memory(lambda cls=cls, data=data: slow_path.decode_tolerant(cls, data)) <= most, cls
 
 
-def test_work_grows_with_the_size_only() -> None:
+def test_time_is_linear_in_the_size() -> None:
     """Twice the size is about twice the work."""
     services = registry.by_name("RegisterServices")
     for cls, fill in ((services, b"\0"), (ReportServices, b"\1\0")):

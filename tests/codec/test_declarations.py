@@ -43,7 +43,7 @@ def every_class(cls: type[Any]) -> list[type[Struct]]:
     return [cls, *nested]
 
 
-def test_code_can_be_made_for_every_class(odd: Registry) -> None:
+def test_code_is_generated_for_every_class(odd: Registry) -> None:
     for message in [*registry, *odd]:
         install(message, "_unpack")
         install(message, "_pack")
@@ -53,7 +53,7 @@ def test_code_can_be_made_for_every_class(odd: Registry) -> None:
                 install(cls, "_write")
 
 
-def test_code_is_made_at_first_use_and_once() -> None:
+def test_code_is_generated_once_at_first_use() -> None:
     program = """
 from jauspy.messages.mobility.v1_0.primitive_driver import SetWrenchEffort
 assert "_pack" not in vars(SetWrenchEffort)
@@ -66,7 +66,7 @@ assert vars(SetWrenchEffort)["_pack"] is made
     subprocess.run([sys.executable, "-c", program], check=True)
 
 
-def test_threads_that_come_first_together_all_get_right_bytes(odd: Registry) -> None:
+def test_concurrent_first_use_gives_right_bytes(odd: Registry) -> None:
     schema = odd.schema
     assert schema is not None
     for _ in range(20):
@@ -85,7 +85,7 @@ def test_threads_that_come_first_together_all_get_right_bytes(odd: Registry) -> 
         assert found == [b"\x02\xf0\0\0\7\0"] * 4
 
 
-def test_tracebacks_show_made_code() -> None:
+def test_tracebacks_show_generated_code() -> None:
     with pytest.raises(Exception, match="unpack") as raised:
         ReportVelocityState._unpack(b"", None)
     assert "S_2H.unpack_from(data)" in "".join(traceback.format_exception(raised.value))
@@ -96,7 +96,7 @@ def test_tracebacks_show_made_code() -> None:
 
 
 @pytest.mark.parametrize("text", ["", "a b", "a.b", "class", "1a", "a\n", "a;b", "ﬁ", "x²", 'a"'])
-def test_only_identifiers_become_source(text: str) -> None:
+def test_names_that_are_no_identifiers_are_rejected(text: str) -> None:
     with pytest.raises(ValueError, match="is not an identifier"):
         identifier(text)
 
@@ -140,7 +140,7 @@ def hostile_round_trip(cls: type[Message]) -> bytes:
     return data
 
 
-def test_texts_of_a_definition_never_run_when_it_is_loaded() -> None:
+def test_loading_executes_no_text_of_a_definition() -> None:
     (cls,) = load_schema(hostile_schema()).by_code(0xD001)
     hostile_round_trip(cls)
     assert HOSTILE in cls.NAME
@@ -152,7 +152,7 @@ def test_texts_of_a_definition_never_run_when_it_is_loaded() -> None:
                 assert "raise SystemExit" not in inspect.getsource(function)
 
 
-def test_texts_of_a_definition_never_run_when_it_is_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_generated_source_executes_no_text_of_a_definition(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     for path, text in generate(hostile_schema(), "hostile_written", "jauspy.messages").items():
         file = tmp_path / "hostile_written" / path
         file.parent.mkdir(parents=True, exist_ok=True)
@@ -189,7 +189,7 @@ def test_messages_pickle_copy_and_compare(odd: Registry) -> None:
     assert not hasattr(message, "__dict__")
 
 
-def test_written_classes_are_the_loaded_ones(odd: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_written_classes_equal_loaded_ones(odd: Registry, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     assert odd.schema is not None
     for path, text in generate(odd.schema, "odd_written", "jauspy.messages").items():
         file = tmp_path / "odd_written" / path

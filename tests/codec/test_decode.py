@@ -45,34 +45,34 @@ from jauspy.messages.mobility import ReportVelocityState, SetWrenchEffort
         ("f001000000ffffffff", 5, "query_message", "needs"),
     ],
 )
-def test_strict_errors(data: str, offset: int, path: str, reason: str) -> None:
+def test_invalid_bytes_raise_decode_errors(data: str, offset: int, path: str, reason: str) -> None:
     with pytest.raises(DecodeError, match=reason) as caught:
         registry.decode(bytes.fromhex(data))
     if reason != "needs":
         assert (caught.value.offset, caught.value.path) == (offset, path)
 
 
-def test_a_wrong_id_is_said_so() -> None:
+def test_wrong_id_raises_a_decode_error() -> None:
     with pytest.raises(DecodeError, match=r"0x0010 is not 0x000F \(ConfirmControl\)"):
         ConfirmControl.decode(b"\x10\x00\x00")
     with pytest.raises(DecodeError, match="0x0010"):
         ConfirmControl.decode(b"\x10\x00\x00", strict=False)
 
 
-def test_tolerant_keeps_values_outside_their_set() -> None:
+def test_tolerant_decoding_keeps_values_outside_their_set() -> None:
     message, deviations = SetEmergency.decode(b"\x06\x00\x00\x00", strict=False)
     assert message == SetEmergency(0)
     assert [str(d) for d in deviations] == ["byte 2: emergency_code: 0 is none of 1 STOP"]
     assert message.encode(strict=False) == b"\x06\x00\x00\x00"
 
 
-def test_tolerant_reports_bytes_left_over() -> None:
+def test_tolerant_decoding_reports_extra_bytes() -> None:
     message, (deviation,) = ConfirmControl.decode(b"\x0f\x00\x01\xaa\xbb", strict=False)
     assert message == ConfirmControl(ConfirmControl.ResponseCode.NOT_AVAILABLE)
     assert (deviation.offset, deviation.reason) == (3, "2 bytes left over after the message")
 
 
-def test_tolerant_reads_what_is_there() -> None:
+def test_tolerant_decoding_reads_truncated_messages() -> None:
     full = ReportVelocityState(1.0, 2.0, 3.0).encode()
     message, deviations = ReportVelocityState.decode(full[:-3], strict=False)
     assert message.velocity_y == pytest.approx(2.0)
@@ -83,12 +83,12 @@ def test_tolerant_reads_what_is_there() -> None:
     assert [service.uri for service in found.service_list] == ["urn:a"] * 3
 
 
-def test_a_cut_presence_vector_is_named() -> None:
+def test_truncated_presence_vector_is_reported() -> None:
     with pytest.raises(DecodeError, match=r"^byte 2: presence_vector: needs 2 bytes, 1 left$"):
         SetWrenchEffort.decode(b"\x05\x04\x01")
 
 
-def test_deviations_beyond_a_thousand_are_a_number(folder: Any) -> None:
+def test_deviations_above_a_thousand_are_counted(folder: Any) -> None:
     cls = registry.by_name("ReportDataDefinition")
     data = cls.CODE.to_bytes(2, "little") + b"\xff" * 3000
     message, deviations = cls.decode(data, strict=False)
@@ -122,7 +122,7 @@ def test_values_become_members_or_stay_numbers() -> None:
     assert not isinstance(other, QueryIdentification.QueryType)
 
 
-def test_messages_inside_messages() -> None:
+def test_nested_messages_are_decoded() -> None:
     event = CreateEvent(1, CreateEvent.EventType(1), 0.0, QueryTime(3))
     decoded = CreateEvent.decode(event.encode())
     assert decoded.query_message == QueryTime(3)
@@ -149,7 +149,7 @@ def test_input_types() -> None:
     assert SetTime.decode(bytearray(data)) == SetTime.decode(memoryview(data)) == registry.decode(data)
 
 
-def test_counts_are_checked_before_anything_is_made(odd: Registry) -> None:
+def test_counts_are_checked_before_allocation(odd: Registry) -> None:
     shapes = odd.by_name("Shapes")
     with pytest.raises(DecodeError, match=r"count 65535 is outside 0\.\.9"):
         shapes.decode(b"\x04\xf0\x02\xff\xff")
@@ -170,13 +170,13 @@ def test_match_statement_and_repr() -> None:
 
 
 @pytest.mark.parametrize("wrong", [7, True, None, "0f00", [15, 0], 1.5])
-def test_what_is_not_bytes_is_refused(wrong: Any) -> None:
+def test_other_types_than_bytes_are_rejected(wrong: Any) -> None:
     for decode in (ConfirmControl.decode, registry.decode):
         with pytest.raises(DecodeError, match="a message is bytes, not"):
             decode(wrong)
 
 
-def test_all_kinds_of_bytes_are_taken() -> None:
+def test_all_bytes_like_objects_are_accepted() -> None:
     data = b"\x0f\x00\x00"
     for same in (bytearray(data), memoryview(data), array("B", data), memoryview(data[::-1])[::-1]):
         assert ConfirmControl.decode(same) == registry.decode(same) == ConfirmControl(0)  # type: ignore[arg-type]

@@ -65,7 +65,7 @@ def test_errors_name_field_and_value(message: Any, path: str, reason: str) -> No
     assert caught.value.path.endswith(path)
 
 
-def test_clamp_moves_numbers_to_the_nearest_limit() -> None:
+def test_clamp_limits_numbers() -> None:
     message = SetWrenchEffort(1e9, -1e9, propulsive_rotational_effort_z=math.inf)
     clamped = SetWrenchEffort.decode(message.encode(clamp=True))
     assert clamped == SetWrenchEffort(100.0, -100.0, propulsive_rotational_effort_z=100.0)
@@ -75,13 +75,13 @@ def test_clamp_moves_numbers_to_the_nearest_limit() -> None:
         SetWrenchEffort(math.nan).encode(clamp=True)
 
 
-def test_strict_can_be_left() -> None:
+def test_strict_false_skips_value_sets() -> None:
     with pytest.raises(EncodeError):
         SetEmergency(0).encode()
     assert SetEmergency(0).encode(strict=False) == b"\x06\x00\x00\x00"
 
 
-def test_a_message_inside_itself() -> None:
+def test_message_that_contains_itself_is_an_error() -> None:
     event = CreateEvent(1, 0, 10.0, b"")
     event.query_message = event
     with pytest.raises(EncodeError, match="nested more than 8 deep"):
@@ -95,7 +95,7 @@ def test_numbers_of_other_types() -> None:
 
 @pytest.mark.parametrize("field", ["small", "ratio"])
 @pytest.mark.parametrize("value", [math.nan, math.inf, "1", None, 10**400])
-def test_floats_are_finite_numbers(odd: Registry, field: str, value: Any) -> None:
+def test_non_finite_floats_are_rejected(odd: Registry, field: str, value: Any) -> None:
     everything = odd.by_name("Everything")
     data = bytes.fromhex("01f00000000000000000" + "00" * 12 + "010000" + "00" * 6 + "01" + "0000" + "00000000" + "00")
     message: Any = everything.decode(data[:-5] + b"\x00\x00\x00\x00\x00")

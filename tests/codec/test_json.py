@@ -27,7 +27,7 @@ NANS = ("7fc00000", "ffc00000", "7fc12345", "ffffffff", "7ff8000000000000", "fff
 
 
 @pytest.mark.parametrize("bits", [*NANS, "7f800000", "ff800000", "fff7ffffffffffff"])
-def test_what_is_no_finite_number_keeps_its_bits(bits: str, folder: Any) -> None:
+def test_non_finite_numbers_keep_their_bits(bits: str, folder: Any) -> None:
     folder.add("Lamp", type="float" if len(bits) == 8 else "long float")
     own = folder.load()
     message, _ = own.decode(b"\x01\xd0" + bytes.fromhex(bits)[::-1], strict=False)
@@ -35,14 +35,14 @@ def test_what_is_no_finite_number_keeps_its_bits(bits: str, folder: Any) -> None
     assert again.encode(strict=False)[2:] == bytes.fromhex(bits)[::-1]
 
 
-def test_only_what_is_no_number_has_a_name() -> None:
+def test_only_non_finite_numbers_are_text() -> None:
     assert non_finite_to_json(math.nan) == "nan"
     for text in ("nan:", "nan:7ff0", "nan:3ff0000000000000", "nan:zzf8000000000001", "NaN", "1.5", ""):
         assert non_finite_from_json(text) is None
 
 
 @pytest.mark.parametrize("wrong", [None, 7, "QueryTime", [], {}, {"message": 7}, {"message": ["QueryTime"]}])
-def test_what_is_no_message(wrong: Any) -> None:
+def test_other_dictionaries_are_rejected(wrong: Any) -> None:
     with pytest.raises(EncodeError, match="does not say which message it is"):
         registry.from_dict(wrong)
 
@@ -65,20 +65,20 @@ def test_what_is_no_message(wrong: Any) -> None:
         ),
     ],
 )
-def test_wrong_shapes_name_the_field(wrong: Any, path: str) -> None:
+def test_wrong_types_name_the_field(wrong: Any, path: str) -> None:
     with pytest.raises(EncodeError) as caught:
         registry.from_dict(wrong)
     assert caught.value.path == path
 
 
-def test_wrong_shapes_inside_a_message_inside() -> None:
+def test_wrong_types_in_nested_messages_name_the_field() -> None:
     event = CreateEvent(1, 1, 0.0, QueryTime(3)).to_dict()
     event["query_message"]["fields"]["presence_vector"] = {}
     with pytest.raises(EncodeError, match=r"^query_message\.fields\.presence_vector: \{\} is not an integer"):
         CreateEvent.from_dict(event)
 
 
-def test_long_values_are_cut_in_errors() -> None:
+def test_long_values_are_shortened_in_errors() -> None:
     for make in (
         lambda: ConfirmControl(10**400).encode(),
         lambda: ConfirmControl(10**5000).encode(),
@@ -92,7 +92,7 @@ def test_long_values_are_cut_in_errors() -> None:
 
 
 @pytest.mark.slow
-def test_odd_dictionaries_raise_nothing_but_codec_errors(odd: Registry, values_of: Any) -> None:
+def test_mutated_dictionaries_raise_codec_errors_only(odd: Registry, values_of: Any) -> None:
     """A part of a good dictionary is replaced by anything."""
     entries = st.sampled_from([*registry.entries, *(entry for entry in odd.entries if "example" in entry.service)])
 
@@ -118,7 +118,7 @@ def test_odd_dictionaries_raise_nothing_but_codec_errors(odd: Registry, values_o
 
 @MANY
 @given(JSON)
-def test_anything_raises_nothing_but_codec_errors(data: Any) -> None:
+def test_arbitrary_values_raise_codec_errors_only(data: Any) -> None:
     for wrong in (data, {"message": "CreateEvent", "fields": data}, {"message": data}):
         try:
             registry.from_dict(wrong)

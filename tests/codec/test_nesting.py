@@ -24,7 +24,7 @@ def inside_of(message: Any) -> Any:
     return message.query_message
 
 
-def test_a_users_message_in_a_built_in_one(folder: Any) -> None:
+def test_user_defined_message_in_a_built_in_one_is_decoded(folder: Any) -> None:
     folder.add("Lamp")
     own = folder.load()
     level = own.by_name("SetLevel")(5)
@@ -37,14 +37,14 @@ def test_a_users_message_in_a_built_in_one(folder: Any) -> None:
     assert inside_of(CreateEvent.decode(data)) == LEVEL
 
 
-def test_several_levels_down(folder: Any) -> None:
+def test_messages_are_decoded_several_levels_deep(folder: Any) -> None:
     folder.add("Lamp")
     own = folder.load()
     deep = inside_of(own.decode(event_with(event_with(LEVEL))))
     assert inside_of(deep).NAME == "SetLevel"
 
 
-def test_an_ambiguous_message_stays_bytes(folder: Any) -> None:
+def test_ambiguous_nested_message_stays_bytes(folder: Any) -> None:
     folder.add("Lamp", code="2011")
     own = folder.load()
     data = event_with(QueryTime(3))
@@ -52,7 +52,7 @@ def test_an_ambiguous_message_stays_bytes(folder: Any) -> None:
     assert inside_of(own.decode(data)) == QueryTime(3).encode()
 
 
-def test_a_users_message_in_a_dictionary(folder: Any) -> None:
+def test_user_defined_message_in_a_dictionary_is_converted(folder: Any) -> None:
     folder.add("Lamp")
     own = folder.load()
     message = own.decode(event_with(LEVEL))
@@ -62,7 +62,7 @@ def test_a_users_message_in_a_dictionary(folder: Any) -> None:
         registry.from_dict(outer)
 
 
-def test_dictionaries_nest_as_deep_as_messages() -> None:
+def test_dictionaries_have_the_nesting_limit_of_messages() -> None:
     fields: dict[str, Any] = QueryTime(3).to_dict()
     nested = {"message": "QueryTime", "fields": fields}
     for _ in range(MAX_NESTING):

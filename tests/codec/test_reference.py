@@ -54,7 +54,7 @@ def test_errors(models: dict[str, m.Message]) -> None:
         reference.build(models["ConfirmControl"], {})
 
 
-def test_is_off_the_hot_path() -> None:
+def test_construct_is_not_imported_by_the_codec() -> None:
     code = "import sys; from jauspy.messages import registry; list(registry); print('construct' in sys.modules)"
     assert (
         subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout.strip()

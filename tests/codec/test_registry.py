@@ -43,7 +43,7 @@ VENDOR = """<?xml version="1.0" encoding="UTF-8"?>
 """
 
 
-def test_by_name_takes_any_case() -> None:
+def test_by_name_ignores_case() -> None:
     assert registry.by_name("confirmcontrol") is ConfirmControl
     assert registry.by_name("ConfirmControl", version="1.1") is ConfirmControl
     with pytest.raises(ConfigError, match="did you mean ConfirmControl"):
@@ -83,7 +83,7 @@ def test_packages_list_their_messages() -> None:
         core.NoSuchMessage  # noqa: B018
 
 
-def test_dictionaries_of_messages_inside_messages() -> None:
+def test_dictionaries_of_nested_messages_are_converted() -> None:
     event = CreateEvent(1, 1, 0.0, QueryTime(3))
     data = event.to_dict()
     assert data["query_message"]["message"] == "QueryTime"
@@ -113,14 +113,14 @@ def test_load_own_definitions(tmp_path: Path) -> None:
         jauspy.load(tmp_path / "*.jsidl")
 
 
-def test_loading_again_makes_other_classes(tmp_path: Path) -> None:
+def test_loading_again_makes_new_classes(tmp_path: Path) -> None:
     (tmp_path / "Lamp.xml").write_text(VENDOR)
     jauspy.load(tmp_path)
     lamps = [jauspy.load(tmp_path).by_name("SetLamp") for _ in range(3)]
     assert len(set(lamps)) == 3
 
 
-def test_the_profiles_package_has_their_experiments() -> None:
+def test_profiles_package_exports_the_experimental_messages() -> None:
     assert iop.UpdateUGVSummary is exp.UpdateUGVSummary
     assert {"UpdateUGVSummary", "QueryUGVSummary", "ReportUGVSummary"} <= set(iop.__all__)
 
@@ -136,7 +136,7 @@ def test_tracebacks_show_generated_source(tmp_path: Path) -> None:
         pytest.fail("an empty message was read")
 
 
-def test_import_stays_light() -> None:
+def test_import_is_light() -> None:
     heavy = "[m for m in ('lxml', 'construct', 'pydantic', 'asyncio', 'rich') if m in sys.modules]"
     code = f"import sys, jauspy; print({heavy})"
     assert (

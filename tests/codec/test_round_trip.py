@@ -132,7 +132,7 @@ def rejected(decode: Callable[[bytes], object], data: bytes) -> DecodeError | No
 
 @MORE
 @given(st.binary(max_size=80))
-def test_random_bytes_raise_nothing_but_decode_errors(data: bytes) -> None:
+def test_random_bytes_raise_decode_errors_only(data: bytes) -> None:
     for decode in (registry.decode, partial(registry.decode, strict=False)):
         error = rejected(decode, data)
         assert error is None or 0 <= error.offset <= len(data)
@@ -140,7 +140,7 @@ def test_random_bytes_raise_nothing_but_decode_errors(data: bytes) -> None:
 
 @MORE
 @given(st.sampled_from(registry.entries), st.binary(max_size=60))
-def test_random_bodies_raise_nothing_but_decode_errors(entry: Any, body: bytes) -> None:
+def test_random_bodies_raise_decode_errors_only(entry: Any, body: bytes) -> None:
     data = entry.code.to_bytes(2, "little") + body
     error = rejected(entry.load().decode, data)
     assert error is None or (0 <= error.offset <= len(data) and error.reason)

@@ -19,21 +19,21 @@ MESSAGES = Path(__file__).parents[2] / "src" / "jauspy" / "messages"
 WHERE = m.Location("odd.xml", 1)
 
 
-def test_committed_messages_are_what_the_schemas_give() -> None:
+def test_committed_messages_match_the_schemas() -> None:
     present = {path.relative_to(MESSAGES).as_posix(): path.read_text("utf-8") for path in MESSAGES.rglob("*.py")}
     generated = generate(load_builtin())
     assert present.keys() == generated.keys()
     assert [name for name in generated if generated[name] != present[name]] == []
 
 
-def test_lists_of_nothing_are_refused() -> None:
+def test_lists_of_empty_items_are_rejected() -> None:
     nothing = m.Record(name="Nothing", fields=())
     body = m.List(name="Endless", count=m.Count("u32", 0, 2**32 - 1), element=nothing)
     with pytest.raises(SchemaError, match="message Bomb: list Endless"):
         generate(_schema(body))
 
 
-def test_lists_in_lists_in_lists() -> None:
+def test_nested_lists_are_supported() -> None:
     body: m.Composite = m.Record(name="R", fields=(m.FixedField(name="X", type="u8"),))
     for _ in range(16):
         body = m.Sequence(name="S", items=(m.List(name="L", count=m.Count("u8", 0, 9), element=body),))
@@ -107,13 +107,13 @@ def test_other_names() -> None:
     assert set_package("urn:jaus:jss:exp:aeodrs:HealthMonitor") == "exp"
 
 
-def test_letters_with_marks_become_plain_ones() -> None:
+def test_diacritics_are_removed() -> None:
     assert attribute("Größe") == "grosse"
     assert attribute("Émission_Ångström") == "emission_angstrom"
     assert constant("ŒUVRE") == "OEUVRE"
 
 
-def test_packers_of_masks_are_bounded() -> None:
+def test_packer_cache_is_bounded() -> None:
     masks = Masks("2x", tuple((1 << bit, "B") for bit in range(16)))
     for mask in range(3 * MAX_CACHED_PACKERS):
         assert masks[mask].size == 2 + mask.bit_count()

@@ -54,7 +54,7 @@ def component(hub: LoopbackHub, *services: jauspy.Service, **options) -> jauspy.
     return jauspy.Component(ME, services or [Driver()], transport=on(hub, ME), **options)
 
 
-async def test_it_is_found_controlled_and_queried():
+async def test_component_is_discovered_controlled_and_queried():
     hub = LoopbackHub()
     async with component(hub, name="wheels") as me, jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
         robot = await ocu.discover(101)
@@ -71,7 +71,7 @@ async def test_it_is_found_controlled_and_queried():
         assert me.counters["host.received"] > 5
 
 
-async def test_the_core_services_are_there_without_being_asked():
+async def test_core_services_are_included_by_default():
     hub = LoopbackHub()
     async with component(hub), jauspy.OCU(OCU, transport=on(hub, OCU)) as ocu:
         offered = (await ocu.discover(101)).component(120).info.services
@@ -81,12 +81,12 @@ async def test_the_core_services_are_there_without_being_asked():
         assert isinstance(await ocu.query(ME, QueryTime(0xFF)), ReportTime)
 
 
-def test_few_are_there_when_that_is_asked_for():
+def test_core_false_includes_inherited_services_only():
     names = {each.name for each in component(LoopbackHub(), Liveness(), core=False).host.definitions.values()}
     assert names == {"Liveness", "Events", "Transport"}
 
 
-async def test_given_core_services_replace_the_usual_ones():
+async def test_given_core_services_replace_the_default_ones():
     class Pulse(Liveness):
         beats = 0
 
@@ -99,7 +99,7 @@ async def test_given_core_services_replace_the_usual_ones():
     assert me.service(Discovery).identities[4].name == "mine"
 
 
-def test_core_services_are_of_the_version_that_the_others_need():
+def test_core_services_have_the_version_that_others_need():
     class Old(Driver, version="1.0"):
         pass
 
@@ -108,7 +108,7 @@ def test_core_services_are_of_the_version_that_the_others_need():
     assert {"Discovery", "Time", "Liveness", "Management"} <= versions.keys()
 
 
-def test_what_is_missing_is_told_with_the_method_as_it_must_look():
+def test_missing_methods_raise_config_error_with_signatures():
     class Half(jauspy.Service, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
         pass
 
@@ -121,17 +121,17 @@ def test_what_is_missing_is_told_with_the_method_as_it_must_look():
 
 
 @pytest.mark.parametrize("id", ["101.1.0", "65535.1.1", "101.255.1", "0.0.255", "101.1"])
-def test_an_id_that_no_component_can_have(id):
+def test_invalid_id_is_rejected(id):
     with pytest.raises(ConfigError, match=r"101\.1\.1"):
         jauspy.Component(id, [Driver()])
 
 
-def test_a_service_that_is_not_there():
+def test_unknown_service_is_an_error():
     with pytest.raises(ConfigError, match="no service of the class Discovered"):
         jauspy.Component(ME, [Driver()]).service(type("Discovered", (jauspy.Service,), {}))
 
 
-async def test_closed_it_says_how_to_open_it_and_twice_is_fine():
+async def test_closed_component_error_says_how_to_open_it():
     me = component(LoopbackHub())
     for use in (me.wake, lambda: me.send(OCU, ReportHeartbeatPulse()), lambda: me.move("101.1.121")):
         with pytest.raises(ConfigError, match="async with"):
@@ -143,7 +143,7 @@ async def test_closed_it_says_how_to_open_it_and_twice_is_fine():
     assert me.counters == {}
 
 
-async def test_without_a_node_manager_it_says_what_to_do(root: Path):
+async def test_missing_node_manager_error_says_what_to_do(root: Path):
     with pytest.raises(TransportError, match="no node manager"):
         await jauspy.Component(ME, [Driver()], connect=f"local:{root}").open()
 
@@ -155,7 +155,7 @@ async def test_messages_can_be_sent_at_any_time():
         await me.deliver(ocu.id, ReportHeartbeatPulse())
 
 
-def test_every_does_not_drift_and_leaves_out_what_was_missed():
+def test_every_does_not_drift_and_skips_missed_calls():
     class Clock(Liveness):
         def __init__(self) -> None:
             self.ticks: list[float] = []
@@ -182,7 +182,7 @@ class Buggy(Liveness):
 
 
 @pytest.mark.parametrize(("on_error", "status"), [("stay", "STANDBY"), ("failure", "FAILURE")])
-async def test_it_survives_its_own_bugs_and_others_run_on(on_error, status, caplog):
+async def test_exceptions_do_not_affect_other_components(on_error, status, caplog):
     hub = LoopbackHub()
     other = jauspy.Component("101.1.121", [Liveness()], transport=on(hub, "101.1.121"))
     me = component(hub, Buggy(), on_action_error=on_error)
@@ -220,7 +220,7 @@ print("ended", flush=True)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-async def test_a_program_ends_in_order(root: Path, number: int):
+async def test_program_ends_in_order(root: Path, number: int):
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)):
         command = [sys.executable, "-W", "error", "-c", textwrap.dedent(PROGRAM).replace("ROOT", str(root))]
         child = await asyncio.create_subprocess_exec(*command, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -234,7 +234,7 @@ async def test_a_program_ends_in_order(root: Path, number: int):
         assert not list(root.glob("[0-9]*"))
 
 
-def test_a_program_that_cannot_start_says_why_and_little_else(root: Path):
+def test_failed_start_prints_one_sentence(root: Path):
     command = [sys.executable, "-c", textwrap.dedent(PROGRAM).replace("ROOT", str(root))]
     child = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
     *trace, problem = child.stderr.splitlines()

@@ -83,7 +83,7 @@ async def test_a_query_is_answered():
         assert me.counters["transport.sent"] == 1
 
 
-async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
+async def test_deferred_answer_is_sent_when_available():
     class Slow(Liveness):
         later = None
 
@@ -104,7 +104,7 @@ async def test_an_answer_that_comes_later_is_sent_when_it_is_there():
     slow.later.set_result(ReportHeartbeatPulse())
 
 
-async def test_services_are_told_what_was_acknowledged_and_keep_room_for_others(virtual_network):
+async def test_acknowledgement_callbacks_are_called_and_bounded(virtual_network):
     hub, told = LoopbackHub(), []
     async with component(hub, clock=loop_time) as me, Peer(hub) as peer:
         me.host.receive(RequestControl(1).encode(), PEER, loop_time())
@@ -121,7 +121,7 @@ async def test_services_are_told_what_was_acknowledged_and_keep_room_for_others(
         assert me.host.controller == PEER, "who does not acknowledge may be there all the same"
 
 
-async def test_what_asks_for_an_ack_gets_one():
+async def test_requested_ack_is_sent():
     hub = LoopbackHub()
     async with component(hub), Peer(hub) as peer:
         peer.send(QueryHeartbeatPulse(), Ack.REQUIRED)
@@ -140,7 +140,7 @@ async def test_timers_of_services_run(virtual_network):
         assert me.host.controller is None
 
 
-async def test_garbage_is_counted_and_good_traffic_goes_on():
+async def test_garbage_is_counted_and_valid_traffic_continues():
     hub = LoopbackHub()
     async with component(hub) as me, Peer(hub) as peer:
         for garbage in (b"", b"\x02", b"\xff" * 65507, pack(Packet(PEER, ME, b"\x0d\x00"))[:-3]):
@@ -154,7 +154,7 @@ async def test_garbage_is_counted_and_good_traffic_goes_on():
         assert sum(value for name, value in me.counters.items() if name.startswith("endpoint.dropped.")) >= 3
 
 
-async def test_a_bug_does_not_reach_the_event_loop(caplog):
+async def test_exception_does_not_reach_the_event_loop(caplog):
     hub = LoopbackHub()
 
     def buggy(packet: Packet) -> bool:
@@ -168,7 +168,7 @@ async def test_a_bug_does_not_reach_the_event_loop(caplog):
     assert "a bug" in caplog.text
 
 
-async def test_an_intercepted_packet_does_not_reach_the_services():
+async def test_intercepted_packet_does_not_reach_the_services():
     hub = LoopbackHub()
     seen = []
 
@@ -184,7 +184,7 @@ async def test_an_intercepted_packet_does_not_reach_the_services():
         assert "host.unknown_message" not in me.counters
 
 
-async def test_open_and_close_twice_and_again():
+async def test_component_can_be_opened_and_closed_repeatedly():
     hub = LoopbackHub()
     me = component(hub)
     for _ in range(2):
@@ -200,7 +200,7 @@ async def test_open_and_close_twice_and_again():
         assert peer.packets.empty()
 
 
-async def test_a_transport_that_cannot_open_says_so_and_leaves_nothing():
+async def test_failed_open_of_a_transport_is_an_error_and_cleans_up():
     hub = LoopbackHub()
     async with component(hub):
         second = component(hub)
@@ -228,7 +228,7 @@ async def test_run_serves_until_closed_or_cancelled():
     assert not me.is_open
 
 
-async def test_an_outage_of_the_transport_is_survived():
+async def test_outage_of_the_transport_is_survived():
     hub = LoopbackHub()
     async with component(hub) as me, Peer(hub) as peer:
         await me._transport.close()
@@ -239,7 +239,7 @@ async def test_an_outage_of_the_transport_is_survived():
         assert me.counters["transport.dropped.closed"] == 1
 
 
-async def test_sequence_numbers_start_anywhere_and_go_on():
+async def test_sequence_numbers_start_at_random_and_continue():
     hub = LoopbackHub()
     async with Peer(hub) as peer:
         async with component(hub, first_sequence=0xFFFF) as me:
@@ -254,13 +254,13 @@ async def test_sequence_numbers_start_anywhere_and_go_on():
         assert len(starts) > 1
 
 
-async def test_what_cannot_be_encoded_is_the_senders_error():
+async def test_send_raises_encode_error():
     async with component(LoopbackHub()) as me:
         with pytest.raises(EncodeError):
             me.send(PEER, RequestControl(authority_code=300))
 
 
-async def test_services_that_are_used_from_outside_are_woken():
+async def test_wake_sends_messages_queued_from_outside():
     hub = LoopbackHub()
     async with component(hub) as me, Peer(hub) as peer:
         me.host.send(PEER, ReportHeartbeatPulse())
@@ -268,14 +268,14 @@ async def test_services_that_are_used_from_outside_are_woken():
         assert (await peer.next()).payload == ReportHeartbeatPulse().encode()
 
 
-async def test_delivered_means_acknowledged():
+async def test_deliver_returns_after_the_ack():
     hub = LoopbackHub()
     async with component(hub) as me, component(hub, PEER):
         await me.deliver(PEER, ReportHeartbeatPulse())
         assert me.counters["endpoint.delivered"] == 1
 
 
-async def test_what_is_not_acknowledged_is_resent_and_then_an_error():
+async def test_unacknowledged_message_is_resent_and_then_an_error():
     hub = LoopbackHub()
     async with component(hub, delivery=Delivery(ack_timeout=0.01)) as me, Peer(hub) as peer:
         with pytest.raises(ResponseTimeout, match=r"2\.1\.1 did not acknowledge ReportHeartbeatPulse"):
@@ -285,7 +285,7 @@ async def test_what_is_not_acknowledged_is_resent_and_then_an_error():
         assert peer.packets.empty()
 
 
-async def test_events_of_a_client_that_does_not_acknowledge_end():
+async def test_events_of_an_unreachable_client_end():
     hub = LoopbackHub()
     async with component(hub, delivery=Delivery(ack_timeout=0.01)) as me, Peer(hub) as peer:
         peer.send(CreateEvent(1, 1, 0.0, QueryHeartbeatPulse()))
@@ -297,7 +297,7 @@ async def test_events_of_a_client_that_does_not_acknowledge_end():
         assert len(me.host.service(Events).subscriptions) == 0
 
 
-async def test_nobody_waits_for_a_component_that_is_closed():
+async def test_close_ends_all_waits():
     me = component(LoopbackHub())
     with pytest.raises(ConfigError, match="not open"):
         await me.deliver(PEER, ReportHeartbeatPulse())
@@ -311,7 +311,7 @@ async def test_nobody_waits_for_a_component_that_is_closed():
         await waiting
 
 
-async def test_large_messages_go_out_in_pieces_and_come_in_whole():
+async def test_large_messages_are_fragmented_and_reassembled():
     hub = LoopbackHub()
     seen: asyncio.Queue[Packet] = asyncio.Queue()
 
@@ -329,7 +329,7 @@ async def test_large_messages_go_out_in_pieces_and_come_in_whole():
             assert (ticket is None) == (ack is Ack.NONE)
 
 
-async def test_pieces_wait_while_the_transport_has_much_to_send(virtual_network):
+async def test_fragments_wait_while_the_transport_is_congested(virtual_network):
     class Line(LoopbackTransport):
         waiting = MAX_TRANSPORT_BACKLOG
 
@@ -351,7 +351,7 @@ def queries(number: int, start: int = 0) -> bytes:
     return packets[0][:1] + b"".join(packet[1:] for packet in packets)
 
 
-async def test_more_packets_than_one_turn_handles_are_all_handled():
+async def test_packets_above_the_limit_of_a_turn_are_handled_later():
     hub = LoopbackHub()
     many = 3 * MAX_PACKETS_PER_TURN + 1
     async with component(hub) as me:
@@ -363,7 +363,7 @@ async def test_more_packets_than_one_turn_handles_are_all_handled():
                 await asyncio.sleep(0)
 
 
-async def test_what_was_not_handled_before_closing_is_not_handled_after():
+async def test_pending_packets_are_dropped_on_close():
     hub = LoopbackHub()
     me = component(hub)
     await me.open()
@@ -376,7 +376,7 @@ async def test_what_was_not_handled_before_closing_is_not_handled_after():
         assert me.counters["host.received"] == MAX_WAITING_PER_TURN + 1
 
 
-async def test_a_bug_on_one_packet_leaves_the_others_of_its_datagram():
+async def test_exception_on_one_packet_does_not_affect_others_of_its_datagram():
     hub = LoopbackHub()
 
     def buggy(packet: Packet) -> bool:
@@ -390,7 +390,7 @@ async def test_a_bug_on_one_packet_leaves_the_others_of_its_datagram():
         assert me.counters["host.received"] == 1
 
 
-async def test_control_that_ran_out_while_the_event_loop_hung_is_over():
+async def test_control_times_out_while_the_event_loop_hangs():
     hub, now = LoopbackHub(), [time.monotonic()]
     async with component(hub, clock=lambda: now[0]) as me, Peer(hub) as peer:
         peer.send(RequestControl(authority_code=100))
@@ -401,7 +401,7 @@ async def test_control_that_ran_out_while_the_event_loop_hung_is_over():
         assert me.host.controller is None
 
 
-async def test_what_is_too_long_for_the_transport_is_counted_and_logged_once(caplog):
+async def test_oversized_message_is_counted_and_logged_once(caplog):
     async with component(LoopbackHub()) as me:
         for _ in range(2):
             me.host.send(EVERYONE, RegisterServices([ServiceRec("x" * 255, 1, 0)] * 255))

@@ -47,7 +47,7 @@ OF_A_WRONG_TYPE = {
 
 
 @pytest.mark.parametrize(("make", "words"), OF_A_WRONG_TYPE.values(), ids=OF_A_WRONG_TYPE)
-def test_values_of_wrong_types_are_named(make, words):
+def test_wrong_types_raise_named_errors(make, words):
     with pytest.raises(TypeError, match=words):
         make()
 
@@ -78,12 +78,12 @@ OUT_OF_RANGE = {
 
 
 @pytest.mark.parametrize(("make", "words"), OUT_OF_RANGE.values(), ids=OUT_OF_RANGE)
-def test_values_out_of_range_are_named_with_the_range(make, words):
+def test_values_out_of_range_raise_errors_with_the_range(make, words):
     with pytest.raises(jauspy.ConfigError, match=words):
         make()
 
 
-def test_a_service_that_is_in_no_component_yet():
+def test_host_of_an_unattached_service_error_explains_it():
     with pytest.raises(
         AttributeError, match=r"^'Early' object has no attribute 'host'; it is there from `attached\(\)`"
     ):
@@ -92,7 +92,7 @@ def test_a_service_that_is_in_no_component_yet():
         Liveness().hots  # noqa: B018 - it is the access that fails
 
 
-def test_a_property_that_fails_says_why():
+def test_failing_property_keeps_its_error():
     class Battery(Liveness):
         bus = None
 

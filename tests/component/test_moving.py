@@ -53,7 +53,7 @@ def at(root: Path, id: str, *services: jauspy.Service) -> jauspy.Component:
     return jauspy.Component(id, services or [Liveness()], connect=f"local:{root}", name="the mover")
 
 
-async def test_it_is_given_its_id_by_what_an_action_decides(root: Path, manager: NodeManager):
+async def test_action_changes_the_id(root: Path, manager: NodeManager):
     master = at(root, "101.1.1")
     async with master, at(root, NOWHERE, Client()) as me, jauspy.OCU(OCU, connect=f"local:{root}") as ocu:
         assert me.id == jauspy.JausID(0, 0, 101)
@@ -71,13 +71,13 @@ async def test_it_is_given_its_id_by_what_an_action_decides(root: Path, manager:
         )
 
 
-async def test_it_is_there_as_soon_as_it_has_moved(root: Path, manager: NodeManager):
+async def test_component_is_reachable_at_once_under_its_new_id(root: Path, manager: NodeManager):
     async with at(root, NOWHERE) as me, jauspy.OCU(OCU, connect=f"local:{root}") as ocu:
         me.move(HOME)
         await ocu.query(HOME, QueryTime(0xFF), timeout=5.0, retries=0)
 
 
-async def test_over_tcp_it_is_found_before_and_after(root: Path):
+async def test_component_is_found_before_and_after_a_move_over_tcp(root: Path):
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=0)
     async with (
         NodeManager(config) as node,
@@ -91,7 +91,7 @@ async def test_over_tcp_it_is_found_before_and_after(root: Path):
             assert robot.component(id).info.name == "jauspy component"
 
 
-async def test_what_runs_is_ended_under_the_old_id_and_begun_anew_under_the_new_one():
+async def test_move_ends_control_and_events_of_the_old_id():
     hub = LoopbackHub()
     old, new = jauspy.JausID.parse("101.1.7"), jauspy.JausID.parse(HOME)
     heard: list[tuple[jauspy.JausID, type]] = []
@@ -126,7 +126,7 @@ async def test_what_runs_is_ended_under_the_old_id_and_begun_anew_under_the_new_
         assert me.controller == client.id
 
 
-async def test_an_id_that_is_taken_is_an_error_and_the_component_stays(root: Path, manager: NodeManager):
+async def test_move_to_an_id_in_use_is_an_error_and_keeps_the_id(root: Path, manager: NodeManager):
     async with at(root, HOME), at(root, "101.1.7") as me, jauspy.OCU(OCU, connect=f"local:{root}") as ocu:
         with pytest.raises(TransportError, match=r"another component 101\.1\.101 is already running"):
             me.move(HOME)
@@ -138,7 +138,7 @@ async def test_an_id_that_is_taken_is_an_error_and_the_component_stays(root: Pat
         assert me.counters["component.move_failed"] == 2
 
 
-async def test_a_move_that_is_not_possible_disturbs_nobody():
+async def test_failed_move_does_not_affect_clients():
     hub = LoopbackHub()
     id, taken, client = map(jauspy.JausID.parse, ("101.1.7", HOME, OCU))
     me = jauspy.Component(id, [AccessControl()], transport=LoopbackTransport(id, hub))
@@ -157,7 +157,7 @@ async def test_a_move_that_is_not_possible_disturbs_nobody():
         assert len(me.service(Events).subscriptions) == 1
 
 
-async def test_who_waits_for_an_ack_to_the_old_id_is_told():
+async def test_move_ends_waits_for_acks_to_the_old_id():
     hub = LoopbackHub()
     id = jauspy.JausID.parse("101.1.7")
     async with jauspy.Component(id, [Liveness()], transport=LoopbackTransport(id, hub)) as me:
@@ -168,7 +168,7 @@ async def test_who_waits_for_an_ack_to_the_old_id_is_told():
             await waiting
 
 
-async def test_a_closed_component_that_moved_opens_under_its_new_id(root: Path, manager: NodeManager):
+async def test_moved_component_reopens_under_its_new_id(root: Path, manager: NodeManager):
     me = at(root, NOWHERE)
     async with me:
         me.move(HOME)
@@ -176,7 +176,7 @@ async def test_a_closed_component_that_moved_opens_under_its_new_id(root: Path, 
         await ocu.query(HOME, QueryTime(0xFF))
 
 
-async def test_registrations_of_others_end_when_it_leaves():
+async def test_move_ends_registrations_of_others():
     hub = LoopbackHub()
     id = jauspy.JausID.parse("101.1.7")
     async with jauspy.Component(id, [Liveness()], transport=LoopbackTransport(id, hub)) as me:

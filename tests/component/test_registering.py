@@ -37,7 +37,7 @@ async def listed(ocu: jauspy.OCU) -> list[int]:
     return [each.component_id for node in report.node_list for each in node.component_list]
 
 
-async def test_it_is_listed_while_it_runs(virtual_network, ocu):
+async def test_component_is_listed_while_it_runs(virtual_network, ocu):
     async with master(virtual_network):
         async with pump(virtual_network):
             await asyncio.sleep(2 * REGISTRATION_INTERVAL)
@@ -46,7 +46,7 @@ async def test_it_is_listed_while_it_runs(virtual_network, ocu):
         assert await listed(ocu) == [1]
 
 
-async def test_it_is_listed_again_by_a_master_that_was_away(virtual_network, ocu):
+async def test_component_registers_again_with_a_restarted_master(virtual_network, ocu):
     async with pump(virtual_network):
         await asyncio.sleep(1.0)
         async with master(virtual_network):
@@ -55,7 +55,7 @@ async def test_it_is_listed_again_by_a_master_that_was_away(virtual_network, ocu
             assert await listed(ocu) == [1, 7]
 
 
-async def test_one_that_moves_is_listed_under_its_new_id(virtual_network, ocu):
+async def test_moved_component_is_listed_under_its_new_id(virtual_network, ocu):
     async with master(virtual_network), pump(virtual_network) as component:
         await asyncio.sleep(1.0)
         assert await listed(ocu) == [1, 7]
@@ -64,7 +64,7 @@ async def test_one_that_moves_is_listed_under_its_new_id(virtual_network, ocu):
         assert await listed(ocu) == [1, 8]
 
 
-async def test_one_without_an_id_registers_when_it_has_one(virtual_network, ocu):
+async def test_component_registers_when_it_is_assigned_an_id(virtual_network, ocu):
     async with master(virtual_network), pump(virtual_network, "0.0.7") as component:
         await asyncio.sleep(1.0)
         assert await listed(ocu) == [1]
@@ -73,7 +73,7 @@ async def test_one_without_an_id_registers_when_it_has_one(virtual_network, ocu)
         assert await listed(ocu) == [1, 7]
 
 
-async def test_that_it_moved_elsewhere_is_counted(virtual_network):
+async def test_move_to_another_subsystem_is_counted(virtual_network):
     async with pump(virtual_network, "0.0.7") as component:
         component.move("102.1.7")
         await asyncio.sleep(1.0)
@@ -82,18 +82,18 @@ async def test_that_it_moved_elsewhere_is_counted(virtual_network):
 
 
 @pytest.mark.parametrize("id", ["102.1.7", MASTER])
-def test_it_cannot_register_with_itself_or_elsewhere(id: str) -> None:
+def test_registration_with_itself_or_another_subsystem_is_rejected(id: str) -> None:
     with pytest.raises(ConfigError, match=r"cannot register with 101\.1\.1"):
         jauspy.Component(id, [Liveness(), Discovery(register_with=MASTER)])
 
 
-async def test_it_keeps_the_name_that_it_was_given(virtual_network, ocu):
+async def test_given_name_is_kept(virtual_network, ocu):
     async with virtual_network.component(PUMP, [Discovery(register_with=MASTER)], name="pump"):
         report = await ocu.query(PUMP, QueryIdentification(query_type=4), expects=ReportIdentification)
         assert report.identification == "pump"
 
 
 @pytest.mark.parametrize("id", ["101.0.1", "0.0.1", "101.1.255", "x"])
-def test_there_must_be_one_to_register_with(id: str) -> None:
+def test_invalid_register_with_is_rejected(id: str) -> None:
     with pytest.raises(ConfigError):
         Discovery(register_with=id)

@@ -27,7 +27,7 @@ def my_host() -> Host:
     return Host(JausID(101, 1, 1), [Discovery(), Management()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
 
 
-def test_a_profile_of_your_own():
+def test_documented_profile_runs():
     names: dict = {}
     exec(program("from jauspy.conformance import Profile"), names)
     report = examined(names["PROFILE"], VirtualTarget([TargetComponent(my_host())]), JausID(101, 1, 1))
@@ -35,7 +35,7 @@ def test_a_profile_of_your_own():
     assert report.points == (0, 5)
 
 
-def test_steps_as_tests():
+def test_documented_pytest_steps_run():
     names: dict = {"my_host": my_host}
     exec(program("from jauspy.conformance import TargetComponent"), names)
     (mark,) = names["test_core"].pytestmark

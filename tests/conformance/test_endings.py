@@ -46,14 +46,14 @@ def verdicts(report):
     return [each.verdict for each in report.results]
 
 
-def test_silence_of_the_dead_is_no_pass():
+def test_steps_that_expect_silence_fail_if_the_target_is_dead():
     wire = ScriptedWire("101.1.1", dying(after=1))
     report = run(steps(STATUS, STATUS, tell(COP, Standby())), wire, wire.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, Verdict.SILENT, Verdict.SILENT]
     assert report.results[2].reason == "the target is silent since step 2"
 
 
-def test_nobody_waits_for_the_dead():
+def test_steps_after_three_silent_ones_are_skipped():
     wire = ScriptedWire("101.1.1", dying(after=1))
     report = run(steps(*[STATUS] * 50), wire, wire.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 3, *[Verdict.SKIPPED] * 46]
@@ -63,7 +63,7 @@ def test_nobody_waits_for_the_dead():
     assert report.seconds < 20
 
 
-def test_a_query_that_is_not_understood_is_no_death():
+def test_unanswered_query_alone_does_not_count_as_dead():
     def script(payload):
         return [(0.01, READY)] if payload[:2] == b"\x02\x20" else []
 
@@ -74,14 +74,14 @@ def test_a_query_that_is_not_understood_is_no_death():
 
 
 @pytest.mark.parametrize("profile", ["mobility-1.1", "ugv-1.0", "manipulator-2.0"])
-def test_the_robot_is_left_in_order(profile):
+def test_robot_is_restored_at_the_end(profile):
     name, target = ("inc1", JausID(101, 1, 105)) if profile == "manipulator-2.0" else ("igvc", COMPONENT)
     virtual_target = robot(name=name, tick=None)
     examined(profile, virtual_target, target)
     assert is_free(virtual_target, target)
 
 
-def test_a_bug_of_a_step_is_told_and_the_others_run():
+def test_exception_in_a_step_fails_it_and_the_others_run():
     def buggy(tester):
         tester.client(COP).nonsense()
 
@@ -93,14 +93,14 @@ def test_a_bug_of_a_step_is_told_and_the_others_run():
     assert "test_endings.py:" in reason
 
 
-def test_a_value_that_cannot_be_sent_is_a_bug_of_the_step_as_well():
+def test_encode_error_in_a_step_fails_it():
     wire = ScriptedWire("101.1.1", dying(after=9))
     report = run(steps(STATUS, tell(COP, SetTravelSpeed(1e9)), STATUS), wire, wire.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, Verdict.FAIL, Verdict.PASS]
     assert "the step itself has a bug: EncodeError: " in report.results[1].reason
 
 
-def test_whatever_ends_the_run_the_robot_is_left_in_order():
+def test_robot_is_restored_after_any_end_of_the_run():
     def full(result):
         if result.id == "2":
             raise OSError("no space left")
@@ -111,7 +111,7 @@ def test_whatever_ends_the_run_the_robot_is_left_in_order():
     assert is_free(virtual_target)
 
 
-def test_what_is_shut_down_fails_once():
+def test_target_that_is_shut_down_fails_once():
     virtual_target = robot(timeout=5, component=1, tick=None)
     only = "NotControlled.Available.Standby/Query", "Controlled.Available.Ready/Shutdown/controller"
     assert examined("core-1.1", virtual_target, COMPONENT, only=only).status == 0
@@ -122,7 +122,7 @@ def test_what_is_shut_down_fails_once():
     assert {(each.verdict, each.reason) for each in others} == {(Verdict.SKIPPED, first.reason)}
 
 
-def test_what_somebody_else_controls_fails_once():
+def test_target_controlled_by_another_client_fails_once():
     virtual_target = robot(timeout=5, component=1, tick=None)
     virtual_target.components[COMPONENT].host.receive(RequestControl(255).encode(), JausID(7, 7, 7), 0.0)
     report = examined("core-1.1", virtual_target, COMPONENT, only=("NotControlled.Available.Standby/Query",))
@@ -141,7 +141,7 @@ def interrupt(tester):
     raise KeyboardInterrupt
 
 
-def test_ctrl_c_leaves_the_robot_in_order_and_a_report():
+def test_ctrl_c_restores_the_robot_and_keeps_the_report():
     virtual_target = robot(tick=None)
     emergency = tell("42.2.4", SetEmergency(SetEmergency.EmergencyCode.STOP))
     profile = steps(STATUS, tell(COP, RequestControl(200)), emergency, interrupt, STATUS)
@@ -153,7 +153,7 @@ def test_ctrl_c_leaves_the_robot_in_order_and_a_report():
     assert is_free(virtual_target)
 
 
-def test_a_network_that_goes_away_is_told():
+def test_lost_network_is_reported():
     class Unplugged(ScriptedWire):
         def send(self, datagram, source, *, other_port=False):
             if self.sent:

@@ -51,14 +51,14 @@ def named(profile: str) -> list[Fault]:
 
 
 @pytest.mark.parametrize("profile", HAND_WRITTEN)
-def test_a_sample_of_faults_is_caught(profile):
+def test_sampled_faults_are_detected(profile):
     assert list(filter(None, (missed(fault, fault.run()) for fault in named(profile)[::SAMPLE]))) == []
 
 
 @pytest.mark.slow
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("profile", HAND_WRITTEN)
-def test_every_fault_is_caught_and_every_check_catches_one(profile):
+def test_every_fault_is_detected_and_every_check_detects_one(profile):
     unseen = checks(examined(profile, robot()))
     assert len(unseen) > 50
     problems = []
@@ -77,18 +77,18 @@ def test_every_fault_is_caught_and_every_check_catches_one(profile):
         for number, fault in enumerate(faults.GENERATED)
     ],
 )
-def test_faults_in_state_machines_are_caught(fault):
+def test_faults_in_state_machines_are_detected(fault):
     assert missed(fault, fault.run()) == ""
 
 
-def test_the_faults_are_many_and_have_names_of_their_own():
+def test_fault_names_are_unique():
     names = Counter(map(str, faults.ALL))
     assert [name for name, count in names.items() if count > 1] == []
     named: Iterable[Fault] = (fault for fault in faults.ALL if fault.trips)
     assert len({fault.name for fault in named}) >= 25
 
 
-def test_without_a_fault_nothing_is_caught():
+def test_robot_without_fault_passes():
     healthy = Fault("none", "igvc-2015", (), lambda: (TargetComponent, VirtualTarget, []), motion=True)
     report = healthy.run()
     assert report.failures == ()

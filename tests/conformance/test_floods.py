@@ -32,14 +32,14 @@ def nothing_kept(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 @pytest.mark.parametrize(("profile", "only"), [("core-1.1", EVENT_STEPS), ("transport", ())])
-def test_verdicts_do_not_need_the_record(profile, only, nothing_kept):
+def test_verdicts_do_not_depend_on_the_trace(profile, only, nothing_kept):
     report = examined(profile, robot(timeout=5, component=1, tick=None), JausID(105, 1, 1), only=only)
     assert report.counts[Verdict.PASS] > 10
     assert [f"{each.id}: {each.reason}" for each in report.failures] == []
     assert report.entries == ()
 
 
-def test_death_is_noticed_without_the_record(nothing_kept):
+def test_dead_target_is_detected_without_the_trace(nothing_kept):
     wire = ScriptedWire("101.1.1", dying(after=1))
     report = run(steps(STATUS, STATUS, tell(COP, Standby()), *[STATUS] * 9), wire, wire.id, began=0.0)
     assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 3, *[Verdict.SKIPPED] * 8]
@@ -50,7 +50,7 @@ def flooding(payload):
     return [(0.01, READY), *((0.02, PULSE) for _ in range(500))]
 
 
-def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
+def test_omitted_datagrams_are_counted_in_every_report(monkeypatch):
     monkeypatch.setattr(trace, "MAX_STEP_ENTRIES", 20)
     wire = ScriptedWire("101.1.1", flooding)
     wait = steps(STATUS, lambda at: at.wait(0.1), STATUS)
@@ -66,7 +66,7 @@ def test_what_is_too_much_is_counted_in_every_report(monkeypatch):
     assert [each.attrib for each in suite.iter("property")] == [{"name": "note", "value": note}]
 
 
-def test_a_record_that_is_full_still_has_the_begin_of_each_step(monkeypatch):
+def test_full_trace_still_has_the_first_datagrams_of_each_step(monkeypatch):
     monkeypatch.setattr(trace, "MAX_ENTRIES", 10)
     monkeypatch.setattr(trace, "MAX_STEP_ENTRIES_WHEN_FULL", 5)
     wire = ScriptedWire("101.1.1", flooding)
@@ -74,7 +74,7 @@ def test_a_record_that_is_full_still_has_the_begin_of_each_step(monkeypatch):
     assert [len(each.entries) for each in report.results] == [10, 5, 5]
 
 
-def test_messages_that_no_step_has_looked_at_are_counted():
+def test_dropped_pending_messages_are_counted():
     def much(payload):
         return [(0.02, PULSE) for _ in range(1500)]
 
@@ -96,7 +96,7 @@ class Endless(ScriptedWire):
         return super().receive(until) or (Arrival(pulse) if self.sent else None)
 
 
-def test_a_flood_faster_than_the_test_ends_the_run(monkeypatch):
+def test_flood_faster_than_the_test_ends_the_run(monkeypatch):
     monkeypatch.setattr(tester, "MAX_BEHIND", 500)
     wire = Endless("101.1.1", lambda _: [])
     report = run(steps(tell(COP, Standby()), STATUS), wire, wire.id, began=0.0)

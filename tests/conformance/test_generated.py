@@ -40,14 +40,14 @@ def state_tests_of(services=CORE):
     return [step.run for step in planned(services) if isinstance(step.run, StateTest)]
 
 
-def test_what_is_ignored_is_tried_too():
+def test_ignored_inputs_are_tested():
     ignored = [each for each in state_tests_of() if any(not prediction.rule for prediction in each.predictions)]
     assert {"Resume", "Standby", "Shutdown", "Reset", "SetAuthority", "SetTime", "SetElement"} <= {
         each.stimulus.message for each in ignored
     }
 
 
-def test_every_lasting_state_is_visited():
+def test_all_lasting_states_are_visited():
     states = {".".join(each.situation.state[2:]) for each in state_tests_of()}
     assert states == {
         "NotControlled.Available.Standby",
@@ -76,11 +76,11 @@ def test_without_motion_nothing_is_commanded_in_ready():
     assert moved == set()
 
 
-def test_steps_have_names_of_their_own():
+def test_step_ids_are_unique():
     assert max(Counter(step.id for step in planned()).values()) == 1
 
 
-def test_what_ends_the_component_comes_last():
+def test_steps_that_end_the_component_are_last():
     ids = [step.id for step in planned()]
     end = ids.index("Controlled.Available.Ready/Shutdown/controller")
     after = [id for id in ids[end + 1 :] if not id.startswith(("NotControlled.NotAvailable.Shutdown/", "untried/"))]
@@ -109,13 +109,13 @@ OPEN = "NotControlled.Available.Standby/CreateCommandEvent/other-client/a-new-on
     ],
     ids=["right", "silent", "late", "short", "another", "twice", "wrong sender"],
 )
-def test_every_verdict_can_be_given(step, kind, mistake, verdict, reason):
+def test_all_verdicts_are_possible(step, kind, mistake, verdict, reason):
     (result,) = Fault("x", "core-1.1", (), mistake(kind), timeout=5, only=(step,)).run().results
     assert (result.verdict, reason in result.reason) == (verdict, True), result.reason
 
 
 @pytest.mark.parametrize("name", ["mobility-1.1", "manipulator-2.0", "sensing-2.0", "ugv-1.0"])
-def test_a_target_without_such_services_does_not_pass(name):
+def test_target_without_the_services_does_not_pass(name):
     component = Host(ID, [Discovery()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
     report = examined(name, VirtualTarget([TargetComponent(component)]), ID)
     assert report.status == 2
@@ -147,13 +147,13 @@ def test_neutral_messages_are_valid_for_every_message():
         assert kind.decode(message.encode()) == message
 
 
-def test_several_components_are_kept_apart():
+def test_components_are_tested_separately():
     twice = Offers({JausID(101, 1, n): frozenset({("urn:jaus:jss:core:Liveness", "1.1")}) for n in (1, 2)})
     ids = [step.id for step in find("core-1.1").plan(twice)]
     assert {id.partition("/")[0] for id in ids} == {"101.1.1", "101.1.2"}
 
 
-def test_of_a_wildcard_every_component_is_asked():
+def test_wildcard_target_queries_every_component():
     from jauspy.conformance.offers import discover
     from jauspy.conformance.tester import Tester
 
@@ -168,7 +168,7 @@ def component(number: int, *services: Service) -> TargetComponent:
     return TargetComponent(host)
 
 
-def test_of_a_component_without_discovery_its_node_tells():
+def test_services_of_a_component_without_discovery_come_from_its_node():
     discovery, lonely = component(1, Discovery()), component(7, Liveness())
     offer = RegisterServices([ServiceRec("urn:jaus:jss:core:Liveness", 1, 1)])
     discovery.host.receive(offer.encode(), lonely.host.id, 0.0)
@@ -177,13 +177,13 @@ def test_of_a_component_without_discovery_its_node_tells():
     assert report.status == 0
 
 
-def test_a_target_that_lives_and_tells_no_services_is_not_called_dead():
+def test_responsive_target_without_services_is_not_reported_as_dead():
     report = examined("core-1.1", VirtualTarget([component(7, Liveness())]), JausID(101, 1, 7))
     assert report.status == 2
     assert "101.1.7 does not say which services it offers: no ReportServices" in report.problem
 
 
-def test_offers_of_a_bench_are_what_discovery_tells():
+def test_offers_of_a_virtual_target_match_discovery():
     from jauspy.conformance.offers import discover
     from jauspy.conformance.tester import Tester
 

@@ -113,7 +113,7 @@ def test_our_robots_pass(profile, module):
 @pytest.mark.slow
 @pytest.mark.timeout(300)
 @pytest.mark.parametrize("profile", MODULES)
-def test_every_kind_of_check_is_tripped(profile):
+def test_every_kind_of_check_can_fail(profile):
     known: set[tuple[str, str]] = set()
     for module in MODULES[profile]:
         wanted = {check: step for check, step in kinds(run_of(profile, module)).items() if check not in known}

@@ -9,14 +9,14 @@ from tests.conformance.simulated import examined, robot
 from jauspy.conformance import Profile, find
 
 
-def test_our_robot_gets_all_points():
+def test_robot_gets_all_points():
     report = examined("igvc-2011", robot())
     assert [f"{each.id}: {each.reason}" for each in report.failures] == []
     assert report.points == (60, 60)
     assert report.status == 0
 
 
-def test_each_task_is_worth_ten():
+def test_each_task_has_ten_points():
     profile = find("igvc-2011")
     assert isinstance(profile, Profile)
     steps = sorted(profile.steps, key=lambda step: step.id[0])

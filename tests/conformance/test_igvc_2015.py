@@ -18,13 +18,13 @@ def report():
     return examined("igvc-2015", robot())
 
 
-def test_our_robot_passes(report):
+def test_robot_passes(report):
     assert [f"{each.id}: {each.reason}" for each in report.failures] == []
     assert report.points == (80, 80)
     assert report.status == 0
 
 
-def test_what_is_sent_is_what_the_judge_sent(report, shared):
+def test_sent_bytes_equal_those_of_the_judge(report, shared):
     with (shared / "facts" / "igvc_2015_interface_test.csv").open() as file:
         rows = list(csv.DictReader(file))
     assert len(rows) == len(report.results)

@@ -66,7 +66,7 @@ def nothing(self, msg):
 
 
 @pytest.mark.parametrize("kind", [LocalLoiterer, GlobalLoiterer])
-def test_who_loiters_as_it_is_told_passes(kind):
+def test_correct_loiter_driver_passes(kind):
     report = judged(kind())
     assert failed(report) == set()
     taken = {name for result in report.results for name in result.taken}
@@ -81,11 +81,11 @@ def test_who_loiters_as_it_is_told_passes(kind):
         (LocalLoiterer, "set_travel_speed_ext", "SetTravelSpeedExt/controller"),
     ],
 )
-def test_what_is_taken_and_not_used_is_noticed(kind, action, step, monkeypatch):
+def test_ignored_loiter_fails(kind, action, step, monkeypatch):
     monkeypatch.setattr(kind, action, nothing)
     assert f"{READY}/{step}" in failed(judged(kind()))
 
 
-def test_a_height_that_was_not_asked_for_is_noticed(monkeypatch):
+def test_unrequested_altitude_fails(monkeypatch):
     monkeypatch.setattr(presence_vectors, "apply_presence_vectors", lambda report, query: report)
     assert f"{READY}/QueryLocalLoiter/other-client/no-fields" in failed(judged(LocalLoiterer()))

@@ -62,7 +62,7 @@ PARTS = {
 }
 
 
-def test_parts_of_a_report_are_not_mixed_up():
+def test_parts_of_a_report_are_distinguished():
     report = judged(Turning())
     assert f"{EXTENDED}/some-fields" in {each.id for each in report.results}
     assert failed(report) == set()
@@ -76,7 +76,7 @@ def test_fields_of_every_part_are_compared(part, monkeypatch):
     assert failed(judged(service)) == {f"{NAVIGATION}/{some}-fields" for some in ("no", "some")}
 
 
-def test_components_of_velocity_do_not_come_unless_something_of_velocity_is_asked_for(monkeypatch):
+def test_unrequested_velocity_components_fail(monkeypatch):
     """No bit is theirs alone, so which of them come for which bit is not judged."""
     service = Navigator("components", velocity_x=1.0)
     assert failed(judged(service)) == set()

@@ -27,7 +27,7 @@ SENSORS = [
         pytest.param("manipulator-2.0", JausID(101, 1, 107), QueryPanTiltMotionProfile(), id="pan-tilt"),
     ],
 )
-def test_settings_are_put_back(profile, target, query):
+def test_settings_are_restored(profile, target, query):
     virtual_target = robot(name="inc1", component=target.component, tick=None)
     told = []
 
@@ -43,7 +43,7 @@ def test_settings_are_put_back(profile, target, query):
     assert told[0] == told[1]
 
 
-def test_the_clock_is_put_back():
+def test_clock_is_restored():
     virtual_target = robot(component=1, tick=None)
     only = "NotControlled.Available.Standby/SetTime/other-client", f"{READY}/SetTime/controller"
     assert examined("core-1.1", virtual_target, JausID(105, 1, 1), only=only).status == 0

@@ -45,7 +45,7 @@ class Mute(TargetComponent):
         pass
 
 
-def test_failures_and_skips_are_those_of_pytest():
+def test_failures_and_skips_are_pytest_outcomes():
     marked = pytest_steps("transport", lambda: robot(part=Mute), "105.1.255")
     steps = {param.id: param.values[0] for param in marked.args[1]}
     with pytest.raises(pytest.fail.Exception, match="silent: none of QueryEvents"):
@@ -54,7 +54,7 @@ def test_failures_and_skips_are_those_of_pytest():
         steps["ack"]()
 
 
-def test_what_a_target_offers_must_be_known():
+def test_offers_are_required_for_generated_steps():
     with pytest.raises(ConfigError, match="say it with offers="):
         pytest_steps("core-1.1", robot, "105.1.1")
 
@@ -69,7 +69,7 @@ def calls_of(profile, wire, target="105.1.1"):
     return [param.values[0] for param in marked.args[1]]
 
 
-def test_silence_of_the_dead_is_no_pass():
+def test_steps_that_expect_silence_fail_if_the_target_is_dead():
     alive = [[(0.01, bytes.fromhex("02400100000000"))]]
     wire = ScriptedWire("105.1.1", lambda _: alive.pop() if alive else [])
     profile = Profile("p", "t", tuple(Step(str(n), "s", run) for n, run in enumerate((STATUS, STATUS, QUIET))))
@@ -80,7 +80,7 @@ def test_silence_of_the_dead_is_no_pass():
             test()
 
 
-def test_after_the_last_step_the_robot_is_left_in_order(monkeypatch):
+def test_robot_is_restored_after_the_last_step(monkeypatch):
     virtual_target = robot(tick=None)
     closed = []
     monkeypatch.setattr(virtual_target, "close", lambda: closed.append(True))
@@ -91,7 +91,7 @@ def test_after_the_last_step_the_robot_is_left_in_order(monkeypatch):
     assert is_free(virtual_target, JausID(105, 1, 1))
 
 
-def test_steps_may_be_called_in_any_order_and_again():
+def test_steps_can_be_called_in_any_order_and_repeatedly():
     first, second = calls_of(Profile("p", "t", (Step("1", "s", STATUS), Step("2", "s", STATUS))), robot(tick=None))
     second()
     first()

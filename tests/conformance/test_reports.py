@@ -104,7 +104,7 @@ class Page(HTMLParser):
         self.text += data
 
 
-def test_html_is_whole_safe_and_needs_nothing_else(report):
+def test_html_is_complete_escaped_and_self_contained(report):
     text = page(report)
     parsed = Page()
     parsed.feed(text)
@@ -121,7 +121,7 @@ def test_html_is_whole_safe_and_needs_nothing_else(report):
     assert summary(report) == "1 pass, 1 fail, 1 skipped; 1 of 3 points"
 
 
-def test_html_without_jinja2_is_refused_with_the_extra_to_install(report, monkeypatch):
+def test_html_without_jinja2_names_the_extra(report, monkeypatch):
     monkeypatch.setitem(sys.modules, "jinja2", None)
     with pytest.raises(ConfigError, match=r"HTML reports need Jinja2: pip install 'jauspy\[conformance\]'"):
         page(report)
@@ -142,7 +142,7 @@ def test_pcapng(report, tmp_path):
     assert [round(each.time - 1_700_000_000.0, 3) for each in datagrams] == [0.0, 0.1, 0.1, 0.2]
 
 
-def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
+def test_transitions_are_counted_and_untested_ones_have_a_reason():
     reset, failure = "Management, Ready: Reset", "Management, Ready: Failure"
     query, create = "Events, Ready: Query [known(msg)]", "Events, Ready: CreateEvent [!supported(msg)]"
     results = (
@@ -172,7 +172,7 @@ def test_transitions_are_counted_and_those_that_are_left_have_a_reason():
     assert [each.attrib for each in suite.iter("property")] == [{"name": "transitions", "value": total}]
 
 
-def test_what_cannot_run_is_an_error():
+def test_impossible_run_is_an_error():
     deaf = ScriptedWire("101.1.1", lambda _: [])
     report = run(
         Profile("p", "t", (Step("1", "x", ask("42.1.1", QueryStatus(), ReportStatus)),)), deaf, deaf.id, began=0.0

@@ -131,7 +131,7 @@ MISTAKES = {
 @pytest.mark.parametrize(
     "mistake", sampled(list(MISTAKES), fast=4), ids=lambda each: f"{each[0]}-{each[2]}-{each[3].__name__}"
 )
-def test_a_mistake_in_the_merged_machine_is_found_by_the_tables_alone(mistake):
+def test_mistake_in_the_merged_machine_is_detected_by_the_tables_only(mistake):
     row, generated = MISTAKES[mistake]
     profile = "mobility-1.1" if mistake[0].endswith("Driver") else "core-1.1"
     merge = seeded(*mistake)
@@ -146,7 +146,7 @@ def test_a_mistake_in_the_merged_machine_is_found_by_the_tables_alone(mistake):
 
 
 @pytest.mark.parametrize("profile", ["core-1.1", "mobility-1.1"])
-def test_our_robot_passes_every_row(profile):
+def test_robot_passes_every_row(profile):
     report = run_of(profile, "table/")
     assert {each.verdict for each in report.results} == {Verdict.PASS}
     assert len(report.results) >= 20
@@ -160,7 +160,7 @@ def test_tables_cover_services_and_name_their_source():
     assert [id for id, count in Counter(step.id for step in steps).items() if count > 1] == []
 
 
-def test_a_component_with_liveness_alone_has_the_rows_that_need_no_control():
+def test_component_with_liveness_only_has_rows_without_control():
     liveness = ("urn:jaus:jss:core:Liveness", "1.1")
     assert [step.id for step in table_steps(TARGET, [liveness], [liveness])] == [
         "table/Liveness/NotControlled.Standby/QueryHeartbeatPulse/other-client"

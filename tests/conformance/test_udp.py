@@ -45,7 +45,7 @@ def node_manager(free_port: int) -> Iterator[socket.socket]:
     sock.close()
 
 
-def test_multicasts_are_heard_beside_a_node_manager(node_manager, free_port):
+def test_multicasts_are_received_beside_a_node_manager(node_manager, free_port):
     wire = UdpWire(group=(GROUP, free_port), port=free_port)
     try:
         need_network(wire)
@@ -60,7 +60,7 @@ def test_multicasts_are_heard_beside_a_node_manager(node_manager, free_port):
     assert arrival.data == QUESTION
 
 
-def test_what_is_sent_to_the_node_manager_stays_its_own(node_manager, free_port):
+def test_datagrams_for_the_node_manager_are_not_received(node_manager, free_port):
     wire = UdpWire(group=(GROUP, free_port), port=free_port)
     try:
         say(QUESTION, ("127.0.0.1", free_port))
@@ -71,12 +71,12 @@ def test_what_is_sent_to_the_node_manager_stays_its_own(node_manager, free_port)
         wire.close()
 
 
-def test_the_port_of_a_node_manager_is_not_shared(node_manager, free_port):
+def test_port_of_a_node_manager_is_not_shared(node_manager, free_port):
     with pytest.raises(TransportError, match=f"UDP port {free_port} is used by"):
         binding.bind_udp(multicast.ANY, free_port, 65536)
 
 
-def test_multicasts_are_heard_once_on_a_port_that_is_free(free_port):
+def test_multicasts_are_received_once_on_a_free_port(free_port):
     wire = UdpWire(group=(GROUP, free_port), port=free_port)
     try:
         need_network(wire)
@@ -90,7 +90,7 @@ def test_multicasts_are_heard_once_on_a_port_that_is_free(free_port):
     assert len({each.data for each in heard if each}) == 2
 
 
-def test_a_group_that_somebody_holds_is_noted(free_port):
+def test_group_in_use_is_noted(free_port):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as stranger:
         stranger.bind(("", free_port))
         wire = UdpWire(peer=("127.0.0.1", free_port))
@@ -98,7 +98,7 @@ def test_a_group_that_somebody_holds_is_noted(free_port):
     assert f"no multicasts are heard: port {free_port} is held by another" in wire.notes[-1]
 
 
-def test_more_files_than_select_can_count(free_port):
+def test_many_open_files_do_not_break_receiving(free_port):
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
     if hard < 1200:
         pytest.skip(f"this system allows {hard} open files")
@@ -116,7 +116,7 @@ def test_more_files_than_select_can_count(free_port):
     assert arrival is not None
 
 
-def test_what_arrives_while_a_step_is_busy_is_kept(free_port):
+def test_datagrams_that_arrive_during_a_busy_step_are_kept(free_port):
     """As much as in a socket that asked the kernel for a large buffer."""
     wire = UdpWire(group=(GROUP, free_port), port=free_port)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:

@@ -48,7 +48,7 @@ def outcome(*answers: tuple[float, bytes], step: Step = ASK, target: str = "101.
         ([(0.1, EVENT)], Verdict.SILENT, "no ReportStatus"),
     ],
 )
-def test_of_an_answer(answers, verdict, reason):
+def test_answers_get_the_right_verdict(answers, verdict, reason):
     (result,) = outcome(*answers).results
     assert result.verdict is verdict
     assert reason in result.reason
@@ -60,20 +60,20 @@ def test_with_a_wildcard_one_right_answer_is_enough():
     assert result.verdict is Verdict.PASS
 
 
-def test_answers_of_others_do_not_count():
+def test_answers_of_other_components_are_ignored():
     (result,) = outcome((0.1, READY), target="101.1.2").results
     assert result.verdict is Verdict.SILENT
     assert result.reason == "no ReportStatus 4002h came from 101.1.2 to 42.1.1, but one from 101.1.1 to 42.1.1"
 
 
-def test_of_a_target_with_several_components_the_one_that_was_asked_must_answer():
+def test_queried_component_must_answer():
     asked = ask("42.1.1", QueryStatus(), ReportStatus, to=JausID(101, 1, 2))
     (result,) = outcome((0.1, READY), step=Step("1", "x", asked), target="101.1.255").results
     assert result.reason == "no ReportStatus 4002h came from 101.1.2 to 42.1.1, but one from 101.1.1 to 42.1.1"
 
 
 @pytest.mark.parametrize("delay", [1.6, 2.9, 3.1, 3.5, 4.0, 4.4, 5.0, 5.5, 6.0, 7.0, 8.0])
-def test_an_old_answer_is_none_to_the_next_question(delay):
+def test_late_answer_is_not_used_for_the_next_query(delay):
     delays = [0.1]
 
     def script(payload: bytes) -> list[tuple[float, bytes]]:
@@ -90,21 +90,21 @@ def test_an_old_answer_is_none_to_the_next_question(delay):
 
 
 @pytest.mark.parametrize(("answer", "verdict"), [("03d032", Verdict.PASS), ("03d0", Verdict.MALFORMED)])
-def test_steps_may_be_about_a_service_of_a_vendor(answer, verdict):
+def test_steps_support_vendor_services(answer, verdict):
     lamps = jauspy.load(LAMP)
     asked = ask("42.1.1", lamps.by_name("QueryLamp")(), lamps.by_name("ReportLamp"), has(brightness=50))
     (result,) = outcome((0.1, bytes.fromhex(answer)), step=Step("1", "lamp", asked)).results
     assert result.verdict is verdict, result.reason
 
 
-def test_a_command_has_no_answer():
+def test_answer_to_a_command_fails():
     step = Step("1", "quiet", tell("42.1.1", QueryStatus()))
     assert outcome(step=step).results[0].verdict is Verdict.PASS
     (result,) = outcome((0.01, READY), step=step).results
     assert result.reason == "ReportStatus 4002h came, where nothing should"
 
 
-def test_a_step_says_where_it_comes_from_and_what_was_looked_at():
+def test_result_has_source_and_checks():
     (result,) = outcome((0.1, READY)).results
     assert result.why == "urn:jaus:jss:core:Management 1.1: QueryStatus 2002h"
     assert result.expected == ("ReportStatus 4002h and has status 1 READY",)
@@ -127,7 +127,7 @@ def test_status_of_a_run():
     assert worst([deaf, outcome((0.1, STANDBY)), outcome((0.1, READY))]) == 1
 
 
-def test_nothing_tried_is_no_success():
+def test_run_without_executed_steps_is_no_success():
     def skip(_):
         raise Skipped("no such service")
 
@@ -137,17 +137,17 @@ def test_nothing_tried_is_no_success():
     assert moving.status == 2
 
 
-def test_waiting_scales_with_the_timeout():
+def test_waiting_times_scale_with_the_timeout():
     assert outcome((2.0, READY), timeout=3.0).results[0].verdict is Verdict.PASS
     assert outcome((0.2, READY), timeout=0.15).results[0].verdict is Verdict.LATE
 
 
-def test_only_some_steps():
+def test_only_selected_steps_run():
     assert outcome((0.1, READY), only=("1",)).counts[Verdict.PASS] == 1
     assert outcome((0.1, READY), only=("7",)).problem == "no step begins with 7; they begin with 1"
 
 
-def test_steps_made_from_jsidl_are_told_by_their_states():
+def test_generated_step_ids_contain_states():
     report = examined("core-1.1", robot(component=1, tick=None), JausID(105, 1, 1), only=("Standby",))
     assert report.problem == (
         "no step begins with Standby; they begin with table, NotControlled.Available.Standby, "
@@ -156,7 +156,7 @@ def test_steps_made_from_jsidl_are_told_by_their_states():
     )
 
 
-def test_a_missing_feature_skips():
+def test_missing_feature_skips_a_step():
     wire = ScriptedWire("101.1.1", lambda _: [(0.1, READY)])
     wire.features = ()
     steps = (Step("0", "x", ASK.run, wants=frozenset({"raw"})), ASK)
@@ -165,7 +165,7 @@ def test_a_missing_feature_skips():
     assert "(raw)" in report.results[0].reason
 
 
-def test_two_steps_with_one_id_are_a_mistake():
+def test_duplicate_step_ids_are_rejected():
     wire = ScriptedWire("101.1.1", lambda _: [(0.1, READY)])
     report = run(Profile("mine", "t", (ASK, ASK)), wire, wire.id, began=0.0)
     assert report.status == 2
@@ -212,7 +212,7 @@ MINE = Profile("mine", "of somebody else", (ASK,))
         ("", "cannot be loaded: AttributeError: "),
     ],
 )
-def test_a_profile_of_an_installed_package_that_is_broken_is_told(tmp_path, monkeypatch, source, reason):
+def test_broken_installed_profile_is_an_error(tmp_path, monkeypatch, source, reason):
     from jauspy.conformance import find, known
 
     installed(tmp_path, monkeypatch, source)

@@ -22,7 +22,7 @@ CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"
 
 
 @pytest.mark.parametrize("cases", [400, pytest.param(4000, marks=pytest.mark.slow)])
-def test_nothing_is_found(cases: int) -> None:
+def test_campaign_has_no_findings(cases: int) -> None:
     outcome = run(CampaignPlan(cases, seed=1, payloads=tuple(file_payloads(CAPTURE))))
     assert outcome.findings == {}
     assert outcome.cases == cases
@@ -31,7 +31,7 @@ def test_nothing_is_found(cases: int) -> None:
 
 
 @pytest.mark.slow
-def test_several_processes_do_the_same() -> None:
+def test_several_processes_give_the_same_result() -> None:
     names = ("ReportServices", "CreateEvent", "ReportVelocityState")
     alone = run(CampaignPlan(1000, seed=3, only=names))
     assert run(CampaignPlan(1000, seed=3, only=names, jobs=2)) == alone
@@ -45,7 +45,7 @@ def test_cases_depend_on_seed_and_number_only() -> None:
     assert [first.case(n) for n in range(200)] != [other.case(n) for n in range(200)]
 
 
-def test_made_messages_are_valid_and_use_everything() -> None:
+def test_generated_messages_are_valid_and_cover_all_items() -> None:
     targets = fuzzer(CampaignPlan(0)).targets
     rng = random.Random(1)
     for target in targets:
@@ -59,7 +59,7 @@ def test_made_messages_are_valid_and_use_everything() -> None:
         assert len(absent) == max(0, optional - 8 * SIZES[target.layout.presence or "Q"])
 
 
-def test_offsets_say_where_counts_and_tags_are() -> None:
+def test_offsets_locate_counts_and_tags() -> None:
     services = registry.by_name("RegisterServices")
     data = bytes.fromhex("000b02" + "01410102" + "0203040506")
     offsets = [offset for offset in offsets_of(services.layout(), data) if offset.kind == "count"]
@@ -67,7 +67,7 @@ def test_offsets_say_where_counts_and_tags_are() -> None:
     assert offsets_of(services.layout(), data[:5])[0].at == 2
 
 
-def test_mutations_of_every_kind_happen() -> None:
+def test_all_kinds_of_mutations_occur() -> None:
     made = fuzzer(CampaignPlan(0))
     rng = random.Random(1)
     sizes = set()
@@ -83,7 +83,7 @@ def test_mutations_of_every_kind_happen() -> None:
     assert changed > 3000
 
 
-def test_minimise_finds_the_byte_that_matters() -> None:
+def test_minimise_keeps_the_relevant_byte() -> None:
     tried = []
 
     def shows(data: bytes) -> bool:
@@ -95,7 +95,7 @@ def test_minimise_finds_the_byte_that_matters() -> None:
     assert len(tried) < 200
 
 
-def test_minimise_knows_counts_and_presence_vectors() -> None:
+def test_minimise_adjusts_counts_and_presence_vectors() -> None:
     services = registry.by_name("RegisterServices")
     data = bytes.fromhex("000b03" + "0341424301020441424344010200" + "0709")
     assert services.decode(data)
@@ -133,13 +133,13 @@ def test_files_without_messages(content: bytes, tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("content", [b"zz", b"\xff\xfe", b"\xd4\xc3\xb2\xa1"])
-def test_files_that_are_no_seeds(content: bytes, tmp_path: Path) -> None:
+def test_other_files_are_rejected_as_seeds(content: bytes, tmp_path: Path) -> None:
     (tmp_path / "file").write_bytes(content)
     with pytest.raises(ConfigError, match="file"):
         file_payloads(tmp_path / "file")
 
 
-def test_rounding_is_no_disagreement_but_a_wrong_step_is() -> None:
+def test_rounding_is_tolerated_but_a_wrong_step_is_not() -> None:
     """Two ways to compute a scaled value differ by a few steps of a float of the size of its limits."""
     cls = registry.by_name("SetLocalOperatingZone", version="1.1")
     data = bytes.fromhex("2704010000d4fe7f0000000000")

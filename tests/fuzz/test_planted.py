@@ -63,7 +63,7 @@ def unstable(right: Any, data: bytes) -> Any:
         (unstable, "tolerant RegisterServices 1.1 values", 7),
     ],
 )
-def test_found_minimised_and_replayed(  # noqa: PLR0917 - parameters and fixtures
+def test_planted_fault_is_found_minimised_and_replayed(  # noqa: PLR0917 - parameters and fixtures
     bug: Any, cause: str, largest: int, plant: Any, hunt: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     plant(bug)
@@ -83,7 +83,7 @@ def test_found_minimised_and_replayed(  # noqa: PLR0917 - parameters and fixture
 
 
 @pytest.mark.slow
-def test_both_paths_wrong_alike_differ_from_the_reference(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_fault_in_both_paths_is_found_by_the_reference(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     layout: Any = RegisterServices.layout()
     item = layout.slots[0].item
     monkeypatch.setattr(RegisterServices, "_unpack", Message._unpack)
@@ -94,7 +94,7 @@ def test_both_paths_wrong_alike_differ_from_the_reference(hunt: Any, monkeypatch
     assert "agreement RegisterServices 1.1 service_list.length" in causes or any("stable" in one for one in causes)
 
 
-def test_a_reference_that_takes_other_bytes(plant: Any, hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_difference_of_the_reference_is_found(plant: Any, hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     from jauspy.codec import reference
 
     right = reference.parse
@@ -110,7 +110,7 @@ def test_a_reference_that_takes_other_bytes(plant: Any, hunt: Any, monkeypatch: 
     assert len(finding.data) == 10
 
 
-def test_a_valid_message_that_is_rejected(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_rejected_valid_message_is_found(hunt: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     from jauspy.codec.layout import Repeat
 
     read = Repeat.read
@@ -137,7 +137,7 @@ class Clock:
         return self.now
 
 
-def test_quadratic_time(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_quadratic_time_is_found(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock()
     monkeypatch.setattr(checks.time, "thread_time_ns", clock)
 
@@ -154,14 +154,14 @@ def test_quadratic_time(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     assert fuzzer(plan).checks.problem(target, bytes.fromhex(ONE), memory=False) is None
 
 
-def test_what_is_slow_once_is_no_finding(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_single_slow_run_is_no_finding(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = Clock()
     monkeypatch.setattr(checks.time, "thread_time_ns", clock)
     measured = fuzzer(CampaignPlan(0, only=("RegisterServices",))).checks._cost
     assert measured.problem(600, 10.0 * measured.limit(600), lambda: None) is None
 
 
-def test_no_end(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_endless_loop_is_found(plant: Any, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(checks, "MAX_CPU_SECONDS", 0.05)
 
     def endless(right: Callable[[bytes, int], Any], data: bytes) -> Any:

@@ -18,14 +18,14 @@ from jauspy.platform.kinematic import KinematicBackend
 INC1 = robot_model(load("inc1"))
 
 
-def test_a_prismatic_joint_shifts_and_a_revolute_one_turns() -> None:
+def test_prismatic_joint_translates_and_revolute_joint_rotates() -> None:
     lift = Joint("lift", JointKind.PRISMATIC, "a", "b", Pose(x=1.0, yaw=math.pi / 2), axis=(1.0, 0.0, 0.0))
     assert joint_frame(lift, 2.0).position == pytest.approx((1.0, 2.0, 0.0))
     hinge = Joint("hinge", JointKind.REVOLUTE, "a", "b", Pose(z=1.0), axis=(0.0, 1.0, 0.0))
     assert joint_frame(hinge, math.pi / 2).apply((1.0, 0.0, 0.0)) == pytest.approx((0.0, 0.0, 0.0))
 
 
-def test_every_link_has_a_pose_whatever_the_order_of_the_urdf() -> None:
+def test_all_links_have_a_pose_in_any_order_of_the_urdf() -> None:
     assert set(FrameTree(INC1.description).poses()) == INC1.description.links()
 
 
@@ -41,12 +41,12 @@ def test_mimicking_joints_follow() -> None:
     assert left[1] - right[1] == pytest.approx(0.08)
 
 
-def test_a_wrong_link_lists_the_right_ones() -> None:
+def test_unknown_link_error_lists_the_links() -> None:
     with pytest.raises(ConfigError, match=r"inc1 has no link 'nose'; it has: .*lidar_link"):
         FrameTree(INC1.description).pose("nose")
 
 
-def test_what_is_fixed_to_the_base() -> None:
+def test_links_fixed_to_the_base_are_detected() -> None:
     tree = FrameTree(INC1.description)
     assert tree.is_fixed("lidar_link")
     assert not tree.is_fixed("arm_camera_link")
@@ -88,7 +88,7 @@ def test_agrees_with_the_simulator_while_the_arm_moves(name: str) -> None:
 @pytest.mark.parametrize(
     "pose", [Pose(1.0, 2.0, 3.0, 0.3, -0.2, 2.8), Pose(roll=-3.0, pitch=1.2), Pose(pitch=math.pi / 2, yaw=0.7)]
 )
-def test_angles_of_a_transform_are_those_it_was_made_of(pose: Pose) -> None:
+def test_transform_keeps_its_angles(pose: Pose) -> None:
     found = Transform.from_pose(pose).to_pose()
     assert [getattr(found, name) for name in Pose.__slots__] == pytest.approx(
         [getattr(pose, name) for name in Pose.__slots__]

@@ -52,7 +52,7 @@ def test_a_nautical_mile_is_a_minute_of_latitude() -> None:
 
 
 @pytest.mark.parametrize("heading", [0.0, 0.7, -2.5, math.pi])
-def test_points_to_the_world_and_back(heading) -> None:
+def test_points_convert_to_the_world_and_back(heading) -> None:
     frame = GlobalFrame(GlobalPose(38.6, -77.2, 20.0, heading))
     for x, y in ((0.0, 0.0), (100.0, 0.0), (-30.0, 400.0), (1000.0, 1000.0)):
         shown = frame.from_world(Pose(x=x, y=y))

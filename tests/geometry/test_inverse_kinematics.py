@@ -23,7 +23,7 @@ def errors(there: Transform, goal: Transform) -> tuple[float, float]:
 
 @pytest.mark.parametrize("robot", ROBOTS)
 @pytest.mark.parametrize("seed", range(8))
-def test_every_pose_that_can_be_reached_is_found(robot: str, seed: int) -> None:
+def test_all_reachable_poses_are_found(robot: str, seed: int) -> None:
     arm, rng = arm_of(robot), random.Random(seed)
     for _ in range(6):
         goal = tool_at(arm, random_positions(arm, rng))
@@ -37,7 +37,7 @@ def test_every_pose_that_can_be_reached_is_found(robot: str, seed: int) -> None:
 
 
 @pytest.mark.parametrize("robot", ROBOTS)
-def test_a_point_that_can_be_reached_is_reached_whatever_the_attitude(robot: str) -> None:
+def test_reachable_point_is_reached_with_any_attitude(robot: str) -> None:
     arm, rng = arm_of(robot), random.Random(2)
     for _ in range(12):
         point, attitude = (tool_at(arm, random_positions(arm, rng)) for _ in range(2))
@@ -68,7 +68,7 @@ def test_a_point_out_of_reach_is_not_reached(robot: str, offset) -> None:
     assert all(map(math.isfinite, found.positions))
 
 
-def test_a_pose_nearby_is_reached_without_a_detour() -> None:
+def test_nearby_pose_is_reached_directly() -> None:
     arm = arm_of("inc1", (0.4, 1.2, -0.9, 0.3, -0.5))
     positions = arm.state().positions
     there = [p + change for p, change in zip(positions, (0.1, -0.1, 0.1, 0.1, 0.1), strict=True)]

@@ -18,7 +18,7 @@ def slope(rows, wanted, damping, x) -> list[float]:
 
 
 @pytest.mark.parametrize("seed", range(100))
-def test_nothing_within_bounds_is_better(seed: int) -> None:
+def test_solution_is_optimal_within_bounds(seed: int) -> None:
     rng = random.Random(seed)
     unknowns, equations = rng.randint(1, 8), rng.randint(1, 9)
     rows = [[rng.gauss(0.0, 1.0) for _ in range(unknowns)] for _ in range(equations)]
@@ -32,11 +32,11 @@ def test_nothing_within_bounds_is_better(seed: int) -> None:
         assert value == low or steep < 1e-7, "it would get better with less"
 
 
-def test_bounds_that_leave_one_value_or_exclude_zero_hold() -> None:
+def test_equal_or_nonzero_bounds_are_kept() -> None:
     x = bounded_least_squares([[1.0, 1.0, 1.0]], [3.0], [0.5, 0.2, -1.0], [0.5, 0.3, 1.0], [0.01] * 3)
     assert x == [0.5, 0.3, 1.0]
 
 
-def test_directions_that_nothing_depends_on_stay_zero() -> None:
+def test_unconstrained_directions_stay_zero() -> None:
     x = bounded_least_squares([[1.0, 0.0], [2.0, 0.0]], [1.0, 2.0], [-9.0, -9.0], [9.0, 9.0], [1e-4, 1e-4])
     assert x == pytest.approx([1.0, 0.0], abs=1e-6)

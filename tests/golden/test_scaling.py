@@ -72,7 +72,7 @@ def test_all_probes() -> None:
     ("lower", "upper"),
     [(-1.0, 1.0), (-90.0, 90.0), (0.0, 100.0), (100.0, 250.0), (-10.0, 5.0), (1e6, 1e6 + 1), (-7e4, -6e4)],
 )
-def test_float_arithmetic_is_right_but_near_half_steps(lower: float, upper: float) -> None:
+def test_float_arithmetic_is_exact_except_near_half_steps(lower: float, upper: float) -> None:
     rng = random.Random(1)
     for top in TOP.values():
         scale = Scaling(lower, upper, top)
@@ -93,7 +93,7 @@ def test_both_ends_are_exact() -> None:
 
 
 @pytest.mark.parametrize("function", ["floor", pytest.param("ceiling", marks=pytest.mark.slow)])
-def test_decoded_values_get_their_raw_value_back(function: Literal["floor", "ceiling"]) -> None:
+def test_decoded_values_encode_to_the_same_raw_value(function: Literal["floor", "ceiling"]) -> None:
     scale = Scaling(-6.283185307179586, 1.5707963267948966, 0xFFFF, function)
     assert [exact_raw(scale.real(raw), scale) for raw in range(0x10000)] == list(range(0x10000))
     assert exact_raw(scale.lower + 1.7 * scale.step, scale) == (1 if function == "floor" else 2)

@@ -17,7 +17,7 @@ def cell(grid: OccupancyGrid, x: float, y: float) -> int:
     return int(grid.occupancy()[row, column])
 
 
-def test_a_ray_frees_the_cells_that_it_crosses_and_marks_its_end() -> None:
+def test_ray_clears_crossed_cells_and_marks_its_end() -> None:
     grid = OccupancyGrid(10.0, 0.1)
     for _ in range(5):
         grid.add(START, np.array([[2.05, 1.05]]), np.array([True]))
@@ -27,7 +27,7 @@ def test_a_ray_frees_the_cells_that_it_crosses_and_marks_its_end() -> None:
     assert cell(grid, 1.05, 2.05) == -1, "rows are y"
 
 
-def test_a_ray_without_echo_only_frees() -> None:
+def test_ray_without_echo_only_clears() -> None:
     grid = OccupancyGrid(10.0, 0.1)
     for _ in range(5):
         grid.add(START, np.array([[2.05, 1.05]]), np.array([False]))
@@ -44,7 +44,7 @@ def test_an_obstacle_that_moved_away_is_cleared() -> None:
     assert cell(grid, 2.05, 0.05) == 0
 
 
-def test_what_is_outside_is_counted() -> None:
+def test_points_outside_are_counted() -> None:
     grid = OccupancyGrid(4.0, 0.1)
     grid.add(START, np.array([[3.0, 0.0], [1.0, 0.0]]), np.array([True, True]))
     assert grid.outside == 1
@@ -52,7 +52,7 @@ def test_what_is_outside_is_counted() -> None:
 
 
 @pytest.mark.parametrize(("size", "resolution"), [(1000.0, 0.01), (0.01, 0.05)])
-def test_sizes_have_bounds(size: float, resolution: float) -> None:
+def test_grid_size_is_bounded(size: float, resolution: float) -> None:
     with pytest.raises(ConfigError, match=r"cells along a side; a map has 2\.\.4000"):
         OccupancyGrid(size, resolution)
 

@@ -44,7 +44,7 @@ def walled(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kinematic.KinematicRobot, "__init__", init)
 
 
-async def test_a_wall_is_on_the_map_where_it_is(walled: None, robot: RobotRunner, ocu: OCU) -> None:
+async def test_wall_is_mapped_at_its_position(walled: None, robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     live = LiveMapping(found, Mapper(OccupancyGrid(20.0)))
     mapping = asyncio.create_task(live.run())
@@ -71,7 +71,7 @@ async def test_a_wall_is_on_the_map_where_it_is(walled: None, robot: RobotRunner
     assert columns.max() - columns.min() > 60
 
 
-async def test_a_missing_sensor(robot: RobotRunner, ocu: OCU) -> None:
+async def test_missing_sensor_is_an_error(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     with pytest.raises(ConfigError, match=r"101\.1\.108: sensor 7 is not there, or not fixed"):
         await LiveMapping(found, Mapper(), sensor=7).run()
@@ -86,7 +86,7 @@ async def test_a_robot_without_reports_raises_one_error(robot: RobotRunner, ocu:
         await asyncio.wait_for(mapping, 200.0)
 
 
-def test_between_two_poses_also_around_midnight() -> None:
+def test_poses_are_interpolated_across_midnight() -> None:
     before = _StampedPose(86399.9, PlanarPose(1.0, 0.0, math.pi - 0.1), is_level=True)
     later = _StampedPose(0.1, PlanarPose(2.0, 0.0, -math.pi + 0.1), is_level=True)
     middle = interpolated(before, later, 0.0)

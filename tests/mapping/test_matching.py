@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import tracemalloc
 
 import numpy as np
 import pytest
@@ -48,7 +49,7 @@ def test_matching_finds_the_pose(off: tuple[float, float, float]) -> None:
     assert abs(found.yaw - pose.yaw) < 0.005
 
 
-def test_along_a_corridor_the_guess_counts() -> None:
+def test_corridor_keeps_the_guess_along_it() -> None:
     pose = PlanarPose(0.7, 0.2, 0.0)
     found = match(mapped(corridor=True), ends(pose, corridor=True), PlanarPose(0.5, 0.28, 0.02), DEVIATION)
     assert found.x == pytest.approx(0.5, abs=0.05)
@@ -61,14 +62,36 @@ def test_a_scan_with_few_echoes_is_not_matched() -> None:
     assert match(mapped(), ends(PlanarPose())[:10], guess, DEVIATION) == guess
 
 
-def test_an_empty_map_leaves_the_guess() -> None:
+def test_empty_map_keeps_the_guess() -> None:
     guess = PlanarPose(1.0, 2.0, 0.1)
     assert match(OccupancyGrid(30.0), ends(PlanarPose()), guess, DEVIATION) == pytest.approx(guess)
 
 
-def test_scans_go_into_the_map_only_after_some_driving() -> None:
+def test_scans_are_added_only_after_some_motion() -> None:
     mapper = Mapper(OccupancyGrid(30.0))
     for step in range(26):
         pose = PlanarPose(step * 0.01)
         mapper.add(pose, PlanarPose(), ANGLES.tolist(), ranges(pose))
     assert len(mapper.path) == 3
+
+
+def test_a_scan_with_more_rays_than_are_useful_costs_no_more() -> None:
+    """As many as a message of a robot may have, all 15 m long, would take gigabytes."""
+    rays = 65535
+    angles = np.linspace(-math.pi, math.pi, rays, endpoint=False).tolist()
+    mapper = Mapper(OccupancyGrid(30.0), matching=False)
+    tracemalloc.start()
+    try:
+        mapper.add(PlanarPose(), PlanarPose(), angles, [14.0] * rays)
+        _, peak = tracemalloc.get_traced_memory()
+    finally:
+        tracemalloc.stop()
+    assert peak < 300e6
+    crossed = np.count_nonzero(mapper.grid.log_odds < 0.0) * 0.05**2
+    assert crossed == pytest.approx(math.pi * 14.0**2, rel=0.02), "no cell is left out"
+
+
+def test_rays_without_a_direction_are_left_out() -> None:
+    mapper = Mapper(OccupancyGrid(30.0), matching=False)
+    mapper.add(PlanarPose(), PlanarPose(), [math.inf, math.nan, 0.0], [3.0, 3.0, 3.0])
+    assert int((mapper.grid.log_odds > 0.0).sum()) == 1

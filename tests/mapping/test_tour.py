@@ -117,7 +117,7 @@ def shares(robot: SimulatedRobot, mapper: Mapper) -> tuple[float, float, float]:
     return float(right.mean()), float(near(true)[marked].mean()), float(marked[true & observed].mean())
 
 
-def test_the_map_is_the_floor_plan(tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]) -> None:
+def test_map_matches_the_floor_plan(tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]) -> None:
     robot, mappers, errors, drift = tour
     assert drift > 0.2, "odometry was to be wrong"
     assert max(errors) < 0.08
@@ -127,7 +127,7 @@ def test_the_map_is_the_floor_plan(tour: tuple[SimulatedRobot, dict[bool, Mapper
     assert seen > 0.9
 
 
-def test_its_files_are_the_floor_plan(
+def test_map_files_match_the_floor_plan(
     tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float], tmp_path: Path
 ) -> None:
     """As map_server reads them: the first row is the top, the origin is the lower left corner."""
@@ -147,7 +147,7 @@ def test_its_files_are_the_floor_plan(
     assert occupied[true & observed].mean() > 0.9
 
 
-def test_without_matching_the_map_is_not_the_floor_plan(
+def test_map_without_scan_matching_differs_from_the_floor_plan(
     tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float],
 ) -> None:
     robot, mappers, _, _ = tour

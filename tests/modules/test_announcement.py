@@ -33,7 +33,7 @@ def asked(host, seconds):
     return times
 
 
-def test_it_asks_until_it_is_answered(host):
+def test_queries_repeat_until_answered(host):
     announcement = Announcement(host, CONSOLE)
     (first,) = host.poll_output(0.0)
     assert (first.destination, QueryIdentification.decode(first.payload).CODE) == (CONSOLE, QueryIdentification.CODE)
@@ -50,7 +50,7 @@ def test_it_asks_until_it_is_answered(host):
 
 
 @pytest.mark.parametrize(("id", "problem"), [("42", "is not a JAUS id"), ("42.1.255", "stands for many")])
-def test_a_console_is_one_component(tmp_path, id, problem):
+def test_console_must_be_one_component(tmp_path, id, problem):
     path = tmp_path / "mine.toml"
     path.write_text(f'extends = "igvc"\n[[modules]]\ntype = "CM-MOB"\ncomponent = 1\nannounce_to = "{id}"\n')
     with pytest.raises(ConfigError, match=problem):

@@ -43,19 +43,19 @@ def same(found: Transform, expected: Transform) -> None:
         ("inc1_pprm", "arm_camera_link", "102.1.104", 3),
     ],
 )
-def test_the_last_joint_before_the_sensor(robot: str, link: str, id: str, joint: int) -> None:
+def test_mounting_refers_to_the_last_joint_before_the_sensor(robot: str, link: str, id: str, joint: int) -> None:
     found = carrier(robot, link)
     assert (str(found.manipulator), found.number) == (id, joint)
 
 
 @pytest.mark.parametrize("link", ["lidar_link", "base_link", "left_finger", "left_track"])
-def test_none_without_a_joint_that_an_arm_or_a_mount_moves(link: str) -> None:
+def test_sensor_without_moving_joint_has_no_joint_mount(link: str) -> None:
     config = load("inc1")
     assert joint_of(config, robot_model(config), link) is None
 
 
 @pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
-def test_a_camera_on_the_arm_is_where_the_reported_numbers_say(robot: str) -> None:
+def test_arm_camera_pose_follows_from_reported_values(robot: str) -> None:
     config = load(robot)
     model = robot_model(config)
     group, tree = model.groups["arm"], FrameTree(model.description)
@@ -68,7 +68,7 @@ def test_a_camera_on_the_arm_is_where_the_reported_numbers_say(robot: str) -> No
     same(computed, jaus_frame(tree.pose("arm_camera_link", positions)))
 
 
-def test_a_camera_on_a_mount_is_where_the_reported_numbers_say() -> None:
+def test_pan_tilt_camera_pose_follows_from_reported_values() -> None:
     """The coordinate system of the unit, turned by pan about its z and by tilt about y, and the sensor in that."""
     model = robot_model(load("inc1"))
     pan, tilt = 0.7, 0.4  # to the right, and up
@@ -82,7 +82,7 @@ def test_a_camera_on_a_mount_is_where_the_reported_numbers_say() -> None:
     )
 
 
-def test_a_link_that_is_not_there() -> None:
+def test_unknown_link_is_an_error() -> None:
     config = load("inc1")
     with pytest.raises(ConfigError, match="no joints lead from link 'base_link' to link 'nose'"):
         joint_of(config, robot_model(config), "nose")

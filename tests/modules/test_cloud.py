@@ -58,7 +58,7 @@ async def test_every_scan_is_published_once() -> None:
         (["chassis=ipc:///a", "chassis=ipc:///b"], "chassis would be published twice"),
     ],
 )
-def test_what_cannot_be_published_is_said_before_anything_starts(wanted: list[str], said: str) -> None:
+def test_invalid_cloud_addresses_are_rejected_before_the_start(wanted: list[str], said: str) -> None:
     with pytest.raises(ConfigError, match=said):
         Clouds(robot_files.load("inc1"), wanted)
 

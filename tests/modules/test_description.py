@@ -9,7 +9,7 @@ from jauspy.modules.robot_files import known, load, robot_model
 
 
 @pytest.mark.parametrize("name", known())
-def test_every_robot_fits_its_urdf(name: str) -> None:
+def test_all_robots_match_their_urdf(name: str) -> None:
     model = robot_model(load(name))
     for setup in model.groups.values():
         for joint, start in zip(map(model.description.joint, setup.joints), setup.start, strict=True):
@@ -51,7 +51,7 @@ def test_every_robot_fits_its_urdf(name: str) -> None:
         ("[groups.arm]\nbase = 'base_link'\ntip = 'tool_link'\nFIXED", "'gripper_link_to_tool_link' does not move"),
     ],
 )
-def test_mistakes_are_named(tmp_path: Path, text: str, said: str) -> None:
+def test_mistakes_in_a_description_are_named(tmp_path: Path, text: str, said: str) -> None:
     (tmp_path / "bad.xacro").write_text('<robot xmlns:xacro="http://www.ros.org/wiki/xacro"><xacro:nobody/></robot>')
     (tmp_path / "other.xml").write_text("<html/>")
     gains = "position = { p = 1 }, velocity = { p = 1 }"
@@ -68,7 +68,7 @@ def test_mistakes_are_named(tmp_path: Path, text: str, said: str) -> None:
         robot_model(load(path))
 
 
-def test_what_follows_from_a_mistake_is_not_said_too(tmp_path: Path) -> None:
+def test_consequential_errors_are_not_reported(tmp_path: Path) -> None:
     path = tmp_path / "mine.toml"
     joint = "{ name = 'base_link_to_flippers', position = { p = -1 }, velocity = { p = 1 } }"
     path.write_text(f"extends = 'inc1'\n[groups.flippers]\nbase = 'base_link'\ntip = 'flippers'\njoints = [{joint}]")

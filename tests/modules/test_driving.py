@@ -43,7 +43,7 @@ def current(world: World) -> SetVelocityCommand:
 @pytest.mark.parametrize(
     ("speed", "yaw_rate"), [(0.5, 0.0), (-0.5, 0.0), (0.2, 0.0), (1.45, 0.0), (0.0, 0.5), (0.0, -0.3), (0.6, 0.4)]
 )
-def test_velocities_are_reached_and_kept(world: World, speed: float, yaw_rate: float) -> None:
+def test_velocities_are_reached_and_held(world: World, speed: float, yaw_rate: float) -> None:
     world.tell(drive(speed, yaw_rate))
     world.run(4.0)
     samples: list[tuple[float, float]] = []
@@ -68,7 +68,7 @@ def test_acceleration_is_limited_and_measured(world: World) -> None:
     assert world.velocity.velocity_x == pytest.approx(0.7, abs=0.1)
 
 
-def test_turning_while_driving_is_felt_sideways(world: World) -> None:
+def test_turning_while_driving_causes_lateral_acceleration(world: World) -> None:
     world.tell(drive(1.0, 0.4))
     world.run(4.0)
     measured: list[float] = []
@@ -76,7 +76,7 @@ def test_turning_while_driving_is_felt_sideways(world: World) -> None:
     assert sum(measured) / len(measured) == pytest.approx(0.4, abs=0.1), "to the right, towards the centre"
 
 
-def test_a_vector_is_turned_to_and_kept(world: World) -> None:
+def test_vector_heading_is_reached_and_held(world: World) -> None:
     world.tell(SetLocalVector(speed=0.8, heading=math.pi / 2))
     world.run(0.5)
     assert math.hypot(world.pose.x, world.pose.y) < 0.1, "on the spot first"
@@ -93,7 +93,7 @@ def test_a_vector_is_turned_to_and_kept(world: World) -> None:
     )
 
 
-def test_a_vector_turns_with_its_frame(world: World) -> None:
+def test_vector_follows_a_change_of_its_frame(world: World) -> None:
     world.tell(SetLocalVector(speed=0.5, heading=0.0))
     world.run(2.0)
     world.tell(SetLocalPose(yaw=1.0))
@@ -102,7 +102,7 @@ def test_a_vector_turns_with_its_frame(world: World) -> None:
     assert world.vehicle.pose.yaw == pytest.approx(-1.0, abs=0.05)
 
 
-def test_a_vector_without_heading_keeps_the_present_one(world: World) -> None:
+def test_vector_without_heading_keeps_the_present_heading(world: World) -> None:
     world.tell(SetLocalVector(speed=0.0, heading=0.7))
     world.run(4.0)
     assert world.stands()
@@ -112,14 +112,14 @@ def test_a_vector_without_heading_keeps_the_present_one(world: World) -> None:
     assert world.velocity.velocity_x == pytest.approx(0.5, abs=0.05)
 
 
-def test_a_vector_may_go_backward_along_a_course(world: World) -> None:
+def test_vector_with_negative_speed_drives_backward(world: World) -> None:
     world.tell(SetLocalVectorExt(speed=Speed(Speed.Choice.SPEED_OVER_GROUND, -0.5), course=0.3))
     world.run(4.0)
     assert world.pose.yaw == pytest.approx(0.3, abs=0.05)
     assert world.velocity.velocity_x == pytest.approx(-0.5, abs=0.05)
 
 
-def test_a_global_vector_is_from_true_north(world: World) -> None:
+def test_global_vector_refers_to_true_north(world: World) -> None:
     world.tell(SetGlobalVector(speed=0.5, heading=0.0))
     world.run(6.0)
     assert world.place.yaw == pytest.approx(0.0, abs=0.05)
@@ -130,7 +130,7 @@ def test_a_global_vector_is_from_true_north(world: World) -> None:
 # --- one driver after another -----------------------------------------------------------------------------------------
 
 
-def test_the_newest_command_has_the_robot(world: World) -> None:
+def test_newest_command_preempts_earlier_ones(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=30.0, y=0.0)])
     world.tell(ExecuteList(speed=1.0, element_uid=1))
     world.run(3.0)
@@ -160,7 +160,7 @@ def test_the_newest_command_has_the_robot(world: World) -> None:
     [drive(1.0), SetLocalVector(speed=1.0, heading=0.0), SetWrenchEffort(propulsive_linear_effort_x=60.0)],
     ids=lambda each: type(each).__name__,
 )
-def test_emergency_stops_at_once_and_nothing_goes_on_after_it(world: World, command) -> None:
+def test_emergency_stops_and_motion_does_not_resume(world: World, command) -> None:
     world.tell(command)
     world.run(3.0)
     x = world.pose.x
@@ -176,7 +176,7 @@ def test_emergency_stops_at_once_and_nothing_goes_on_after_it(world: World, comm
     assert world.velocity.velocity_x == pytest.approx(0.5, abs=0.05)
 
 
-def test_another_client_inherits_nothing(world: World) -> None:
+def test_next_client_inherits_no_motion(world: World) -> None:
     world.tell(
         SetVelocityCommand(command_type=MAX, velocity_x=0.3), SetVelocityCommand(command_type=DEFAULT, velocity_x=0.2)
     )
@@ -185,7 +185,7 @@ def test_another_client_inherits_nothing(world: World) -> None:
     assert world.ask(QueryVelocityCommand(ALL, DEFAULT)).velocity_x == pytest.approx(0.0, abs=1e-3)
 
 
-def test_a_default_velocity_drives_nothing(world: World) -> None:
+def test_default_velocity_causes_no_motion(world: World) -> None:
     world.tell(SetVelocityCommand(command_type=DEFAULT, velocity_x=0.4), drive(0.8))
     world.run(1.0)
     world.tell(Standby())

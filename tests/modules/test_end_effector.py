@@ -110,7 +110,7 @@ def arm(backend: str) -> Handler:
 
 
 @pytest.mark.parametrize("robot", STARTS)
-def test_the_tool_comes_to_the_poses_that_are_commanded(backend: str, robot: str) -> None:
+def test_tool_reaches_commanded_poses(backend: str, robot: str) -> None:
     arm, rng = Handler(backend, robot), random.Random(7)
     ends: list[int] = []
     for number in range(3):
@@ -126,7 +126,7 @@ def test_the_tool_comes_to_the_poses_that_are_commanded(backend: str, robot: str
 
 @pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")
 @pytest.mark.parametrize("robot", STARTS)
-def test_the_tool_of_the_simulator_is_where_it_was_commanded(robot: str) -> None:
+def test_simulated_tool_reaches_the_commanded_pose(robot: str) -> None:
     arm = Handler("sim", robot)
     goal = arm.random_pose(random.Random(11))
     arm.tell(command(goal))
@@ -137,7 +137,7 @@ def test_the_tool_of_the_simulator_is_where_it_was_commanded(robot: str) -> None
     assert math.dist(seen, (arm.arm.geometry.base @ goal).position) < 1.5 * MILLIMETRE
 
 
-def test_joints_keep_to_the_motion_profile(arm: Handler) -> None:
+def test_joints_respect_the_motion_profile(arm: Handler) -> None:
     record = m.SetJointMotionProfile.RevoluteJointMotionProfileRec
     arm.tell(m.SetJointMotionProfile([record(0.2, 1.0, 1.0)] * 5))
     arm.tell(command(arm.pose_at((0.0, 1.6, -1.5, 0.2, 0.0))))
@@ -146,7 +146,7 @@ def test_joints_keep_to_the_motion_profile(arm: Handler) -> None:
     assert 0.15 < max(fastest) < 0.25
 
 
-def test_the_tool_offset_counts(arm: Handler) -> None:
+def test_tool_offset_is_applied(arm: Handler) -> None:
     before = arm.pose()
     x, y, z = arm.arm.tool
     arm.tell(m.SetToolOffset(x + 0.05, y, z))
@@ -157,7 +157,7 @@ def test_the_tool_offset_counts(arm: Handler) -> None:
     assert math.dist(arm.arm.kinematic_state().tool.position, before.position) == pytest.approx(0.05, abs=0.002)
 
 
-def test_a_pose_out_of_reach_is_counted_and_the_arm_stays(arm: Handler) -> None:
+def test_pose_out_of_reach_is_counted_and_the_arm_holds(arm: Handler) -> None:
     before = arm.positions()
     ends: list[int] = told(arm, CreateCommandEvent(1, 60, NOWHERE))
     arm.run(2.0, lambda: ends.extend(told(arm)))
@@ -167,7 +167,7 @@ def test_a_pose_out_of_reach_is_counted_and_the_arm_stays(arm: Handler) -> None:
     assert errors(arm.commanded(), arm.pose()) == pytest.approx((0.0, 0.0), abs=1e-3)
 
 
-def test_a_quaternion_without_length_is_ignored_and_counted(arm: Handler) -> None:
+def test_zero_quaternion_is_ignored_and_counted(arm: Handler) -> None:
     goal = arm.pose_at((0.2, 1.3, -1.0, 0.2, -0.3))
     arm.tell(command(goal))
     zero = replace(command(arm.pose()), **dict.fromkeys(list(NOWHERE.__dataclass_fields__)[3:], 0.0))
@@ -178,7 +178,7 @@ def test_a_quaternion_without_length_is_ignored_and_counted(arm: Handler) -> Non
     assert distance < MILLIMETRE, "the command before still holds"
 
 
-def test_an_attitude_that_the_arm_cannot_have_is_not_carried_out_but_the_point_is_reached(arm: Handler) -> None:
+def test_unreachable_attitude_fails_but_the_point_is_reached(arm: Handler) -> None:
     goal = replace(arm.pose(), rotation=arm.pose_at((-0.4, 1.2, -0.9, 0.3, 0.9)).rotation)
     ends: list[int] = told(arm, CreateCommandEvent(1, 60, command(goal)))
     arm.run(12.0, lambda: ends.extend(told(arm)))
@@ -188,7 +188,7 @@ def test_an_attitude_that_the_arm_cannot_have_is_not_carried_out_but_the_point_i
     assert turn > HALF_A_DEGREE
 
 
-def test_a_command_event_ends_when_the_pose_is_given_up(arm: Handler) -> None:
+def test_command_event_fails_when_the_pose_is_abandoned(arm: Handler) -> None:
     goals = [command(arm.pose_at((turn, 1.3, -1.0, 0.2, -0.3))) for turn in (-1.0, 1.0)]
     assert told(arm, CreateCommandEvent(1, 60, goals[0])) == []
     arm.run(0.3)
@@ -223,7 +223,7 @@ def test_does_not_move_without_control(arm: Handler) -> None:
     assert arm.positions() == pytest.approx(before, abs=0.003)
 
 
-def test_poses_in_close_succession_are_followed_though_no_search_ends(arm: Handler) -> None:
+def test_rapid_poses_are_followed_before_searches_end(arm: Handler) -> None:
     attitude = arm.pose_at((-0.4, 1.2, -0.9, 0.3, 0.9)).rotation  # which the arm cannot have: a long search for each
     x, y, z = arm.pose().position
     for number in range(1, 51):
@@ -241,7 +241,7 @@ def element(uid: int, following: int, pose: Message) -> ElementRec:
     return ElementRec(uid, uid - 1, following, ElementRec.ElementData(format=0, data=pose))
 
 
-def test_carries_out_a_list_of_poses(arm: Handler) -> None:
+def test_list_of_poses_is_executed(arm: Handler) -> None:
     goals = [arm.pose_at(q) for q in ((0.2, 1.3, -1.0, 0.2, -0.3), (0.3, 1.1, -0.8, 0.0, 0.0), STARTS["inc1"])]
     rows = [element(uid, (uid + 1) % 4, command(goal)) for uid, goal in enumerate(goals, 1)]
     assert arm.tell(SetElement(SetElement.RequestIDRec(7), rows)) == [ConfirmElementRequest(7)]
@@ -262,7 +262,7 @@ def test_carries_out_a_list_of_poses(arm: Handler) -> None:
     assert errors(arm.pose(), goals[-1])[0] < 3 * MILLIMETRE
 
 
-def test_a_pose_out_of_reach_ends_the_list(arm: Handler) -> None:
+def test_pose_out_of_reach_ends_the_list(arm: Handler) -> None:
     rows = [element(1, 2, NOWHERE), element(2, 0, command(arm.pose_at((0.2, 1.3, -1.0, 0.2, -0.3))))]
     before = arm.positions()
     arm.tell(SetElement(SetElement.RequestIDRec(7), rows))
@@ -274,7 +274,7 @@ def test_a_pose_out_of_reach_ends_the_list(arm: Handler) -> None:
     assert arm.host.counters["out_of_reach"] == 1
 
 
-def test_an_element_without_an_attitude_is_refused(arm: Handler) -> None:
+def test_element_with_zero_quaternion_is_rejected(arm: Handler) -> None:
     rows = [element(1, 0, m.SetEndEffectorPose(0.3, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0))]
     (answer,) = arm.tell(SetElement(SetElement.RequestIDRec(7), rows))
     assert isinstance(answer, RejectElementRequest)
@@ -310,7 +310,7 @@ def test_the_tool_moves_along_a_straight_line_and_stops(backend: str, robot: str
     assert not driver.is_moving, "the joints just hold"
 
 
-def test_commands_that_are_sent_again_and_again_keep_to_the_motion_profile(arm: Handler) -> None:
+def test_repeated_commands_respect_the_motion_profile(arm: Handler) -> None:
     record = m.SetJointMotionProfile.RevoluteJointMotionProfileRec
     arm.tell(m.SetJointMotionProfile([record(0.4, 0.2, 0.2)] * 5))
     for _ in range(50):
@@ -320,7 +320,7 @@ def test_commands_that_are_sent_again_and_again_keep_to_the_motion_profile(arm: 
     assert max(map(abs, arm.velocities())) < 0.2 * 0.5 + 0.02, "what half a second of acceleration gives"
 
 
-def test_the_commanded_velocity_holds_until_another_service_commands(arm: Handler) -> None:
+def test_velocity_is_reported_until_another_service_commands(arm: Handler) -> None:
     def commanded() -> list[float]:
         report = arm.ask(m.QueryCommandedEndEffectorVelocityState())
         return [getattr(report, name) for name in report.__dataclass_fields__]
@@ -335,7 +335,7 @@ def test_the_commanded_velocity_holds_until_another_service_commands(arm: Handle
     assert errors(arm.pose(), arm.commanded())[0] < MILLIMETRE
 
 
-def test_velocities_never_pass_limits(arm: Handler) -> None:
+def test_velocities_stay_within_limits(arm: Handler) -> None:
     def look() -> None:
         rows = zip(arm.robot.groups["arm"].state().positions, arm.robot.groups["arm"].joints, strict=True)
         assert all(joint.lower - 0.02 <= position <= joint.upper + 0.02 for position, joint in rows)
@@ -357,7 +357,7 @@ def test_the_same_commands_give_the_same_trajectory(backend: str) -> None:
     assert trajectory() == trajectory()
 
 
-def test_resuming_does_not_go_on(arm: Handler) -> None:
+def test_resume_does_not_continue_a_motion(arm: Handler) -> None:
     arm.tell(moving(0.0, 0.0, 0.0, -0.1, 0.0, 0.0))
     arm.run(0.3)
     arm.tell(Standby(), Resume())

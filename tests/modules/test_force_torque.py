@@ -66,7 +66,7 @@ def torque(found: Any) -> tuple[float, float, float]:
     return found.torque_x, found.torque_y, found.torque_z
 
 
-def test_a_level_hand_is_a_weight_downwards_and_its_torque_turns_the_nose_down() -> None:
+def test_level_gripper_gives_weight_down_and_pitch_torque() -> None:
     wrist = Wrist()
     wrist.point(0.0, 0.0, 0.0, 0.0, 0.0)
     (found,) = wrist.ask(ASK(1, NATIVE, ALL))
@@ -76,7 +76,7 @@ def test_a_level_hand_is_a_weight_downwards_and_its_torque_turns_the_nose_down()
     assert torque(found) == pytest.approx((0.0, -middle, 0.0), abs=STEP), "about y, which is right"
 
 
-def test_the_axes_of_the_vehicle_do_not_turn_with_the_hand() -> None:
+def test_vehicle_axes_do_not_rotate_with_the_gripper() -> None:
     wrist = Wrist()
     wrist.point(0.3, 1.2, -0.5, 0.4, 1.0)
     (native,) = wrist.ask(ASK(1, NATIVE, ALL))
@@ -87,20 +87,20 @@ def test_the_axes_of_the_vehicle_do_not_turn_with_the_hand() -> None:
     assert sum(value**2 for value in force(native)) ** 0.5 == pytest.approx(HAND, abs=2 * STEP)
 
 
-def test_a_hand_rolled_to_the_right_hangs_to_its_right() -> None:
+def test_rolled_gripper_gives_lateral_force() -> None:
     wrist = Wrist()
     wrist.point(0.0, 0.0, 0.0, 0.0, 1.0)  # about x forward: clockwise as the robot sees it
     (found,) = wrist.ask(ASK(1, NATIVE, ALL))
     assert found.force_y > 1.0, "JAUS's y is right, where the lower side is"
 
 
-def test_only_the_fields_that_were_asked_for() -> None:
+def test_only_requested_fields_are_reported() -> None:
     (found,) = Wrist().ask(ASK(1, NATIVE, 0b000100))
     assert (found.force_x, found.force_y, found.torque_x, found.torque_z) == (None, None, None, None)
     assert found.force_z is not None
 
 
-def test_all_sensors_once_and_unknown_ones_left_out() -> None:
+def test_each_sensor_is_reported_once_and_unknown_ones_are_omitted() -> None:
     wrist = Wrist(sensors=2)
     assert [each.sensor_id for each in wrist.ask(ASK(0, NATIVE, ALL))] == [1, 2]
     assert [each.sensor_id for each in wrist.ask(ASK(2, NATIVE, ALL), *[ASK(9, NATIVE, ALL)] * 500)] == [2]

@@ -43,7 +43,7 @@ def configuration(module):
     return found
 
 
-def test_how_it_is_coded_at_first(module):
+def test_initial_encoding_is_reported(module):
     found = configuration(module)
     record = found.h264_configuration_rec
     assert (record.profile, record.preset) == (Wanted.Profile.CONSTRAINED_BASELINE, Wanted.Preset.LOW_LATENCY)
@@ -52,7 +52,7 @@ def test_how_it_is_coded_at_first(module):
     assert found.gradual_decoder_refresh_params is None
 
 
-def test_what_is_set_counts_at_once_and_is_reported(module):
+def test_settings_take_effect_and_are_reported(module):
     values = {"profile": Wanted.Profile.HIGH, "level": Wanted.Level.LEVEL_31, "preset": Wanted.Preset.BEST_QUALITY}
     assert confirmed(module.ask(setting(**values, group_of_pictures=60))) == SensorIdRec(1)
     level = next(number for number, each in enumerate(LEVELS) if each.name == "3.1")
@@ -91,14 +91,14 @@ def test_gradual_refresh(module):
         ({"group_of_pictures": 0, "profile": Wanted.Profile.EXTENDED}, Code.UNKNOWN_ERROR),
     ],
 )
-def test_what_cannot_be_set_is_refused_with_the_reason(module, values, code):
+def test_invalid_settings_are_refused_with_the_reason(module, values, code):
     refused = confirmed(module.ask(setting(**values)))
     assert refused.h264_video_encoding_error_code == code
     assert refused.error_message
     assert module.video.settings == VideoSettings()
 
 
-def test_a_size_that_the_level_does_not_have_is_refused(module):
+def test_size_above_the_level_is_refused(module):
     confirmed(module.ask(setting(level=Wanted.Level.LEVEL_3)))
     video = m.SetDigitalVideoSensorConfiguration
     record = video.DigitalVideoSensorConfigurationRec(1, frame_size=video.FrameSize.HD720_1280_X720)
@@ -108,7 +108,7 @@ def test_a_size_that_the_level_does_not_have_is_refused(module):
     assert module.video.settings.width == 640
 
 
-def test_only_the_client_in_control_sets(module):
+def test_settings_require_control(module):
     assert module.tell(setting(group_of_pictures=5), client=OTHER) == []
     assert module.video.settings == VideoSettings()
 

@@ -27,26 +27,26 @@ def thread() -> Thread:
     return Thread()
 
 
-def test_commands_act_with_the_next_step(thread: Thread) -> None:
+def test_commands_take_effect_with_the_next_step(thread: Thread) -> None:
     thread.arm.command([LEFT, *[None] * 4])
     assert thread.arm.state().velocities[0] == 0.0
     assert thread.step()[0] == pytest.approx(0.4)
 
 
-def test_commands_for_different_joints_all_count(thread: Thread) -> None:
+def test_commands_for_different_joints_are_merged(thread: Thread) -> None:
     thread.arm.command([LEFT, *[None] * 4])
     thread.arm.command([None, None, RIGHT, None, None])
     thread.arm.command([None, None, None, RIGHT, None])
     assert thread.step() == pytest.approx((0.4, 0.0, -0.4, -0.4, 0.0))
 
 
-def test_the_later_command_for_a_joint_counts(thread: Thread) -> None:
+def test_later_command_for_a_joint_replaces_the_earlier_one(thread: Thread) -> None:
     thread.arm.command([LEFT, *[None] * 4])
     thread.arm.command([RIGHT, *[None] * 4])
     assert thread.step()[0] == pytest.approx(-0.4)
 
 
-def test_hold_stops_what_was_commanded_before_it_and_nothing_after(thread: Thread) -> None:
+def test_hold_cancels_earlier_commands_only(thread: Thread) -> None:
     thread.arm.command([LEFT, LEFT, *[None] * 3])
     thread.step()
     thread.arm.command([None, None, LEFT, None, None])

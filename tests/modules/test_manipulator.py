@@ -97,9 +97,7 @@ def forward(report: Any, positions: Sequence[float], tool: Vector) -> tuple[Vect
 @pytest.mark.parametrize(
     ("robot", "goal"), [("inc1", GOAL), ("inc1", (-1.0, 2.0, -1.5, -0.8, 1.0)), ("inc1_pprm", (0.3, 0.2, -0.7, 0.4))]
 )
-def test_forward_kinematics_of_what_is_reported_is_where_the_simulator_has_the_tool(
-    robot: str, goal: tuple[float, ...]
-) -> None:
+def test_reported_geometry_gives_the_simulated_tool_pose(robot: str, goal: tuple[float, ...]) -> None:
     cell = Workcell("sim", robot, 104)
     cell.take_control()
     make, choice = m.JointPositionRec.JointPosition, m.JointPositionRec.JointPositionChoice
@@ -120,12 +118,12 @@ def test_forward_kinematics_of_what_is_reported_is_where_the_simulator_has_the_t
     assert reported == pytest.approx(last.apply(tool), abs=0.001)
 
 
-def test_names_of_the_joints_are_those_of_the_description(arm: Workcell) -> None:
+def test_joint_names_are_those_of_the_description(arm: Workcell) -> None:
     names = [each.description for each in arm.ask(m.QueryManipulatorSpecifications(0xFF)).joint_names_list]
     assert names == [joint.name for joint in arm.robot.groups["arm"].joints]
 
 
-def test_presence_vectors_count(arm: Workcell) -> None:
+def test_presence_vectors_are_applied(arm: Workcell) -> None:
     report = arm.ask(m.QueryManipulatorSpecifications(0x01))
     assert report.manipulator_coordinate_system_rec is not None
     assert report.joint_names_list is None
@@ -146,7 +144,7 @@ def test_the_tool_offset_can_be_set(arm: Workcell) -> None:
 # --- motion
 
 
-def test_goes_to_positions(arm: Workcell) -> None:
+def test_joint_positions_are_reached(arm: Workcell) -> None:
     command = positions(arm, GOAL)
     arm.tell(command)
     arm.run(6.0)
@@ -156,7 +154,7 @@ def test_goes_to_positions(arm: Workcell) -> None:
     assert [record.joint_position.value for record in commanded] == pytest.approx(wanted, abs=1e-6)
 
 
-def test_a_command_event_tells_when_the_positions_are_reached_or_given_up(arm: Workcell) -> None:
+def test_command_event_reports_success_or_failure(arm: Workcell) -> None:
     assert told(arm, CreateCommandEvent(1, 60, positions(arm, GOAL))) == []
     ends: list[int] = []
     arm.run(6.0, lambda: ends.extend(told(arm)))
@@ -180,7 +178,7 @@ def test_the_motion_profile_limits_speed(arm: Workcell) -> None:
     assert 0.15 < max(fastest) < 0.25
 
 
-def test_a_profile_beyond_the_joints_is_limited(arm: Workcell) -> None:
+def test_motion_profile_is_limited_to_the_joints(arm: Workcell) -> None:
     record = m.SetJointMotionProfile.RevoluteJointMotionProfileRec
     arm.tell(m.SetJointMotionProfile([record(30.0, 30.0, 30.0)] * 5))
     profile = arm.ask(m.QueryJointMotionProfile()).joint_motion_profile_list
@@ -188,7 +186,7 @@ def test_a_profile_beyond_the_joints_is_limited(arm: Workcell) -> None:
     assert [each.joint_max_speed for each in profile] == pytest.approx(most, abs=1e-6)
 
 
-def test_moves_at_velocities_until_another_driver_commands(arm: Workcell) -> None:
+def test_velocities_hold_until_another_driver_commands(arm: Workcell) -> None:
     arm.tell(velocities(0.3, 0.0, 0.0, 0.0, -0.4))
     arm.run(1.0)
     assert arm.velocities() == pytest.approx([0.3, 0.0, 0.0, 0.0, -0.4], abs=0.03)
@@ -197,7 +195,7 @@ def test_moves_at_velocities_until_another_driver_commands(arm: Workcell) -> Non
     assert [record.joint_velocity.value for record in commanded] == pytest.approx([0.0] * 5, abs=1e-6)
 
 
-def test_efforts_push_and_zero_holds(arm: Workcell) -> None:
+def test_effort_moves_and_zero_effort_holds(arm: Workcell) -> None:
     before = arm.positions()
     arm.tell(m.SetJointEffort(percent_records([8.0, 0.0, 0.0, 0.0, 0.0])))
     arm.run(0.4)
@@ -220,7 +218,7 @@ def test_force_torques_are_applied(arm: Workcell) -> None:
     assert [each.joint_force_torque.value for each in found] == pytest.approx([5.0, 110.0, 0.0, 0.0, -0.2], abs=1e-3)
 
 
-def test_the_end_effector_moves_as_its_velocity_says(arm: Workcell) -> None:
+def test_tool_moves_at_the_reported_velocity(arm: Workcell) -> None:
     def tool() -> Vector:
         pose = arm.ask(m.QueryEndEffectorPose())
         return pose.tool_point_coordinate_x, pose.tool_point_coordinate_y, pose.tool_point_coordinate_z
@@ -239,7 +237,7 @@ def test_the_end_effector_moves_as_its_velocity_says(arm: Workcell) -> None:
 # --- lists
 
 
-def test_carries_out_a_list_of_positions(arm: Workcell) -> None:
+def test_list_of_positions_is_executed(arm: Workcell) -> None:
     goals = [(0.3, 2.5, -2.4, 0.0, 0.0), (0.3, 2.2, -2.2, 0.2, 0.5), (0.0, 2.5, -2.5, 0.0, 0.0)]
     elements = [
         ElementRec(uid, uid - 1, (uid + 1) % 4, ElementRec.ElementData(format=0, data=positions(arm, goal)))
@@ -274,7 +272,7 @@ def test_does_not_move_without_control(arm: Workcell) -> None:
     assert arm.positions() == pytest.approx(before, abs=0.003)
 
 
-def test_commands_that_do_not_fit_the_joints_are_counted(arm: Workcell) -> None:
+def test_commands_that_do_not_match_the_joints_are_counted(arm: Workcell) -> None:
     make, choice = m.JointPositionRec.JointPosition, m.JointPositionRec.JointPositionChoice
     metres = m.SetJointPositions([m.JointPositionRec(make(choice.METER, 0.1))] * 5)
     arm.tell(metres, velocities(0.1), m.SetJointEffort(percent_records([5.0] * 6)))
@@ -299,7 +297,7 @@ def test_positive_efforts_close_the_gripper_and_negative_ones_open_it(gripper: W
     assert fingers.state().positions[0] == pytest.approx(0.05, abs=0.002)
 
 
-def test_the_gripper_keeps_its_grip_without_control_but_stops_opening(gripper: Workcell) -> None:
+def test_gripper_keeps_its_grasp_without_control_but_stops_opening(gripper: Workcell) -> None:
     gripper.tell(m.SetEndEffectorEffort(40.0), ReleaseControl())
     assert gripper.ask(m.QueryEndEffectorEffort()).end_effector_effort == pytest.approx(40.0, abs=0.01)
     gripper.take_control()
@@ -308,6 +306,6 @@ def test_the_gripper_keeps_its_grip_without_control_but_stops_opening(gripper: W
     assert gripper.ask(m.QueryEndEffectorEffort()).end_effector_effort == pytest.approx(0.0, abs=0.01)
 
 
-def test_the_gripper_names_its_manipulator(gripper: Workcell) -> None:
+def test_gripper_reports_its_manipulator(gripper: Workcell) -> None:
     assert gripper.ask(m.QueryEndEffectorSpecification()).parent_id == int(JausID(101, 1, 104))
     assert gripper.ask(QueryStatus()).status == 1

@@ -99,22 +99,22 @@ def test_offers_everything_by_default(module):
     assert module.services() == ALL
 
 
-def test_offers_services_on_the_globe_where_there_is_an_origin(fake_robot):
+def test_origin_enables_global_services(fake_robot):
     assert Module(fake_robot, GlobalPose(38.6, -77.2)).services() == ALL | GLOBAL
 
 
 @pytest.mark.parametrize("service", sorted(GLOBAL))
-def test_a_service_on_the_globe_needs_an_origin(fake_robot, service):
+def test_global_service_without_origin_is_an_error(fake_robot, service):
     with pytest.raises(ConfigError, match="needs an origin"):
         Module(fake_robot, services=("Discovery", service)).tell(RequestControl(100))
 
 
-def test_offers_only_what_is_chosen(fake_robot):
+def test_only_listed_services_are_offered(fake_robot):
     module = Module(fake_robot, services=("Discovery", "LocalPoseSensor"))
     assert module.services() == {"Transport", "Events", "AccessControl", "Management", "Discovery", "LocalPoseSensor"}
 
 
-def test_says_who_it_is(module):
+def test_identification_is_reported(module):
     (report,) = module.tell(QueryIdentification(query_type=4))
     assert isinstance(report, ReportIdentification)
     assert report.identification == "CM-MOB"
@@ -132,26 +132,26 @@ def test_access_control_is_as_configured(fake_robot):
     assert module.host.controller is None
 
 
-def test_goes_on_driving_while_the_client_is_in_control(driving):
+def test_drive_continues_while_the_client_has_control(driving):
     driving.run(4.5)
     assert driving.drive.effort != (0.0, 0.0)
     assert may_move(driving.host)
 
 
 @pytest.mark.parametrize("message", [Standby(), SetEmergency(1)])
-def test_stops_at_once_when_told_to(driving, message):
+def test_standby_stops_the_drive(driving, message):
     driving.tell(message)
     assert driving.drive.effort == (0.0, 0.0)
     assert not may_move(driving.host)
 
 
-def test_stops_when_the_client_is_silent(driving):
+def test_control_timeout_stops_the_drive(driving):
     driving.run(5.1)
     assert driving.drive.effort == (0.0, 0.0)
     assert driving.host.controller is None
 
 
-def test_watchdog_stops_what_may_not_move(module):
+def test_watchdog_stops_motion_outside_ready(module):
     module.drive.set_effort(0.4, 0.0)  # as if a service had a mistake
     module.run(WATCHDOG_PERIOD)
     assert module.drive.effort == (0.0, 0.0)
@@ -160,14 +160,14 @@ def test_watchdog_stops_what_may_not_move(module):
     assert module.drive.effort == (0.0, 0.0)
 
 
-def test_watchdog_stops_what_went_on_after_standby(driving):
+def test_watchdog_stops_motion_after_standby(driving):
     driving.tell(Standby())
     driving.drive.set_effort(0.4, 0.0)
     driving.run(WATCHDOG_PERIOD)
     assert driving.drive.effort == (0.0, 0.0)
 
 
-def test_watchdog_looks_on_after_a_drive_that_failed(module, monkeypatch):
+def test_watchdog_continues_after_a_failed_stop(module, monkeypatch):
     def fail() -> None:
         raise OSError("no answer from the bus")
 

@@ -77,7 +77,7 @@ def write(tmp_path: Path):
 
 @pytest.mark.usefixtures("installed")
 @pytest.mark.parametrize("backend", ["kinematic", "acme"])
-async def test_a_robot_offers_a_service_and_has_a_backend_of_installed_packages(write, backend: str) -> None:
+async def test_installed_packages_add_services_and_backends(write, backend: str) -> None:
     async with VirtualNetwork() as network:
         runner = RobotRunner(robot_files.load(write('"Odometer"', backend)), network.transport, realtime=VirtualTime)
         async with runner, network.ocu() as ocu:
@@ -86,7 +86,7 @@ async def test_a_robot_offers_a_service_and_has_a_backend_of_installed_packages(
 
 
 @pytest.mark.usefixtures("installed")
-def test_a_module_that_lists_no_services_has_none_of_other_packages() -> None:
+def test_services_of_other_packages_are_not_offered_by_default() -> None:
     assert "Odometer" not in catalogue.defaults("CM-MOB")
     assert catalogue.find("CM-MOB", "Odometer").context is catalogue.MobilityContext
 
@@ -100,19 +100,19 @@ def test_a_module_that_lists_no_services_has_none_of_other_packages() -> None:
         ('"NoEntry"', r"service 'NoEntry' \(acme_robot:Backend\) is not a ServiceEntry"),
     ],
 )
-def test_what_is_wrong_with_a_service_is_said(write, services: str, said: str) -> None:
+def test_broken_service_entry_is_an_error(write, services: str, said: str) -> None:
     with pytest.raises(ConfigError, match=said):
         robot_files.load(write(services))
 
 
 @pytest.mark.usefixtures("installed")
-def test_a_service_of_another_type_of_module_is_not_taken(write) -> None:
+def test_service_of_another_module_type_is_rejected(write) -> None:
     with pytest.raises(ConfigError, match="a CM-SEN has no service 'Odometer'"):
         catalogue.find("CM-SEN", "Odometer")
 
 
 @pytest.mark.usefixtures("installed")
-async def test_a_service_says_what_the_robot_must_have(write) -> None:
+async def test_service_error_names_the_missing_part(write) -> None:
     async with VirtualNetwork() as network:
         runner = RobotRunner(robot_files.load(write('"Horn"')), network.transport, realtime=VirtualTime)
         with pytest.raises(ConfigError, match=r"101\.1\.102: Horn needs a horn"):
@@ -120,7 +120,7 @@ async def test_a_service_says_what_the_robot_must_have(write) -> None:
 
 
 @pytest.mark.usefixtures("installed")
-def test_the_command_line_takes_any_installed_backend() -> None:
+def test_option_backend_accepts_installed_backends() -> None:
     result = CliRunner().invoke(app, ["up", "inc1", "--backend", "nothing", "--no-node-manager"])
     assert result.exit_code
     assert "no backend 'nothing'; installed are: acme, kinematic, sim" in str(result.exception) + result.output

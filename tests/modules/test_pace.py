@@ -10,7 +10,7 @@ def timer() -> StepTimer:
     return StepTimer(0.01, 0.1, start=100.0)
 
 
-def test_first_step_is_due_after_one_step(timer):
+def test_first_step_is_due_after_one_period(timer):
     assert timer.wait(100.0) == pytest.approx(0.01)
     assert timer.wait(100.004) == pytest.approx(0.006)
 
@@ -32,7 +32,7 @@ def test_catches_up_after_a_short_delay(timer):
     assert timer.counters["skipped"] == 0
 
 
-def test_gives_up_what_is_too_late(timer):
+def test_long_delays_skip_steps(timer):
     timer.begin(105.0)
     assert timer.counters["skipped"] in (498, 499)
     timer.begin(105.0)

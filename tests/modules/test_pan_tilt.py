@@ -56,7 +56,7 @@ def head(request: pytest.FixtureRequest) -> Head:
 
 
 @pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
-def test_the_specification_is_that_of_the_description(robot: str) -> None:
+def test_specification_matches_the_description(robot: str) -> None:
     found = Head("kinematic", robot).ask(m.QueryPanTiltSpecifications(0xFF))
     place = (found.pan_tilt_coordinate_sys_x, found.pan_tilt_coordinate_sys_y, found.pan_tilt_coordinate_sys_z)
     assert place == pytest.approx((0.35, 0.0, -0.24), abs=1e-6), "where the axes meet"
@@ -66,13 +66,13 @@ def test_the_specification_is_that_of_the_description(robot: str) -> None:
     assert (found.joint2_min_value, found.joint2_max_value) == pytest.approx((-0.7, 0.9)), "more upwards than downwards"
 
 
-def test_only_what_was_asked_for_of_the_specification() -> None:
+def test_specification_has_requested_fields_only() -> None:
     found = Head("kinematic").ask(m.QueryPanTiltSpecifications(0b10))
     assert found.pan_tilt_coordinate_sys_x is None
     assert found.pan_tilt_coordinate_sys_y == pytest.approx(0.0, abs=1e-6)
 
 
-def test_looks_to_the_right_and_up(head: Head) -> None:
+def test_positive_angles_turn_right_and_up(head: Head) -> None:
     head.tell(m.SetPanTiltJointPositions(0.8, 0.5))
     commanded = head.ask(m.QueryCommandedPanTiltJointPositions())
     assert (commanded.joint1_position, commanded.joint2_position) == pytest.approx((0.8, 0.5))
@@ -84,7 +84,7 @@ def test_looks_to_the_right_and_up(head: Head) -> None:
     assert math.asin(down) == pytest.approx(-0.5, abs=0.01)
 
 
-def test_the_reported_numbers_alone_tell_where_the_camera_looks(head: Head) -> None:
+def test_camera_direction_follows_from_reported_values(head: Head) -> None:
     head.tell(m.SetPanTiltJointPositions(-1.1, 0.6))
     head.run(3.0)
     system = head.ask(m.QueryPanTiltSpecifications(0xFF))
@@ -102,7 +102,7 @@ def test_angles_beyond_the_limits_are_limited(head: Head) -> None:
     assert head.angles() == pytest.approx((-2.0, -0.7), abs=0.02)
 
 
-def test_turns_at_a_velocity_until_the_limit(head: Head) -> None:
+def test_velocity_turns_until_the_limit(head: Head) -> None:
     head.tell(m.SetPanTiltJointVelocity(0.5, -0.2))
     head.run(1.5)
     assert head.speeds() == pytest.approx((0.5, -0.2), abs=0.05)
@@ -114,7 +114,7 @@ def test_turns_at_a_velocity_until_the_limit(head: Head) -> None:
     assert head.angles() == pytest.approx((2.0, -0.7), abs=0.03)
 
 
-def test_efforts_push_and_zero_holds(head: Head) -> None:
+def test_effort_moves_and_zero_effort_holds(head: Head) -> None:
     head.tell(m.SetPanTiltJointEffort(20.0, 0.0))
     assert head.ask(m.QueryPanTiltJointEffort()).joint1_effort == pytest.approx(20.0, abs=0.01)
     head.run(0.5)
@@ -142,7 +142,7 @@ def test_a_profile_limits_all_drivers(head: Head) -> None:
     assert head.speeds()[0] == pytest.approx(-0.2, abs=0.03)
 
 
-def test_a_command_event_tells_when_it_looks_there(head: Head) -> None:
+def test_command_event_reports_when_the_angles_are_reached(head: Head) -> None:
     head.tell(CreateCommandEvent(7, 10, m.SetPanTiltJointPositions(0.8, 0.5)))
     results: list[Message] = []
     head.run(3.0, lambda: results.extend(head.tell()))
@@ -152,7 +152,7 @@ def test_a_command_event_tells_when_it_looks_there(head: Head) -> None:
 
 
 @pytest.mark.parametrize("ending", [Standby(), SetEmergency(1), ReleaseControl()])
-def test_stops_when_it_may_not_move_any_more(head: Head, ending: Message) -> None:
+def test_leaving_ready_stops_the_unit(head: Head, ending: Message) -> None:
     head.tell(m.SetPanTiltJointVelocity(0.5, 0.0))
     head.run(1.0)
     head.tell(ending)
@@ -163,20 +163,20 @@ def test_stops_when_it_may_not_move_any_more(head: Head, ending: Message) -> Non
     assert head.ask(m.QueryCommandedPanTiltJointVelocity()).joint1_velocity == pytest.approx(0.0, abs=1e-6)
 
 
-def test_nobody_else_turns_it(head: Head) -> None:
+def test_commands_without_control_are_ignored(head: Head) -> None:
     head.tell(m.SetPanTiltJointPositions(1.0, 0.0), client=OTHER)
     head.run(1.0)
     assert head.angles() == pytest.approx((0.0, 0.0), abs=0.01)
 
 
-def test_the_newest_command_counts(head: Head) -> None:
+def test_newest_command_preempts_earlier_ones(head: Head) -> None:
     head.tell(m.SetPanTiltJointVelocity(0.5, 0.0), m.SetPanTiltJointPositions(0.3, 0.1))
     assert head.ask(m.QueryCommandedPanTiltJointVelocity()).joint1_velocity == pytest.approx(0.0, abs=1e-6)
     head.run(2.0)
     assert head.angles() == pytest.approx((0.3, 0.1), abs=0.01)
 
 
-def test_the_camera_s_services_are_there_too(head: Head) -> None:
+def test_camera_services_are_offered_as_well(head: Head) -> None:
     record = QueryVisualSensorConfiguration.QueryVisualSensorConfigurationRec(1, 0xFFFF)
     assert head.ask(QueryVisualSensorConfiguration([record])).visual_sensor_configuration_list
     assert head.ask(QueryStatus()).status == 1
@@ -202,7 +202,7 @@ JOINT = "{{ name = '{0}', position = {{ p = 1 }}, velocity = {{ p = 1 }} }}"
         ),
     ],
 )
-def test_a_mount_that_is_none_is_said(tmp_path: Path, tip: str, joints: list[str], said: str) -> None:
+def test_invalid_pan_tilt_groups_are_rejected(tmp_path: Path, tip: str, joints: list[str], said: str) -> None:
     file = tmp_path / "mine.toml"
     text = MOUNT.format(tip=tip, joints=", ".join(JOINT.format(joint) for joint in joints))
     module = "[[modules]]\ntype = 'CM-VIS'\ncomponent = 107\ncamera = 'chassis'\ngroup = 'pan_tilt'\n"
@@ -211,7 +211,7 @@ def test_a_mount_that_is_none_is_said(tmp_path: Path, tip: str, joints: list[str
         robot_model(robot_files.load(file))
 
 
-def test_services_without_a_mount_are_an_error(tmp_path: Path) -> None:
+def test_pan_tilt_services_without_group_are_an_error(tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     services = "services = ['Discovery', 'PanTiltJointPositionSensor']"
     file.write_text(

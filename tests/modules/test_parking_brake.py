@@ -80,7 +80,7 @@ def braked(request: pytest.FixtureRequest):
     robot.close()
 
 
-def test_a_set_brake_holds_the_chassis_and_a_released_one_does_not(braked: Braked) -> None:
+def test_engaged_brake_holds_the_chassis_and_released_brake_does_not(braked: Braked) -> None:
     assert braked.drive() > 0.1
     braked.tell(SetParkingBrake(100.0))
     braked.run(0.7)
@@ -93,7 +93,7 @@ def test_a_set_brake_holds_the_chassis_and_a_released_one_does_not(braked: Brake
     assert braked.drive() > 0.1
 
 
-def test_any_level_engages_it_fully(braked: Braked) -> None:
+def test_any_level_above_zero_engages_fully(braked: Braked) -> None:
     braked.tell(SetParkingBrake(30.0))
     braked.run(0.1)
     assert braked.reported == (30, 100)
@@ -101,7 +101,7 @@ def test_any_level_engages_it_fully(braked: Braked) -> None:
 
 
 @pytest.mark.parametrize("end", [Standby(), SetEmergency(1)], ids=["standby", "emergency"])
-def test_it_engages_when_ready_is_left_and_is_released_only_in_ready(braked: Braked, end: Message) -> None:
+def test_brake_engages_on_leaving_ready_and_releases_only_in_ready(braked: Braked, end: Message) -> None:
     assert braked.drive() > 0.1
     braked.tell(end)
     braked.run(0.7)
@@ -112,18 +112,18 @@ def test_it_engages_when_ready_is_left_and_is_released_only_in_ready(braked: Bra
     assert abs(braked.drive()) < 0.005
 
 
-def test_it_may_be_engaged_in_standby() -> None:
+def test_brake_can_be_engaged_in_standby() -> None:
     braked = Braked(RealTime(find("kinematic").open(MODEL, "empty"), step=0.01))
     braked.tell(RequestControl(200), SetParkingBrake(100.0))
     braked.run(0.1)
     assert braked.reported == (100, 100)
 
 
-def test_it_is_offered_only_where_it_is_listed() -> None:
+def test_brake_is_offered_only_if_listed() -> None:
     assert not ModuleConfig(type="CM-MOB", component=102).offers("ParkingBrakeDriver")
 
 
-def test_a_robot_without_one_cannot_offer_it() -> None:
+def test_robot_without_brake_cannot_offer_the_service() -> None:
     fake = FakeRobot()
     assert ParkingBrake.of(fake) is None
     with pytest.raises(ConfigError, match=r"101\.1\.102: ParkingBrakeDriver needs a parking brake"):

@@ -19,7 +19,7 @@ def inc1():
     robot.close()
 
 
-def test_nothing_moves_before_it_is_opened(fake_robot):
+def test_robot_does_not_move_before_open(fake_robot):
     runner = RealTime(fake_robot)
     assert runner.snapshot.time == 0.0
     runner.close()
@@ -35,7 +35,7 @@ def test_advances_the_robot_in_one_other_thread(fake_robot):
     assert runner.snapshot.time == pytest.approx(fake_robot.steps * 0.002)
 
 
-def test_latest_command_acts_with_the_next_step(fake_robot):
+def test_latest_command_takes_effect_with_the_next_step(fake_robot):
     with RealTime(fake_robot, step=0.002) as runner:
         runner.drive.set_effort(0.1, 0.0)
         runner.drive.set_effort(0.4, -0.2)
@@ -70,7 +70,7 @@ def test_stops_the_drive_when_closed(fake_robot):
     assert fake_robot.steps == steps
 
 
-def test_a_command_just_before_closing_does_not_drive(fake_robot):
+def test_command_just_before_close_does_not_drive(fake_robot):
     runner = RealTime(fake_robot, step=0.002)
     runner.open()
     runner.drive.set_effort(1.0, 0.0)
@@ -79,14 +79,14 @@ def test_a_command_just_before_closing_does_not_drive(fake_robot):
     assert fake_robot.drive.effort == (0.0, 0.0)
 
 
-def test_opening_twice_is_fine(fake_robot):
+def test_open_twice_has_no_effect(fake_robot):
     with RealTime(fake_robot, step=0.002) as runner:
         runner.open()
         fake_robot.wait_for_steps(2)
     assert len(fake_robot.threads) == 1
 
 
-def test_a_robot_that_breaks_is_stopped_and_told_of(fragile_robot):
+def test_exception_in_the_robot_stops_it_and_is_reported(fragile_robot):
     with RealTime(fragile_robot, step=0.002) as runner:
         runner.drive.set_effort(1.0, 0.0)
         error = runner.ended.exception(timeout=30.0)
@@ -104,7 +104,7 @@ class Clock:
         return self.now
 
 
-def test_stops_by_itself_when_nobody_is_alive(fake_robot):
+def test_missing_heartbeat_stops_the_robot(fake_robot):
     clock = Clock()
     with RealTime(fake_robot, step=0.002, heartbeat_timeout=1.0, clock=clock) as runner:
         runner.drive.set_effort(1.0, 0.0)

@@ -91,7 +91,7 @@ def runner(hub) -> RobotRunner:
     return RobotRunner(load("inc1"), lambda me: LoopbackTransport(me, hub), backend="kinematic")
 
 
-async def test_drives_and_says_where_it_is(runner, client):
+async def test_robot_drives_and_reports_its_pose(runner, client):
     async with runner:
         client.tell(RequestControl(authority_code=100), Resume(), FORWARD)
         await client.drive_past(0.1)
@@ -119,7 +119,7 @@ async def test_does_not_move_without_control(runner, client):
         assert runner.snapshot.pose.x == 0.0
 
 
-async def test_each_module_knows_the_whole_robot(runner, client):
+async def test_each_module_discovers_the_whole_robot(runner, client):
     async with runner:
         client.tell(QueryConfiguration(query_type=2))
         (node,) = (await client.answer()).node_list
@@ -133,7 +133,7 @@ async def test_each_module_knows_the_whole_robot(runner, client):
         assert "urn:jaus:jss:manipulator:PrimitiveEndEffector" in [each.uri for each in component.service_list]
 
 
-async def test_closing_twice_and_before_opening_is_fine(runner):
+async def test_close_may_be_called_twice_and_before_open(runner):
     await runner.close()
     async with runner:
         await runner.open()
@@ -171,7 +171,7 @@ async def test_runs_until_cancelled(runner, client):
     assert runner.components == ()
 
 
-async def test_takes_a_backend_that_is_not_installed(hub, client):
+async def test_backend_object_is_accepted(hub, client):
     class Workshop(KinematicBackend):
         name = "workshop"
 
@@ -182,7 +182,7 @@ async def test_takes_a_backend_that_is_not_installed(hub, client):
         await client.drive_past(0.05)
 
 
-async def test_ends_when_the_robot_breaks_down(hub, fragile_robot):
+async def test_run_ends_when_the_robot_fails(hub, fragile_robot):
     class Workshop:
         name = "workshop"
 

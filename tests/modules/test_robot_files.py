@@ -31,7 +31,7 @@ def write(tmp_path):
     return write
 
 
-def test_inc1_comes_with_jauspy():
+def test_inc1_is_included():
     config = load("inc1")
     assert "inc1" in known()
     assert [str(config.id_of(module)) for module in config.modules] == [
@@ -47,11 +47,11 @@ def test_inc1_comes_with_jauspy():
 
 
 @pytest.mark.parametrize("name", known())
-def test_every_robot_that_comes_with_jauspy_is_right(name):
+def test_all_included_robots_are_valid(name):
     assert load(name).name == name
 
 
-def test_own_file_by_path_and_by_text(write):
+def test_user_file_is_loaded_by_path_and_text(write):
     path = write(GOOD)
     config = load(path)
     assert load(str(path)) == config
@@ -71,12 +71,12 @@ def test_missing_file_is_named(tmp_path):
 
 
 @pytest.mark.parametrize("text", ["name = ", "name = 'a'\nname = 'b'", "[[modules]"])
-def test_not_toml(write, text):
+def test_invalid_toml_is_an_error(write, text):
     with pytest.raises(ConfigError, match=r"robot\.toml: is not TOML: .*(line|document)"):
         load(write(text))
 
 
-def test_not_even_text(write, tmp_path):
+def test_binary_file_is_an_error(write, tmp_path):
     path = tmp_path / "robot.toml"
     path.write_bytes(b"\xff\xfe\x00")
     with pytest.raises(ConfigError, match="is not TOML"):
@@ -172,16 +172,16 @@ def test_not_even_text(write, tmp_path):
         ('"mine"', '"Ωmega"', r"name: 'Ωmega': JAUS sends names in Latin-1, which has no 'Ω'"),
     ],
 )
-def test_mistakes_name_the_key_and_what_is_allowed(write, old, new, said):
+def test_mistakes_name_the_key_and_the_permitted_values(write, old, new, said):
     with pytest.raises(ConfigError, match=said):
         load(write(GOOD.replace(old, new)))
 
 
-def test_names_may_have_what_latin_1_has(write):
+def test_latin_1_names_are_accepted(write):
     assert load(write(GOOD.replace('"mine"', '"Jürgen"'))).name == "Jürgen"
 
 
-def test_what_a_module_offers(write):
+def test_offered_services_are_listed(write):
     (module,) = load(write(GOOD)).modules
     assert module.offers("PrimitiveDriver")
     (module,) = load(write(GOOD + "services = ['Discovery', 'LocalPoseSensor']")).modules
@@ -199,19 +199,19 @@ def test_a_robot_without_modules(write):
         load(write("modules = []\n" + GOOD.partition("[[modules]]")[0]))
 
 
-def test_all_mistakes_are_told_at_once(write):
+def test_all_mistakes_are_reported_at_once(write):
     with pytest.raises(ConfigError) as caught:
         load(write("name = ''"))
     assert str(caught.value).count("\n") >= 4
 
 
-def test_extends_another_robot(write):
+def test_extends_inherits_keys(write):
     config = load(write('extends = "inc1"\nname = "seven"\nsubsystem = 7'))
     parent = load("inc1")
     assert (config.name, config.subsystem, config.urdf) == ("seven", 7, parent.urdf)
     assert config.groups == parent.groups
 
 
-def test_extends_itself(write):
+def test_cyclic_extends_is_an_error(write):
     with pytest.raises(ConfigError, match=r"robot\.toml: extends = '\./robot\.toml': .*not lead back"):
         load(write('extends = "./robot.toml"'))

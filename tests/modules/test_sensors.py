@@ -102,7 +102,7 @@ def nearest(sequence: Any, bearing: float) -> Any:
 # --- data
 
 
-def test_rays_without_an_echo_come_only_with_their_validity() -> None:
+def test_rays_without_echo_are_reported_only_with_validity() -> None:
     plain = Mast("kinematic")
     assert plain.scan().range_sensor_data_point_list == []
     all_rays = plain.scan(VALIDITY).range_sensor_data_point_list
@@ -116,7 +116,7 @@ def test_bearings_are_clockwise(yard: Mast) -> None:
     assert not [p for p in scan.range_sensor_data_point_list if abs(p.bearing - math.pi / 2) < 0.1], "none to the right"
 
 
-def test_optional_fields_are_those_that_were_asked_for(yard: Mast) -> None:
+def test_only_requested_optional_fields_are_reported(yard: Mast) -> None:
     bare, numbered = (nearest(yard.scan(asked), math.pi) for asked in (0, POINT_ID | 1 << 2))
     assert (bare.point_id, bare.range_validity, bare.range_error_rms) == (None, None, None)
     assert numbered.range_error_rms == pytest.approx(0.01, abs=1e-4)
@@ -124,7 +124,7 @@ def test_optional_fields_are_those_that_were_asked_for(yard: Mast) -> None:
     assert numbered.range_validity is None
 
 
-def test_in_the_frame_of_the_vehicle(yard: Mast) -> None:
+def test_points_can_be_reported_in_the_vehicle_frame(yard: Mast) -> None:
     scan = yard.scan(frame=VEHICLE)
     assert scan.range_sensor_data_rec.report_coordinate_system == VEHICLE
     for point in scan.range_sensor_data_point_list:  # the lidar is 0.44 m above the ground: up is positive
@@ -133,7 +133,7 @@ def test_in_the_frame_of_the_vehicle(yard: Mast) -> None:
     assert back.range * math.cos(back.inclination) == pytest.approx(3.0, abs=0.05), "0.2 m more than from the lidar"
 
 
-def test_stamps_are_the_time_of_the_scan_not_of_the_question(mast: Mast) -> None:
+def test_time_stamp_is_that_of_the_scan(mast: Mast) -> None:
     mast.run(0.25)
     stamp = mast.scan().range_sensor_data_rec.time_stamp
     assert (stamp.seconds, stamp.milliseconds) == (0, pytest.approx(200, abs=1))
@@ -180,7 +180,7 @@ def test_compressed_points_are_those_of_the_plain_report(
     assert expand(packed.compressed_data) == plain[HEAD:]
 
 
-def test_every_scan_makes_an_event_on_change_and_only_one(mast: Mast) -> None:
+def test_each_scan_causes_one_event_on_change(mast: Mast) -> None:
     events = []
     query = m.QueryRangeSensorData([DATA(1, NATIVE, 0)])
     mast.tell(CreateEvent(1, CreateEvent.EventType.EVERY_CHANGE, 25.0, query))
@@ -192,7 +192,7 @@ def test_every_scan_makes_an_event_on_change_and_only_one(mast: Mast) -> None:
 # --- which sensors
 
 
-def test_all_sensors_come_once_however_often_they_are_asked_for(mast: Mast) -> None:
+def test_each_sensor_is_reported_once(mast: Mast) -> None:
     query = m.QueryRangeSensorData([DATA(0, NATIVE, 0)] * 1000 + [DATA(1, VEHICLE, 0)])
     answer = mast.ask(query, m.ReportRangeSensorData)
     (only,) = answer.range_sensor_data_list
@@ -200,7 +200,7 @@ def test_all_sensors_come_once_however_often_they_are_asked_for(mast: Mast) -> N
     assert only.range_sensor_data_rec.report_coordinate_system == NATIVE
 
 
-def test_unknown_sensors_are_said_to_be_so_and_not_without_end(mast: Mast) -> None:
+def test_unknown_sensors_are_reported_up_to_a_bound(mast: Mast) -> None:
     query = m.QueryRangeSensorData([DATA(number, NATIVE, 0) for number in range(2, 30002)])
     found = mast.ask(query, m.ReportRangeSensorData).range_sensor_data_list
     assert len(found) == 64
@@ -233,7 +233,7 @@ def configuration(mast: Mast) -> Any:
     return found
 
 
-def test_only_the_client_in_control_sets_a_sensor(mast: Mast) -> None:
+def test_settings_require_control(mast: Mast) -> None:
     record = m.SetRangeSensorConfiguration.RangeSensorConfigurationRec(1, sensor_state=2)
     message = m.SetRangeSensorConfiguration(m.SetRangeSensorConfiguration.RequestIdRec(1), [record])
     assert mast.tell(message) == []
@@ -255,7 +255,7 @@ def test_a_sensor_in_standby_has_no_data(mast: Mast) -> None:
     assert mast.scan().range_sensor_data_rec.sensor_id == 1
 
 
-def test_a_narrower_view_of_the_left_side(mast: Mast) -> None:
+def test_angle_limits_restrict_the_scan(mast: Mast) -> None:
     mast.tell(RequestControl(200))
     mast.set(horizontal_field_of_view_start_angle=-math.pi / 2, horizontal_field_of_view_stop_angle=0.0)
     mast.run(0.1)
@@ -264,14 +264,14 @@ def test_a_narrower_view_of_the_left_side(mast: Mast) -> None:
     assert (min(bearings), max(bearings)) == pytest.approx((-math.pi / 2, 0.0), abs=1e-6)
 
 
-def test_a_shorter_range(yard: Mast) -> None:
+def test_range_limits_restrict_the_scan(yard: Mast) -> None:
     yard.tell(RequestControl(200))
     yard.set(maximum_range=3.0)
     yard.run(0.1)
     assert max(p.range for p in yard.scan().range_sensor_data_point_list) < 3.0
 
 
-def test_the_reported_settings_can_be_set_again(mast: Mast) -> None:
+def test_reported_settings_are_valid_settings(mast: Mast) -> None:
     mast.tell(RequestControl(200))
     now = configuration(mast)
     names = [name for name in type(now).__dataclass_fields__ if not name.startswith("reserved")]
@@ -298,9 +298,7 @@ Code = m.ConfirmSensorConfiguration.RangeSensorErrorRec.RangeSensorErrorCode
         ({"update_rate": 20.0, "maximum_range": 31.0}, Code.MULTIPLE_INVALID_PARAMETERS, "Hz; distances"),
     ],
 )  # fmt: skip
-def test_what_cannot_be_set_is_refused_with_a_reason(
-    mast: Mast, wanted: dict[str, float], code: int, said: str
-) -> None:
+def test_invalid_settings_are_refused_with_a_reason(mast: Mast, wanted: dict[str, float], code: int, said: str) -> None:
     mast.tell(RequestControl(200))
     before = configuration(mast)
     refused = mast.set(**wanted)

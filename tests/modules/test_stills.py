@@ -55,7 +55,7 @@ def records(sent):
     return report.still_image_data_list
 
 
-def test_a_picture_is_taken_for_a_query_and_answers_it_when_it_is_there(module):
+def test_query_takes_an_image_and_is_answered_later(module):
     module.now = 10.0
     assert module.tell(asking(1)) == []
     assert [settings for settings, _ in module.video.under_way] == [VGA]
@@ -71,21 +71,21 @@ def test_a_picture_is_taken_for_a_query_and_answers_it_when_it_is_there(module):
 
 
 @pytest.mark.parametrize(("asked", "fields"), [(STAMP, (True, False)), (IMAGE, (False, True)), (0, (False, False))])
-def test_it_has_what_was_asked_for(module, asked, fields):
+def test_report_has_requested_fields_only(module, asked, fields):
     module.tell(asking(1, asked=asked))
     module.video.develop(PICTURE)
     (record,) = records(module.run())
     assert (record.time_stamp is not None, record.image_frame is not None) == fields
 
 
-def test_an_image_stays_in_the_cameras_own_frame(module):
+def test_images_are_not_transformed(module):
     module.tell(asking(1, system=Query.ReportCoordinateSystem.VEHICLE))
     module.video.develop(PICTURE)
     (record,) = records(module.run())
     assert record.report_coordinate_system == NATIVE
 
 
-def test_sensors_that_are_not_there_have_no_picture(module):
+def test_unknown_sensors_have_no_image(module):
     module.tell(asking(7))
     assert records(module.run()) == []
     module.tell(asking(7, 0))
@@ -93,7 +93,7 @@ def test_sensors_that_are_not_there_have_no_picture(module):
     assert [record.sensor_id for record in records(module.run())] == [1]
 
 
-def test_who_wants_the_same_picture_gets_the_one_that_is_under_way(module):
+def test_equal_requests_share_a_pending_image(module):
     module.tell(asking(1))
     module.tell(asking(1, asked=IMAGE), client=OTHER)
     module.tell(asking(1), client=CLIENT)
@@ -105,7 +105,7 @@ def test_who_wants_the_same_picture_gets_the_one_that_is_under_way(module):
 
 
 @pytest.mark.parametrize("reason", ["refused", "lost", "silent"])
-def test_a_camera_without_a_picture_is_reported_without_one(module, reason):
+def test_failed_camera_is_reported_without_image(module, reason):
     module.video.refuses = reason == "refused"
     module.tell(asking(1))
     if reason == "lost":
@@ -119,7 +119,7 @@ def test_a_camera_without_a_picture_is_reported_without_one(module, reason):
 # --- settings
 
 
-def test_size_and_format_are_set_for_the_next_picture(module):
+def test_settings_apply_to_the_next_image(module):
     module.control()
     assert confirmed(module.ask(setting(frame_size=Size.HD720_1280_X720))) == SensorIdRec(1)
     assert confirmed(module.ask(setting(still_image_format=Format.PNG))) == SensorIdRec(1)
@@ -138,7 +138,7 @@ def test_size_and_format_are_set_for_the_next_picture(module):
     assert (found.frame_size, found.still_image_format) == (Size.HD720_1280_X720, None)
 
 
-def test_a_picture_under_way_has_the_format_that_it_was_asked_in(module):
+def test_pending_image_keeps_its_format(module):
     module.control()
     module.tell(asking(1))
     module.tell(setting(still_image_format=Format.PNG))
@@ -157,7 +157,7 @@ def test_a_picture_under_way_has_the_format_that_it_was_asked_in(module):
         ({"frame_size": Size.QXGA_2048_X1536, "still_image_format": Format.DNG}, Code.MULTIPLE_INVALID_PARAMETERS),
     ],
 )
-def test_what_cannot_be_set_is_refused_with_the_reason(module, record, code):
+def test_invalid_settings_are_refused_with_the_reason(module, record, code):
     module.control()
     refused = confirmed(module.ask(setting(**record)))
     assert refused.still_image_error_code == code
@@ -166,7 +166,7 @@ def test_what_cannot_be_set_is_refused_with_the_reason(module, record, code):
     assert module.video.under_way[0][0] == VGA
 
 
-def test_only_the_client_in_control_sets(module):
+def test_settings_require_control(module):
     module.control()
     assert module.tell(setting(still_image_format=Format.PNG), client=OTHER) == []
     module.tell(asking(1))
@@ -182,7 +182,7 @@ def test_capabilities(module):
     assert (found.supported_frame_sizes.vga_640_x480, found.supported_frame_sizes.whuxga_7680_x4800) == (1, 0)
 
 
-def test_every_offered_size_can_be_set(module):
+def test_all_supported_sizes_can_be_set(module):
     module.control()
     query = m.QueryStillImageSensorCapabilities
     asked = [query.QueryStillImageSensorCapabilitiesRec(1, EVERYTHING)]
@@ -195,7 +195,7 @@ def test_every_offered_size_can_be_set(module):
 # --- events
 
 
-def test_events_bring_picture_after_picture(module):
+def test_periodic_events_report_images(module):
     module.tell(CreateEvent(1, CreateEvent.EventType.PERIODIC, 5.0, asking(1, asked=IMAGE)))
     seen = []
     for content in (b"one", b"two", b"three"):
@@ -205,7 +205,7 @@ def test_events_bring_picture_after_picture(module):
     assert seen == [b"one", b"two", b"three"]
 
 
-def test_events_on_change_tell_when_the_picture_has_changed(module):
+def test_events_on_change_report_changed_images(module):
     module.tell(CreateEvent(1, CreateEvent.EventType.EVERY_CHANGE, 0.0, asking(1, asked=IMAGE)))
     seen = []
     for content in (b"one", b"one", b"two", b"two"):
@@ -246,7 +246,7 @@ def test_several_cameras_of_one_component():
 
 
 @pytest.mark.parametrize("format", StillFormat)
-async def test_a_picture_by_a_real_camera(format):
+async def test_real_camera_takes_an_image(format):
     pytest.importorskip("av", reason="the extra 'video' is not installed")
     cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
     import numpy as np

@@ -127,7 +127,9 @@ def assert_stops(cell: Cell, speeds: Callable[[], dict[str, float]], end: Callab
     ("robot", "ahead", "turn"),
     [("inc1", 100.0, 0.0), ("inc1", -100.0, 0.0), ("inc1", 0.0, 100.0), ("inc1_pprm", 100.0, 0.0)],
 )
-def test_tracks_stop(backend: str, robot: str, end: Callable[[Cell], None], ahead: float, turn: float) -> None:
+def test_tracks_stop_within_200_ms(
+    backend: str, robot: str, end: Callable[[Cell], None], ahead: float, turn: float
+) -> None:
     cell = Cell(backend, robot, 102)
     cell.obey(SetWrenchEffort(propulsive_linear_effort_x=ahead, propulsive_rotational_effort_z=turn), 1.5)
     twist = cell.robot.drive.twist()
@@ -137,7 +139,7 @@ def test_tracks_stop(backend: str, robot: str, end: Callable[[Cell], None], ahea
 
 @pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
 @pytest.mark.parametrize("way", [1.0, -1.0])
-def test_the_arm_stops(backend: str, robot: str, end: Callable[[Cell], None], way: float) -> None:
+def test_arm_stops_within_200_ms(backend: str, robot: str, end: Callable[[Cell], None], way: float) -> None:
     """Every joint at its full speed, from where it has the room for that."""
     cell = Cell(backend, robot, 104)
     arm = cell.robot.groups["arm"]

@@ -56,7 +56,7 @@ def flow(module):
 # --- end points
 
 
-def test_a_client_enters_an_address_and_the_camera_sends_there_until_it_is_removed(module):
+def test_registered_end_point_receives_until_it_is_removed(module):
     assert flow(module) == "STOP"
     number = module.enter("rtp://127.0.0.1:5004")
     assert module.video.receivers == {("127.0.0.1", 5004): True}
@@ -70,7 +70,7 @@ def test_a_client_enters_an_address_and_the_camera_sends_there_until_it_is_remov
     assert module.ask(m.QueryDigitalResourceEndpoint()).digital_resource_endpoint_list == []
 
 
-def test_an_end_point_lasts_five_minutes_unless_it_is_entered_again(module):
+def test_end_point_expires_after_five_minutes_without_renewal(module):
     number = module.enter("rtp://10.0.0.7:5004")
     module.now = END_POINT_TIMEOUT - 1.0
     assert module.enter("rtp://10.0.0.7:5004") == number
@@ -94,7 +94,7 @@ def test_an_end_point_lasts_five_minutes_unless_it_is_entered_again(module):
         "rtp://10.0.0.7:666",
     ],
 )
-def test_what_cannot_be_sent_to_is_refused_with_number_0(module, url):
+def test_invalid_url_is_refused_with_number_0(module, url):
     assert module.enter(url) == 0
     assert module.video.receivers == {}
     assert module.host.counters["endpoint_refused"] == 1
@@ -106,41 +106,41 @@ def test_other_server_types_and_sensors_are_refused(module):
     assert module.host.counters["endpoint_refused"] == 2
 
 
-def test_a_client_cannot_remove_or_take_over_what_another_entered(module):
+def test_end_points_of_other_clients_cannot_be_changed(module):
     number = module.enter("rtp://10.0.0.7:5004")
     assert module.enter("rtp://10.0.0.7:5004", client=OTHER) == 0
     assert module.ask(m.RemoveDigitalResourceEndpoint(number, 3), OTHER).id == 0
     assert module.video.receivers == {("10.0.0.7", 5004): True}
 
 
-def test_one_more_than_a_clients_share_replaces_its_oldest(module):
+def test_end_point_above_a_clients_share_replaces_its_oldest(module):
     share = MAX_END_POINTS_PER_CLIENT
     numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * port}") for port in range(share + 1)]
     assert numbers == [*range(1, share + 2)]
     assert list(module.video.receivers) == [("10.0.0.7", 5002 + 2 * port) for port in range(share)]
 
 
-def test_there_is_a_limit(module):
+def test_number_of_end_points_is_bounded(module):
     clients = [JausID(50, 1, 1 + number) for number in range(MAX_END_POINTS + 1)]
     numbers = [module.enter(f"rtp://10.0.0.7:{5000 + 2 * n}", client) for n, client in enumerate(clients)]
     assert numbers == [*range(1, MAX_END_POINTS + 1), 0]
 
 
-def test_a_client_that_is_lost_is_sent_nothing_more(module):
+def test_end_points_of_a_lost_client_are_removed(module):
     module.enter("rtp://10.0.0.7:5004")
     module.enter("rtp://10.0.0.8:5004", client=OTHER)
     module.host.unreachable(OTHER, module.now)
     assert module.video.receivers == {("10.0.0.7", 5004): True}
 
 
-def test_addresses_of_ipv6():
+def test_ipv6_addresses_are_accepted():
     assert parse_rtp_url("rtp://[fe80::1]:5004") == ("fe80::1", 5004)
 
 
 # --- streams
 
 
-def test_the_controlling_client_plays_pauses_and_stops_its_own(module):
+def test_play_pause_and_stop_apply_to_own_end_points(module):
     module.enter("rtp://10.0.0.7:5004")
     module.enter("rtp://10.0.0.8:5004", client=OTHER)
     module.control()
@@ -153,14 +153,14 @@ def test_the_controlling_client_plays_pauses_and_stops_its_own(module):
     assert module.video.receivers == {("10.0.0.7", 5004): True, ("10.0.0.8", 5004): True}
 
 
-def test_without_control_nothing_is_changed(module):
+def test_commands_without_control_are_ignored(module):
     module.enter("rtp://10.0.0.7:5004")
     module.tell(Stream(1, Stream.StreamState.STOP), setting(frame_rate=5))
     assert module.video.receivers == {("10.0.0.7", 5004): True}
     assert module.video.settings == VideoSettings()
 
 
-def test_a_command_for_no_stream_of_the_clients_is_counted(module):
+def test_command_without_own_stream_is_counted(module):
     module.control()
     module.tell(Stream(7, Stream.StreamState.PLAY))
     assert module.host.counters["stream_unknown"] == 1
@@ -169,7 +169,7 @@ def test_a_command_for_no_stream_of_the_clients_is_counted(module):
 # --- configuration
 
 
-def test_size_rates_and_bit_rate_are_set_at_once_and_reported(module):
+def test_size_rate_and_bit_rate_are_set_and_reported(module):
     module.control()
     answer = module.ask(setting(frame_size=Size.HD720_1280_X720, frame_rate=25, maximum_bit_rate=4000))
     assert confirmed(answer) == SensorIdRec(1)
@@ -201,7 +201,7 @@ Code = DigitalVideoSensorErrorRec.DigitalVideoErrorCode
         ({"frame_rate": 0, "maximum_bit_rate": 1}, Code.MULTIPLE_INVALID_PARAMETERS),
     ],
 )
-def test_what_cannot_be_set_is_refused_with_the_reason(module, values, code):
+def test_invalid_settings_are_refused_with_the_reason(module, values, code):
     module.control()
     refused = confirmed(module.ask(setting(**values)))
     assert refused.digital_video_error_code == code
@@ -210,7 +210,7 @@ def test_what_cannot_be_set_is_refused_with_the_reason(module, values, code):
 
 
 @pytest.mark.parametrize("size", [size for size in Size if size.name.endswith(("640_X480", "176_X144", "1366_X768"))])
-def test_every_offered_size_can_be_set(module, size):
+def test_all_supported_sizes_can_be_set(module, size):
     module.control()
     assert confirmed(module.ask(setting(frame_size=size))) == SensorIdRec(1)
     settings = module.video.settings
@@ -226,7 +226,7 @@ def test_capabilities(module):
     assert found.recording_supported.name == "UNSUPPORTED"
 
 
-def test_a_camera_with_a_fixed_lens_says_what_it_sees_and_refuses_the_rest(module):
+def test_fixed_lens_is_reported_and_other_settings_are_refused(module):
     query = m.QueryVisualSensorConfiguration
     record = query.QueryVisualSensorConfigurationRec(1, 0xFFFF)
     (found,) = module.ask(query([record])).visual_sensor_configuration_list
@@ -241,7 +241,7 @@ def test_a_camera_with_a_fixed_lens_says_what_it_sees_and_refuses_the_rest(modul
     assert "zoom_level" in refused.error_message
 
 
-def test_where_a_camera_is_on_the_vehicle_if_it_does_not_move():
+def test_mounting_of_a_fixed_camera_is_reported():
     module = Module(fixed=True)
     answer = module.ask(m.QuerySensorGeometricProperties([SensorIDQueryRec(1)]))
     (found,) = answer.geometric_properties_list
@@ -251,7 +251,7 @@ def test_where_a_camera_is_on_the_vehicle_if_it_does_not_move():
 
 
 @pytest.mark.parametrize(("component", "manipulator", "joint"), [(106, 104, 4), (107, 107, 2)])
-def test_what_joint_moves_the_camera(component, manipulator, joint):
+def test_joint_of_a_moving_camera_is_reported(component, manipulator, joint):
     answer = Module(component).ask(m.QuerySensorGeometricProperties([SensorIDQueryRec(1)]))
     (found,) = answer.geometric_properties_list
     mounting = found.geometric_properties_variant

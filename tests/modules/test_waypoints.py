@@ -107,7 +107,7 @@ def test_four_global_waypoints_in_order_by_list(world: World) -> None:
     assert (answer.latitude, answer.longitude) == pytest.approx(places[-1], abs=1e-7)
 
 
-def test_a_list_may_mix_frames_and_keeps_its_speed(world: World) -> None:
+def test_list_may_mix_frames_and_keeps_the_speed(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=2.0, y=0.0), SetGlobalWaypoint(latitude=38.593, longitude=-77.179)])
     world.tell(ExecuteList(speed=0.8, element_uid=1))
     world.run_until(lambda: world.active == 2, 20.0)
@@ -129,7 +129,7 @@ def watched(command: Message) -> CreateCommandEvent:
 GO = SetTravelSpeed(speed=1.0)
 
 
-def test_a_command_event_tells_when_the_waypoint_is_reached(world: World) -> None:
+def test_command_event_succeeds_when_the_waypoint_is_reached(world: World) -> None:
     assert told(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == [True], "it is only kept until a speed is set"
     assert told(world, watched(GO)) == []
     ends: list[bool] = []
@@ -149,14 +149,14 @@ def test_a_command_event_tells_when_the_waypoint_is_reached(world: World) -> Non
     ],
     ids=lambda each: each.NAME,
 )
-def test_a_command_event_tells_that_something_else_came_before_the_waypoint(world: World, end: Message) -> None:
+def test_command_event_fails_when_the_drive_is_preempted(world: World, end: Message) -> None:
     world.tell(SetLocalWaypoint(x=20.0, y=0.0))
     assert told(world, watched(GO)) == []
     world.run(1.0)
     assert told(world, end) == [False]
 
 
-def test_a_new_waypoint_on_the_way_is_a_command_that_takes_its_time(world: World) -> None:
+def test_new_waypoint_during_a_drive_is_a_lasting_command(world: World) -> None:
     world.tell(SetLocalWaypoint(x=20.0, y=0.0))
     world.tell(GO)
     assert told(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == []
@@ -165,7 +165,7 @@ def test_a_new_waypoint_on_the_way_is_a_command_that_takes_its_time(world: World
     assert told(world, GO, Standby()) == [False]
 
 
-def test_a_single_waypoint_waits_for_its_speed(world: World) -> None:
+def test_waypoint_is_driven_to_after_the_speed_is_set(world: World) -> None:
     world.tell(SetLocalWaypoint(x=3.0, y=-2.0))
     world.run(1.0)
     assert world.distance(0.0, 0.0) < 0.01
@@ -182,7 +182,7 @@ def test_a_single_waypoint_waits_for_its_speed(world: World) -> None:
     assert world.distance(3.0, -2.0) < 0.15, "a new waypoint waits for its speed"
 
 
-def test_a_single_global_waypoint(world: World) -> None:
+def test_global_waypoint_is_reached(world: World) -> None:
     goal = (38.593 + 3 * 9e-6, -77.179)
     world.tell(SetGlobalWaypoint(latitude=goal[0], longitude=goal[1]), SetTravelSpeed(speed=1.0))
     world.run_until(lambda: speed(world) == 0.0, 20.0)
@@ -192,7 +192,7 @@ def test_a_single_global_waypoint(world: World) -> None:
     assert world.pose.yaw == pytest.approx(-ORIGIN.heading, abs=0.1)
 
 
-def test_waypoints_are_of_the_frame_that_was_set(world: World) -> None:
+def test_waypoints_refer_to_the_set_frame(world: World) -> None:
     world.tell(SetLocalPose(x=100.0, y=-50.0, yaw=math.pi / 2))
     world.tell(SetLocalWaypoint(x=100.0, y=-47.0), SetTravelSpeed(speed=1.0))
     world.run_until(lambda: speed(world) == 0.0, 15.0)
@@ -201,7 +201,7 @@ def test_waypoints_are_of_the_frame_that_was_set(world: World) -> None:
     assert world.vehicle.pose.y == pytest.approx(0.0, abs=0.1)
 
 
-def test_a_frame_set_on_the_way_takes_the_waypoint_along(world: World) -> None:
+def test_waypoint_follows_a_frame_set_during_the_drive(world: World) -> None:
     world.tell(SetLocalWaypoint(x=6.0, y=0.0), SetTravelSpeed(speed=1.0))
     world.run(2.0)
     world.tell(SetLocalPose(x=0.0, y=0.0))
@@ -210,7 +210,7 @@ def test_a_frame_set_on_the_way_takes_the_waypoint_along(world: World) -> None:
     assert world.vehicle.pose.x > 7.0
 
 
-def test_a_yaw_is_turned_to(world: World) -> None:
+def test_yaw_is_reached(world: World) -> None:
     world.tell(SetLocalWaypoint(x=2.0, y=1.0, yaw=-2.0), SetTravelSpeed(speed=1.0))
     world.run_until(lambda: speed(world) == 0.0, 20.0)
     world.run(0.5)
@@ -229,7 +229,7 @@ def test_a_negative_speed_drives_backward(world: World) -> None:
     assert abs(world.pose.yaw) < 0.5
 
 
-def test_revolutions_are_no_travel_speed(world: World) -> None:
+def test_speed_in_revolutions_is_ignored(world: World) -> None:
     world.tell(SetLocalWaypoint(x=2.0, y=0.0))
     world.tell(SetTravelSpeedExt(speed=Speed(Speed.Choice.ROTATIONS_PER_MINUTE, 100.0)))
     world.run(0.5)
@@ -237,7 +237,7 @@ def test_revolutions_are_no_travel_speed(world: World) -> None:
     assert world.host.counters["unsupported_speed"] == 1
 
 
-def test_a_wide_tolerance_ends_a_passing_waypoint_early(world: World) -> None:
+def test_wide_tolerance_passes_a_waypoint_early(world: World) -> None:
     world.set_list(
         [
             SetLocalWaypoint(x=4.0, y=0.0, waypoint_tolerance=2.0),
@@ -267,7 +267,7 @@ def test_execute_without_an_element_changes_the_speed(world: World) -> None:
     assert world.distance(6.0, 0.0) < 0.15
 
 
-def test_execute_starts_where_it_says(world: World) -> None:
+def test_execute_starts_at_the_given_element(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=6.0, y=0.0), SetLocalWaypoint(x=0.0, y=2.0)])
     world.tell(ExecuteList(speed=1.0, element_uid=2))
     assert world.active == 2
@@ -287,7 +287,7 @@ def test_execute_starts_where_it_says(world: World) -> None:
     ],
     ids=["standby", "release", "emergency", "preempted", "list deleted"],
 )
-def test_what_ends_the_drive_stops_at_once_and_for_good(world: World, client: JausID, message) -> None:
+def test_end_of_control_or_ready_stops_the_drive_for_good(world: World, client: JausID, message) -> None:
     world.set_list([SetLocalWaypoint(x=30.0, y=0.0)])
     world.tell(ExecuteList(speed=1.0, element_uid=1))
     world.run(3.0)
@@ -304,7 +304,7 @@ def test_what_ends_the_drive_stops_at_once_and_for_good(world: World, client: Ja
     assert world.stands(), "nobody drives to a waypoint of somebody else"
 
 
-def test_a_replaced_element_is_driven_to_anew(world: World) -> None:
+def test_replaced_active_element_restarts(world: World) -> None:
     world.set_list([SetLocalWaypoint(x=6.0, y=0.0)])
     world.tell(ExecuteList(speed=1.0, element_uid=1))
     world.run(1.0)

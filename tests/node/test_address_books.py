@@ -37,7 +37,7 @@ def load(folder: Path, name: str, text: str) -> address_books.AddressEntries:
     return address_books.load_address_book(path)
 
 
-def test_our_toml(tmp_path: Path) -> None:
+def test_jauspy_toml_is_read(tmp_path: Path) -> None:
     assert load(tmp_path, "book.toml", TOML) == {
         JausID(101, 1, 255): (UdpPort("10.0.0.5", 4000),),
         JausID(102, 1, 1): (UdpPort("10.0.0.6", 3794), TcpPort("robot", 3794), UdpPort("fd00::1", 3794)),
@@ -45,7 +45,7 @@ def test_our_toml(tmp_path: Path) -> None:
     }
 
 
-def test_the_toolset_s_xml(tmp_path: Path) -> None:
+def test_toolset_xml_is_read(tmp_path: Path) -> None:
     assert load(tmp_path, "nm.cfg", XML) == {
         JausID(126, 1, 11): (UdpPort("10.0.0.5", 3794),),
         JausID(126, 1, 20): (UdpPort("10.0.0.6", 4000),),
@@ -53,7 +53,7 @@ def test_the_toolset_s_xml(tmp_path: Path) -> None:
     assert load(tmp_path, "empty.cfg", "<JrXmlConfig/>") == {}
 
 
-def test_fkie_s_yaml(tmp_path: Path) -> None:
+def test_fkie_yaml_is_read(tmp_path: Path) -> None:
     assert load(tmp_path, "iop.yaml", YAML) == {
         JausID(1, 255, 255): (UdpPort("10.0.0.5", 3794),),
         JausID(1, 1, 15): (UdpPort("10.0.0.6", 3794), TcpPort("10.0.0.7", 3794)),
@@ -85,17 +85,17 @@ def test_fkie_s_yaml(tmp_path: Path) -> None:
         ("a.cfg", f'<X><AddressBook J{"9" * 5000}="10.0.0.5:1"/></X>', "J and the id in decimal"),
     ],
 )
-def test_mistakes_name_the_file_and_what_to_write(tmp_path: Path, name: str, text: str, told: str) -> None:
+def test_mistakes_name_the_file_and_the_form(tmp_path: Path, name: str, text: str, told: str) -> None:
     with pytest.raises(ConfigError, match=f"address book .*{told}"):
         load(tmp_path, name, text)
 
 
-def test_a_file_that_is_not_there(tmp_path: Path) -> None:
+def test_missing_file_is_an_error(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match="No such file"):
         address_books.load_address_book(tmp_path / "nowhere.toml")
 
 
-def test_settings_and_files_are_one_book(tmp_path: Path) -> None:
+def test_settings_and_files_are_combined(tmp_path: Path) -> None:
     (tmp_path / "nm.cfg").write_text(XML)
     config = NodeConfig.make(addresses={"126.1.11": "10.0.0.9:1"}, address_books=(tmp_path / "nm.cfg",))
     assert config.known_addresses()[JausID(126, 1, 11)] == (UdpPort("10.0.0.9", 1), UdpPort("10.0.0.5", 3794))

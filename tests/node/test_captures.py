@@ -128,13 +128,13 @@ def test_version_1_of_a_component(daemon: Daemon) -> None:
     peer.hears(old)
 
 
-def test_version_1_without_a_command_code_is_as5669a_in_old_clothes(daemon: Daemon) -> None:
+def test_version_1_without_command_code_is_converted_to_as5669a(daemon: Daemon) -> None:
     near, peer = daemon.component("100.1.2"), daemon.peer()
     peer.says("01 0000 0012 06 02 0000 02016400 01016500 0200 0100 0220")
     near.hears("02 001000 01 02016400 01016500 0220 0100")
 
 
-def test_rubbish_behind_a_whole_packet_does_not_hide_it(daemon: Daemon) -> None:
+def test_garbage_after_a_packet_does_not_hide_it(daemon: Daemon) -> None:
     near, peer = daemon.component("100.1.2"), daemon.peer()
     peer.says("02 001000 01 02016400 0101c800 0a0b 0600 ffff")
     near.hears("02 001000 01 02016400 0101c800 0a0b 0600")
@@ -233,7 +233,7 @@ def test_priority_0_of_the_jaus_toolset_passes(daemon: Daemon) -> None:
     receiver.hears("02001200 ff 01016500 09016400 00010203 0100")
 
 
-def test_what_made_another_node_manager_multicast_nonsense(daemon: Daemon) -> None:
+def test_packet_that_breaks_another_node_manager_is_handled(daemon: Daemon) -> None:
     group, near = daemon.group(), daemon.component("100.1.2")
     for rubbish in ("00", "02000500 0102", "ff" * 40, "02001800 01 01016500", "02 0010" + "ff" * 5998):
         near.says(rubbish)

@@ -57,7 +57,7 @@ def test_03_after_cancel_it_is_unknown(daemon: Daemon) -> None:
     b.hears_nothing()
 
 
-def test_04_unicast_to_oneself_comes_back(daemon: Daemon) -> None:
+def test_04_unicast_to_the_own_id_is_delivered(daemon: Daemon) -> None:
     a = daemon.component(A)
     a.says(A_TO_ITSELF)
     a.hears(A_TO_ITSELF)
@@ -70,7 +70,7 @@ def test_05_a_broadcast_is_not_echoed(daemon: Daemon) -> None:
     a.hears(A_TO_ITSELF)
 
 
-def test_06_an_unknown_destination_is_asked_for_once(daemon: Daemon) -> None:
+def test_06_unknown_destination_is_probed_once(daemon: Daemon) -> None:
     """And again each second, by the next of those that wait, should this take so long."""
     group, a = daemon.group(), daemon.component(A)
     began = time.monotonic()
@@ -82,7 +82,7 @@ def test_06_an_unknown_destination_is_asked_for_once(daemon: Daemon) -> None:
     assert len(heard) <= 1 + int(time.monotonic() - began)
 
 
-def test_07_after_its_ack_it_gets_unicasts_at_the_port_it_has(daemon: Daemon) -> None:
+def test_07_after_its_ack_a_peer_gets_unicasts_at_its_port(daemon: Daemon) -> None:
     group, a, peer = daemon.group(), daemon.component(A), daemon.peer()
     a.says("02001000 01 01016500 01016400 0220 0100")
     group.hears("02001000 11 01016500 01016400 0220 0100")
@@ -93,7 +93,7 @@ def test_07_after_its_ack_it_gets_unicasts_at_the_port_it_has(daemon: Daemon) ->
     marked(a, group)
 
 
-def test_08_a_local_broadcast_stays_here(daemon: Daemon) -> None:
+def test_08_local_broadcast_stays_local(daemon: Daemon) -> None:
     group, a, b = daemon.group(), daemon.component(A), daemon.component(B)
     a.says(f"0200180005 ffffffff 01016400 {TEN} 0100")
     b.hears(f"0200180005 ffffffff 01016400 {TEN} 0100")
@@ -129,7 +129,7 @@ RUBBISH = (
 )
 
 
-def test_11_what_is_malformed_is_dropped_and_nothing_is_sent(daemon: Daemon) -> None:
+def test_11_malformed_packets_are_dropped_without_reply(daemon: Daemon) -> None:
     group, a, b = daemon.group(), daemon.component(A), daemon.component(B)
     peer = known_peer(daemon, a)
     for rubbish in RUBBISH:
@@ -160,7 +160,7 @@ def test_13_the_largest_packet_both_ways(daemon: Daemon) -> None:
             receiver.hears(largest)
 
 
-def test_14_one_that_does_not_read_delays_nobody(daemon: Daemon) -> None:
+def test_14_component_that_does_not_read_delays_no_other(daemon: Daemon) -> None:
     a, b = daemon.component(A), daemon.component(B)
     daemon.component("100.1.3")
     for number in range(2000):
@@ -172,7 +172,7 @@ def test_14_one_that_does_not_read_delays_nobody(daemon: Daemon) -> None:
 
 
 @pytest.mark.parametrize("connects", [True, False])
-def test_15_one_that_died_is_removed_and_comes_back(daemon: Daemon, connects: bool) -> None:
+def test_15_dead_component_is_removed_and_can_return(daemon: Daemon, connects: bool) -> None:
     group, a, b, other = daemon.group(), daemon.component(A), daemon.component(B), daemon.component("100.1.3")
     b.socket.close()
     a.says(f"02001000 01 {TO_B} 0220 0100")
@@ -190,7 +190,7 @@ def test_15_one_that_died_is_removed_and_comes_back(daemon: Daemon, connects: bo
     again.hears(f"02001000 01 {TO_B} 0220 0300")
 
 
-def test_16_after_a_restart_of_the_node_manager_who_sends_is_back(daemon: Daemon) -> None:
+def test_16_components_that_send_are_registered_after_a_restart(daemon: Daemon) -> None:
     a, b = daemon.component(A), daemon.component(B)
     daemon.die()
     daemon.start()
@@ -201,7 +201,7 @@ def test_16_after_a_restart_of_the_node_manager_who_sends_is_back(daemon: Daemon
     b.hears(f"02001000 01 {TO_B} 0240 0200")
 
 
-def test_17_subsystems_are_told_apart(daemon: Daemon) -> None:
+def test_17_subsystems_100_and_356_are_distinguished(daemon: Daemon) -> None:
     """100.1.2 gets nothing that is for 356.1.2, 0xFF64.1.2 or 255.1.2."""
     group, a, b = daemon.group(), daemon.component(A), daemon.component(B)
     for destination in ("02016401", "020164ff", "0201ff00"):
@@ -211,7 +211,7 @@ def test_17_subsystems_are_told_apart(daemon: Daemon) -> None:
 
 
 @pytest.mark.parametrize("id", [101, 0x00640000, 0x0064FF65, 0xFFFFFF65], ids=hex)
-def test_18_one_without_a_whole_id_gets_broadcasts(daemon: Daemon, id: int) -> None:
+def test_18_component_without_complete_id_gets_broadcasts(daemon: Daemon, id: int) -> None:
     a, newcomer, peer = daemon.component(A), daemon.component(id), daemon.peer()
     marked(a, newcomer)
     for destination in ("ffffffff", "ffff6400"):

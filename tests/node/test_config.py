@@ -30,7 +30,7 @@ def written(tmp_path: Path) -> Path:
 
 
 @pytest.mark.parametrize("text", ["", GATEWAY, 'local_mode = 0o600\nmetrics = "127.0.0.1:9794"\nlog = "json"\n'])
-def test_what_is_printed_reads_back_the_same(written: Path, text: str) -> None:
+def test_printed_configuration_reads_back_equal(written: Path, text: str) -> None:
     written.write_text(text)
     config = config_file.load(written)
     written.write_text(config_file.to_toml(config))
@@ -38,7 +38,7 @@ def test_what_is_printed_reads_back_the_same(written: Path, text: str) -> None:
 
 
 @pytest.mark.parametrize("model", [NodeConfig, NetworkConfig, GatewayConfig, RuleConfig])
-def test_every_setting_has_a_comment_and_one_that_is_unset_an_example(model: type[BaseModel]) -> None:
+def test_all_settings_have_a_comment_and_unset_ones_an_example(model: type[BaseModel]) -> None:
     for name, field in model.model_fields.items():
         assert field.description, name
         assert field.default is not None or field.examples, name
@@ -55,7 +55,7 @@ def test_the_examples_in_comments_are_valid(written: Path) -> None:
     assert config.metrics == "127.0.0.1:9794"
 
 
-def test_the_command_line_goes_before_the_file(written: Path) -> None:
+def test_options_override_the_file(written: Path) -> None:
     written.write_text("port = 5000\nmulticast_ttl = 3\n")
     config = config_file.load(written, {"port": 6000, "address": None})
     assert (config.port, config.multicast_ttl, config.address) == (6000, 3, "0.0.0.0")
@@ -99,12 +99,12 @@ def test_mistakes_name_file_key_and_fix(written: Path, text: str, told: str) -> 
     assert told in str(caught.value)
 
 
-def test_a_file_that_is_not_there(written: Path) -> None:
+def test_missing_file_is_an_error(written: Path) -> None:
     with pytest.raises(ConfigError, match="cannot be read: No such file"):
         config_file.load(written)
 
 
-def test_a_message_that_nobody_knows_is_told_with_close_ones(written: Path) -> None:
+def test_unknown_message_error_has_similar_names(written: Path) -> None:
     written.write_text('[gateway]\nsubsystem = 1\n[[gateway.rules]]\nmessages = ["QueryStatsu"]')
     with pytest.raises(ConfigError, match=r"gateway.rules\[0\].messages: .*QueryStatus.*write its id"):
         policy.make_gateway(config_file.load(written))

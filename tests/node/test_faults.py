@@ -45,7 +45,7 @@ def numbered(source: JausID, destination: JausID, count: int) -> list[bytes]:
     return [judp.pack(Packet(source, destination, b"\x02\x20", number)) for number in range(count)]
 
 
-def test_an_idle_one_sleeps(daemon: Daemon) -> None:
+def test_idle_node_manager_sleeps(daemon: Daemon) -> None:
     """It looks after its components once a second, and does not poll: others wake up a thousand times a second."""
     component = daemon.component("100.1.1")
     component.says("02001000 01 01016400 01016400 0000 0100")
@@ -73,7 +73,7 @@ async def test_nothing_is_lost_with_256_in_flight(node: NodeManager, introduce: 
             assert [await loop.sock_recv(b, 5000) for _ in sent] == sent
 
 
-async def test_a_burst_by_udp_is_not_cut_to_ten_a_round(
+async def test_udp_burst_is_not_limited_to_ten_per_turn(
     node: NodeManager, introduce: Introduce, udp: Callable[[], socket.socket]
 ) -> None:
     """All is sent before the node manager gets its turn; 200 fit the smallest receive buffer of a kernel."""
@@ -85,7 +85,7 @@ async def test_a_burst_by_udp_is_not_cut_to_ten_a_round(
     assert [await receive(here) for _ in sent] == sent
 
 
-async def test_a_step_of_the_wall_clock_changes_nothing(
+async def test_step_of_the_wall_clock_has_no_effect(
     node: NodeManager, introduce: Introduce, udp: Callable[[], socket.socket], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """An hour forward, and back to 1970: addresses stay known, what waits for an unknown id waits on."""
@@ -109,7 +109,7 @@ async def test_a_step_of_the_wall_clock_changes_nothing(
     assert node.counters["dropped.unknown_destination"] == 0
 
 
-def test_no_port_is_open_but_the_one_for_udp(root: Path, free_port: int) -> None:
+def test_only_the_udp_port_is_open(root: Path, free_port: int) -> None:
     """No configuration, no status and no metrics by TCP, unless they were asked for."""
 
     async def look() -> set[tuple[int, str, int]]:
@@ -123,7 +123,7 @@ def test_no_port_is_open_but_the_one_for_udp(root: Path, free_port: int) -> None
     assert {(host, port) for _, host, port in opened} == {("127.0.0.1", free_port), ("239.255.0.1", free_port)}
 
 
-async def test_without_any_network_components_still_talk_and_more_can_come(
+async def test_components_communicate_without_any_network(
     root: Path, introduce: Introduce, udp: Callable[[], socket.socket]
 ) -> None:
     """No multicast leaves, static addresses get their copies, and unicasts go on, before and after broadcasts."""
@@ -143,7 +143,7 @@ async def test_without_any_network_components_still_talk_and_more_can_come(
                     assert await receive(listener) == data
 
 
-async def test_what_is_dropped_is_counted_each_time_and_logged_once(
+async def test_drops_are_counted_each_time_and_logged_once(
     node: NodeManager, introduce: Introduce, caplog: pytest.LogCaptureFixture
 ) -> None:
     caplog.set_level(logging.DEBUG)
@@ -162,7 +162,7 @@ async def test_what_is_dropped_is_counted_each_time_and_logged_once(
     assert len([line for line in caplog.messages if "queue_full" in line]) == 1
 
 
-async def test_one_component_has_any_number_of_ids(node: NodeManager, introduce: Introduce) -> None:
+async def test_socket_may_register_several_ids(node: NodeManager, introduce: Introduce) -> None:
     """The table of components is no list that is searched and never shrinks."""
     (here,) = await introduced(introduce, HERE)
     others = [JausID(101, 2, number) for number in range(1, 255)]
@@ -197,7 +197,7 @@ asyncio.run(main(sys.argv[1]))
 """
 
 
-def test_it_needs_no_root(root: Path, free_port: int) -> None:
+def test_root_is_not_required(root: Path, free_port: int) -> None:
     """All of it: the port, the group, local sockets, TCP, status and mirror."""
     if os.geteuid() == 0:
         os.chown(root, 65534, 65534)

@@ -29,7 +29,7 @@ def gateway(root: Path, port: int, *rules: dict[str, object]) -> NodeConfig:
     )
 
 
-async def test_an_ocu_talks_to_a_module_behind_the_gateway(root: Path, free_port: int, introduce, udp) -> None:
+async def test_ocu_reaches_a_module_behind_the_gateway(root: Path, free_port: int, introduce, udp) -> None:
     async with NodeManager(gateway(root, free_port)) as node:
         local = introduce(LOCAL)
         assert await receive(local) == junior.accept(LOCAL)
@@ -52,9 +52,7 @@ async def test_an_ocu_talks_to_a_module_behind_the_gateway(root: Path, free_port
         assert node.counters["relayed"] == 40
 
 
-async def test_broadcasts_and_questions_reach_node_managers_on_both_sides(
-    root: Path, free_port: int, introduce
-) -> None:
+async def test_broadcasts_and_probes_reach_both_sides(root: Path, free_port: int, introduce) -> None:
     """Outside an OCU's node manager, inside a module's, each on its own multicast group, unaware of it."""
     folders = [root / name for name in ("gate", "ocu", "mob")]
     outside = NodeConfig(address="127.0.0.3", port=free_port, local_root=folders[1])

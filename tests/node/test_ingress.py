@@ -54,14 +54,14 @@ async def run(source: Socket, counters: Counters) -> list[bytes]:
     return routed
 
 
-async def test_urgent_packets_overtake_those_that_were_read_with_them(counters: Counters) -> None:
+async def test_urgent_packets_overtake_packets_read_with_them(counters: Counters) -> None:
     low = [packet(n, Priority.LOW) for n in range(150)]
     urgent = [packet(n, Priority.SAFETY_CRITICAL) for n in range(3)]
     routed = await run(Socket(*low, *urgent), counters)
     assert routed == urgent + low
 
 
-async def test_a_flood_delays_an_urgent_packet_by_a_few_reads_and_drops_only_its_own(counters: Counters) -> None:
+async def test_flood_delays_urgent_packets_slightly_and_drops_only_its_own(counters: Counters) -> None:
     flood = [packet(n, Priority.LOW) for n in range(20000)]
     urgent = packet(1, Priority.SAFETY_CRITICAL)
     source = Socket(*flood[:10000], urgent, *flood[10000:])
@@ -75,7 +75,7 @@ async def test_a_flood_delays_an_urgent_packet_by_a_few_reads_and_drops_only_its
     assert numbers == sorted(numbers)
 
 
-async def test_among_too_many_the_lowest_go_first(counters: Counters) -> None:
+async def test_lowest_priority_is_dropped_first(counters: Counters) -> None:
     high = [packet(n, Priority.HIGH) for n in range(ingress.MAX_QUEUED)]
     low = [packet(n, Priority.LOW) for n in range(ingress.MAX_QUEUED)]
     routed = await run(Socket(*low, *high), counters)
@@ -108,7 +108,7 @@ async def test_the_kernel_drops_a_flood_until_what_was_read_is_routed(udp, count
     assert not counters["dropped.overload"]
 
 
-async def test_while_the_urgent_fill_every_turn_the_least_urgent_are_late_but_not_starved(counters: Counters) -> None:
+async def test_low_priority_is_delayed_but_not_starved(counters: Counters) -> None:
     low = [packet(n, Priority.LOW) for n in range(40)]
     urgent = [packet(n, Priority.HIGH) for n in range(2000)]
     routed = await run(Socket(*low, *urgent), counters)
@@ -118,7 +118,7 @@ async def test_while_the_urgent_fill_every_turn_the_least_urgent_are_late_but_no
     assert [data for data in routed if data not in low] == urgent
 
 
-async def test_a_real_flood_never_starves_the_safety_critical(root: Path, introduce, udp) -> None:
+async def test_flood_does_not_starve_safety_critical_packets(root: Path, introduce, udp) -> None:
     """While a peer sends low-priority packets as fast as it can, another one's emergency stop arrives every time."""
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as node:
         component = introduce(HERE)
@@ -135,7 +135,7 @@ async def test_a_real_flood_never_starves_the_safety_critical(root: Path, introd
                     pass
 
 
-async def test_authenticated_networks_talk_to_each_other_and_to_nobody_else(
+async def test_authenticated_networks_communicate_only_with_each_other(
     root: Path, introduce, free_port: int, tmp_path: Path, udp
 ) -> None:
     key = tmp_path / "key"

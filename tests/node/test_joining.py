@@ -17,7 +17,7 @@ ABSENT = "192.0.2.1"  # for documentation (RFC 5737), so nobody's
 ID = JausID.parse("126.1.11")
 
 
-async def test_an_interface_that_is_not_there_is_told_and_tried_again(
+async def test_missing_interface_is_logged_and_retried(
     root: Path, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
 ) -> None:
     monkeypatch.setattr(multicast, "WATCH_INTERVAL", 0.02)
@@ -39,7 +39,7 @@ async def test_an_interface_that_is_not_there_is_told_and_tried_again(
     assert len(attempts) == count
 
 
-async def test_broadcasts_go_on_where_they_can(root: Path) -> None:
+async def test_broadcasts_use_the_present_interfaces(root: Path) -> None:
     """One interface that is gone neither stops the node manager nor the multicasts on the others."""
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, multicast_interfaces=(ABSENT, "127.0.0.1"))
     async with NodeManager(config) as node:

@@ -37,7 +37,7 @@ def arrived(sock: socket.socket) -> list[bytes]:
 
 @pytest.mark.parametrize("up_to", [Priority.LOW, Priority.STANDARD, Priority.HIGH])
 @pytest.mark.parametrize("skip", [0, 7])
-def test_what_is_more_urgent_or_not_understood_arrives(
+def test_urgent_and_unknown_packets_pass_the_filter(
     udp: Callable[[], socket.socket], up_to: Priority, skip: int
 ) -> None:
     receiver, sender = udp(), udp()
@@ -53,6 +53,6 @@ def test_what_is_more_urgent_or_not_understood_arrives(
     assert arrived(receiver) == sent
 
 
-def test_without_such_filters_it_says_so(monkeypatch: pytest.MonkeyPatch, udp: Callable[[], socket.socket]) -> None:
+def test_missing_filter_support_is_reported(monkeypatch: pytest.MonkeyPatch, udp: Callable[[], socket.socket]) -> None:
     monkeypatch.setattr(kernel_filter, "_SO_ATTACH_FILTER", 9999)
     assert not kernel_filter.attach(udp(), Priority.LOW, 0)

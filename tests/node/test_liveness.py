@@ -45,7 +45,7 @@ async def connected(root: Path, id: JausID, path: Path) -> socket.socket:
     return sock
 
 
-async def test_a_dead_components_id_comes_back_over_udp(root: Path, node: NodeManager) -> None:
+async def test_id_of_a_dead_component_is_available_over_udp(root: Path, node: NodeManager) -> None:
     """As when an OCU was killed, and is started again with --connect udp://... and the same id."""
     dead_path = root / str(int(DEAD))
     with await connected(root, LIVING, root / str(int(LIVING))) as living:
@@ -79,7 +79,7 @@ async def test_only_components_sockets_in_the_local_root_are_removed(
 
 
 @pytest.mark.usefixtures("swept")
-async def test_a_component_that_died_is_noticed_though_nobody_speaks_to_it(root: Path, node: NodeManager) -> None:
+async def test_dead_component_without_traffic_is_detected(root: Path, node: NodeManager) -> None:
     path = root / str(int(DEAD))
     with await connected(root, LIVING, root / str(int(LIVING))):
         (await connected(root, DEAD, path)).close()
@@ -92,7 +92,7 @@ async def test_a_component_that_died_is_noticed_though_nobody_speaks_to_it(root:
 
 
 @pytest.mark.usefixtures("swept")
-async def test_what_waited_for_one_that_died_is_counted(root: Path, node: NodeManager) -> None:
+async def test_messages_queued_for_a_dead_component_are_counted(root: Path, node: NodeManager) -> None:
     with await connected(root, LIVING, root / str(int(LIVING))) as living:
         dead = await connected(root, DEAD, root / str(int(DEAD)))
         sent = 0
@@ -107,7 +107,7 @@ async def test_what_waited_for_one_that_died_is_counted(root: Path, node: NodeMa
 
 
 @pytest.mark.usefixtures("swept")
-async def test_a_component_that_came_by_udp_is_noticed_too(node: NodeManager) -> None:
+async def test_dead_udp_component_is_detected(node: NodeManager) -> None:
     there = ("127.0.0.1", node.port)
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as living:
         with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as dead:
@@ -121,7 +121,7 @@ async def test_a_component_that_came_by_udp_is_noticed_too(node: NodeManager) ->
             assert node.components == (LIVING,)
 
 
-def test_many_components_are_looked_at_a_few_at_a_time() -> None:
+def test_many_components_are_probed_a_few_at_a_time() -> None:
     components, asked = ComponentDirectory(), []
     for number in range(3 * liveness.MAX_CHECKS):
         components.register(number + 1, LocalPort(f"/{number}"))
@@ -139,7 +139,7 @@ def test_many_components_are_looked_at_a_few_at_a_time() -> None:
     assert gone == [LocalPort("/7")]
 
 
-def test_a_full_directory_is_looked_through_at_once() -> None:
+def test_full_directory_is_probed_at_once() -> None:
     components, asked = ComponentDirectory(max_sockets=100), []
     assert all(components.register(number, LocalPort(f"/{number}")) for number in range(1, 101))
     assert not components.register(101, LocalPort("/101"))

@@ -51,7 +51,7 @@ def pair(node: NodeManager) -> Iterator[tuple[UdpComponent, UdpComponent]]:
         each.socket.close()
 
 
-async def test_connect_and_accept_as_seen_on_the_wire(pair: tuple[UdpComponent, UdpComponent]) -> None:
+async def test_connect_and_accept_have_the_captured_bytes(pair: tuple[UdpComponent, UdpComponent]) -> None:
     for _ in range(2):
         pair[0].send(bytes.fromhex("010000001006020100000000000100640000000000"))
         assert (await pair[0].receive()).hex() == "010000001006020200010064000000000000000000"
@@ -97,7 +97,7 @@ async def test_after_cancel_it_gets_no_more_broadcasts(
         b.socket.recv(100)
 
 
-async def test_a_dead_one_is_forgotten_and_the_others_lose_nothing(
+async def test_dead_component_is_removed_without_loss_for_others(
     node: NodeManager, pair: tuple[UdpComponent, UdpComponent]
 ) -> None:
     a, b = pair
@@ -113,7 +113,7 @@ async def test_a_dead_one_is_forgotten_and_the_others_lose_nothing(
     assert node.counters["components.lost"] == 1
 
 
-async def test_a_restarted_one_on_another_port_takes_its_id_back(
+async def test_restarted_component_on_another_port_regains_its_id(
     node: NodeManager, pair: tuple[UdpComponent, UdpComponent]
 ) -> None:
     a, b = pair
@@ -128,7 +128,7 @@ async def test_a_restarted_one_on_another_port_takes_its_id_back(
     assert node.counters["dropped.hijack"] == 1
 
 
-async def test_it_can_be_switched_off(root: Path) -> None:
+async def test_local_udp_can_be_disabled(root: Path) -> None:
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, local_udp=False)) as node:
         component = UdpComponent(node)
         component.send(junior.connect(A))

@@ -46,7 +46,9 @@ async def until_sent(sock: socket.socket, data: bytes, path: str) -> None:
             return
 
 
-async def test_by_udp(root: Path, introduce: Callable[..., socket.socket], udp: Callable[[], socket.socket]) -> None:
+async def test_malformed_udp_is_handled(
+    root: Path, introduce: Callable[..., socket.socket], udp: Callable[[], socket.socket]
+) -> None:
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as node:
         here, attacker, peer = introduce(HERE), udp(), udp()
         assert await receive(here) == junior.accept(HERE)
@@ -70,7 +72,7 @@ async def test_by_udp(root: Path, introduce: Callable[..., socket.socket], udp: 
         assert answers <= node.counters["compression.refused"] == COUNT // len(malformed.KINDS)
 
 
-async def test_by_the_local_socket(root: Path, introduce: Callable[..., socket.socket]) -> None:
+async def test_malformed_local_datagrams_are_handled(root: Path, introduce: Callable[..., socket.socket]) -> None:
     """From a component that is registered, and goes on sending valid messages itself."""
     async with NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)) as node:
         here, beside = introduce(HERE), introduce(BESIDE)
@@ -87,7 +89,7 @@ async def test_by_the_local_socket(root: Path, introduce: Callable[..., socket.s
         assert node.components == (HERE, BESIDE)
 
 
-async def test_by_tcp(root: Path, introduce: Callable[..., socket.socket]) -> None:
+async def test_malformed_tcp_streams_are_handled(root: Path, introduce: Callable[..., socket.socket]) -> None:
     """Each malformed one on a stream of its own, behind a valid packet; another stream goes on all the while."""
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=0)
     async with NodeManager(config) as node:
@@ -112,7 +114,7 @@ async def test_by_tcp(root: Path, introduce: Callable[..., socket.socket]) -> No
 
 
 @pytest.mark.parametrize("kind", malformed.KINDS, ids=lambda kind: kind.__name__)
-def test_the_generator_makes_what_it_says(kind: Callable[..., bytes]) -> None:
+def test_generator_makes_the_described_packets(kind: Callable[..., bytes]) -> None:
     """The same for the same seed, and hardly ever the same twice."""
     first, again = ([kind(random.Random(seed)) for seed in range(50)] for _ in range(2))
     assert first == again

@@ -79,9 +79,7 @@ async def receive(sock: socket.socket) -> bytes:
         return await asyncio.get_running_loop().sock_recv(sock, 70000)
 
 
-async def test_udp_in_and_out_by_the_port_that_was_heard(
-    node: NodeManager, component: Make, remote: socket.socket
-) -> None:
+async def test_answers_use_the_learned_udp_port(node: NodeManager, component: Make, remote: socket.socket) -> None:
     local = component(MANAGEMENT)
     local.send(junior.connect(MANAGEMENT))
     await local.receive()
@@ -108,7 +106,7 @@ def rubbish(seed: int) -> Iterator[bytes]:
         yield first + chance.randbytes(65507 - len(first))
 
 
-async def test_garbage_harms_nobody(node: NodeManager, component: Make, remote: socket.socket) -> None:
+async def test_garbage_affects_no_component(node: NodeManager, component: Make, remote: socket.socket) -> None:
     a, b = component(MANAGEMENT), component(OCU)
     for who in (a, b):
         who.send(junior.connect(who.id))
@@ -131,7 +129,7 @@ async def test_garbage_harms_nobody(node: NodeManager, component: Make, remote: 
     assert sent > 90
 
 
-async def test_a_component_that_does_not_read_delays_nobody(node: NodeManager, component: Make) -> None:
+async def test_component_that_does_not_read_delays_no_other(node: NodeManager, component: Make) -> None:
     a, b, stalled = component(MANAGEMENT), component(OCU), component(JausID.parse("126.1.30"))
     for who in (a, b, stalled):
         who.send(junior.connect(who.id))
@@ -149,7 +147,7 @@ async def test_a_component_that_does_not_read_delays_nobody(node: NodeManager, c
     assert numbers[-1] == 999
 
 
-async def test_a_dead_component_is_forgotten_and_heard_again(root: Path, node: NodeManager, component: Make) -> None:
+async def test_dead_component_is_removed_and_can_return(root: Path, node: NodeManager, component: Make) -> None:
     a, b = component(MANAGEMENT), component(OCU)
     for who in (a, b):
         who.send(junior.connect(who.id))
@@ -191,7 +189,7 @@ async def test_two_node_managers_on_two_loopback_addresses_find_each_other(
         assert first.counters["routed.multicast"] == 1
 
 
-async def test_a_taken_port_names_its_owner(root: Path, free_port: int) -> None:
+async def test_port_in_use_error_names_its_owner(root: Path, free_port: int) -> None:
     first = NodeConfig(address="127.0.0.1", port=free_port, local_root=root / "a")
     async with NodeManager(first):
         second = NodeManager(first.model_copy(update={"local_root": root / "b"}))
@@ -200,14 +198,14 @@ async def test_a_taken_port_names_its_owner(root: Path, free_port: int) -> None:
         assert list((root / "b").iterdir()) == []
 
 
-async def test_a_second_one_on_the_same_folder_is_refused(root: Path, node: NodeManager) -> None:
+async def test_second_node_manager_in_a_folder_is_an_error(root: Path, node: NodeManager) -> None:
     second = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
     with pytest.raises(TransportError, match="a node manager is already running"):
         await second.open()
     assert node.path.is_socket()
 
 
-async def test_cleans_up_after_one_that_died(root: Path) -> None:
+async def test_sockets_of_a_dead_node_manager_are_removed(root: Path) -> None:
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as dead:
         dead.bind(str(root / junior.SOCKET_NAME))
     manager = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
@@ -224,7 +222,7 @@ async def test_run_ends_when_it_is_closed(node: NodeManager) -> None:
         await running
 
 
-def test_an_address_that_is_not_ours(root: Path) -> None:
+def test_foreign_address_is_an_error(root: Path) -> None:
     manager = NodeManager(NodeConfig(address="192.0.2.1", port=0, local_root=root))
     with pytest.raises(TransportError, match=r"192\.0\.2\.1 is no address of this machine"):
         asyncio.run(manager.open())
@@ -239,7 +237,7 @@ def test_an_address_that_is_not_ours(root: Path) -> None:
         ({"ports": 1}, "ports = 1"),
     ],
 )
-def test_mistakes_in_settings_are_one_sentence(settings: dict[str, object], told: str) -> None:
+def test_invalid_settings_cause_one_sentence(settings: dict[str, object], told: str) -> None:
     with pytest.raises(ConfigError, match="node manager setting") as caught:
         NodeConfig.make(**settings)
     assert told in str(caught.value)

@@ -53,7 +53,7 @@ def component(root: Path, id: JausID) -> Iterator[socket.socket]:
         yield sock
 
 
-def test_two_hosts_find_each_other_and_talk(cable: tuple[str, str], root: Path) -> None:
+def test_two_hosts_communicate(cable: tuple[str, str], root: Path) -> None:
     near, far = root / "a", root / "b"
     with contextlib.ExitStack() as stack:
         for namespace, folder in zip(cable, (near, far), strict=True):
@@ -93,7 +93,7 @@ def until_arrived(packet: Packet, speaker: socket.socket, folder: Path, listener
     raise AssertionError("it did not arrive in 20 s")
 
 
-def test_a_network_that_comes_up_late_is_joined(cable: tuple[str, str], root: Path) -> None:
+def test_late_network_is_joined(cable: tuple[str, str], root: Path) -> None:
     near, far = root / "a", root / "b"
     end = f"jv{os.getpid()}b"
     late = ("ip", "-n", cable[1])
@@ -111,7 +111,7 @@ def test_a_network_that_comes_up_late_is_joined(cable: tuple[str, str], root: Pa
 
 
 @pytest.mark.parametrize("chosen", ["all", "10.77.0.2"])
-def test_an_interface_that_goes_and_comes_back_is_joined_again(cable: tuple[str, str], root: Path, chosen: str) -> None:
+def test_returning_interface_is_joined_again(cable: tuple[str, str], root: Path, chosen: str) -> None:
     """The whole interface is deleted, as when an adapter is pulled out, and made anew: another one to the kernel."""
     near, far = root / "a", root / "b"
     ends = [f"jv{os.getpid()}{letter}" for letter in "ab"]
@@ -135,7 +135,7 @@ def test_an_interface_that_goes_and_comes_back_is_joined_again(cable: tuple[str,
     [{}, {"multicast_interfaces": ["all"]}, {"address6": "fd77::{}", "multicast_interfaces": ["fd77::{}"]}],
     ids=["by route", "all", "one address"],
 )
-def test_two_hosts_find_each_other_by_ipv6_alone(cable: tuple[str, str], root: Path, own: dict[str, object]) -> None:
+def test_two_hosts_communicate_by_ipv6_only(cable: tuple[str, str], root: Path, own: dict[str, object]) -> None:
     """On all addresses by multicasts from a link-local one, which is answered on the interface it came by."""
     near, far = root / "a", root / "b"
     settings = json.dumps({"address6": "::", "multicast_group6": "ff15::6a61:7573", **own})

@@ -48,7 +48,7 @@ async def traffic(node: NodeManager, introduce, udp) -> tuple[socket.socket, soc
     return component, peer
 
 
-async def test_the_status_tells_components_peers_queues_and_drops(root: Path, introduce, udp) -> None:
+async def test_status_has_components_peers_queues_and_drops(root: Path, introduce, udp) -> None:
     async with NodeManager(config(root)) as node:
         before = await status.read(root)
         _, peer = await traffic(node, introduce, udp)
@@ -64,12 +64,12 @@ async def test_the_status_tells_components_peers_queues_and_drops(root: Path, in
     assert list(root.iterdir()) == [root / str(int(HERE))]
 
 
-async def test_no_node_manager_no_status(root: Path) -> None:
+async def test_status_without_node_manager_is_an_error(root: Path) -> None:
     with pytest.raises(TransportError, match=r"no node manager serves its status at .*is this its --local-root"):
         await status.read(root)
 
 
-async def test_a_reader_of_the_status_that_sends_and_never_reads_harms_nobody(root: Path, introduce, udp) -> None:
+async def test_status_reader_that_never_reads_has_no_effect(root: Path, introduce, udp) -> None:
     async with NodeManager(config(root)) as node:
         _, writer = await asyncio.open_unix_connection(root / status.SOCKET_NAME)
         writer.write(b"x" * 100000)
@@ -98,9 +98,7 @@ async def test_metrics_for_prometheus(root: Path, introduce, udp, free_port: int
         assert b"405" in await exchange(free_port, b"POST / HTTP/1.1\r\n\r\n")
 
 
-async def test_readers_of_the_metrics_that_say_nothing_are_bounded(
-    root: Path, free_port: int, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_idle_metrics_readers_are_bounded(root: Path, free_port: int, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(metrics, "REQUEST_TIMEOUT", 60.0)
     async with NodeManager(config(root, metrics=f"127.0.0.1:{free_port}")):
         with contextlib.ExitStack() as stack:
@@ -125,14 +123,14 @@ def scrape(port: int) -> bytes:
         return connection.getresponse().read()
 
 
-async def test_a_folder_where_the_status_should_be_is_told(root: Path) -> None:
+async def test_folder_in_place_of_the_status_socket_is_an_error(root: Path) -> None:
     (root / status.SOCKET_NAME).mkdir()
     with pytest.raises(TransportError, match=r"cannot open the socket .*JuniorRTE\.status: Is a directory"):
         await NodeManager(config(root)).open()
     assert [each.name for each in root.iterdir()] == [status.SOCKET_NAME]
 
 
-async def test_a_taken_metrics_port_is_told_and_nothing_stays_open(root: Path) -> None:
+async def test_metrics_port_in_use_is_an_error_and_nothing_stays_open(root: Path) -> None:
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]
         with pytest.raises(TransportError, match=f"metrics on 127.0.0.1:{port}: Address already in use; .*--metrics"):
@@ -177,7 +175,7 @@ async def test_the_mirror_ends_at_its_limit(root: Path, tmp_path: Path, introduc
     assert file.stat().st_size <= 4096
 
 
-async def test_each_datagram_of_the_mirror_is_a_file(root: Path, tmp_path: Path, introduce, udp) -> None:
+async def test_each_mirror_datagram_is_a_pcapng_file(root: Path, tmp_path: Path, introduce, udp) -> None:
     viewer = udp()
     target = "udp:{}:{}".format(*viewer.getsockname())
     async with NodeManager(config(root, mirror=target)) as node:
@@ -187,7 +185,7 @@ async def test_each_datagram_of_the_mirror_is_a_file(root: Path, tmp_path: Path,
         assert packets(data)[-1][2] in (QUERY, junior.accept(HERE))
 
 
-async def test_a_mirror_that_nobody_looks_at_harms_nothing(root: Path, introduce, udp, free_port: int) -> None:
+async def test_mirror_without_receiver_has_no_effect(root: Path, introduce, udp, free_port: int) -> None:
     """Its packets come back as refused; those of the network are not touched."""
     async with NodeManager(config(root, mirror=f"udp:127.0.0.1:{free_port}")) as node:
         component, peer = await traffic(node, introduce, udp)
@@ -197,7 +195,7 @@ async def test_a_mirror_that_nobody_looks_at_harms_nothing(root: Path, introduce
         assert node.counters["dropped.udp_unreachable"] == 0
 
 
-async def test_a_packet_that_is_too_long_for_the_mirror_is_counted_and_it_goes_on(root: Path, introduce, udp) -> None:
+async def test_packet_too_long_for_the_mirror_is_counted(root: Path, introduce, udp) -> None:
     viewer = udp()
     async with NodeManager(config(root, mirror="udp:{}:{}".format(*viewer.getsockname()))) as node:
         component, peer = await traffic(node, introduce, udp)
@@ -210,7 +208,7 @@ async def test_a_packet_that_is_too_long_for_the_mirror_is_counted_and_it_goes_o
         assert node.counters["mirror.lost"] == 1
 
 
-async def test_a_pipe_as_mirror_needs_a_reader_and_one_that_stops_reading_holds_up_nothing(
+async def test_mirror_pipe_needs_a_reader_and_never_blocks(
     root: Path, tmp_path: Path, introduce, udp, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(mirror, "STOP_TIMEOUT", 0.05)
@@ -253,7 +251,7 @@ async def test_the_mirror_closes_a_pipe_whose_reader_ends_while_it_writes(
     assert not writer.is_alive()
 
 
-async def test_a_mirror_that_cannot_be_written_is_told_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:
+async def test_unwritable_mirror_is_an_error_and_nothing_stays_open(root: Path, tmp_path: Path) -> None:
     file = tmp_path / "nowhere" / "all.pcapng"
     with pytest.raises(TransportError, match=f"cannot write the mirror {file}: No such file or directory"):
         await NodeManager(config(root, mirror=str(file))).open()
@@ -262,7 +260,7 @@ async def test_a_mirror_that_cannot_be_written_is_told_and_nothing_stays_open(ro
     assert list(root.iterdir()) == []
 
 
-async def test_a_reload_takes_over_rules_and_keeps_the_old_ones_when_it_fails(root: Path, introduce, udp) -> None:
+async def test_reload_applies_rules_or_keeps_the_old_ones(root: Path, introduce, udp) -> None:
     def gateway(**rule: object) -> NodeConfig:
         return config(root, gateway={"subsystem": 101, "rules": [rule]})
 
@@ -302,7 +300,7 @@ async def test_a_reload_reads_the_address_books_again(root: Path, tmp_path: Path
         assert await receive(peer) == QUERY_BACK
 
 
-async def test_systemd_is_told_of_readiness_and_life(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_readiness_and_watchdog_are_notified(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as manager:
         manager.setblocking(False)
         manager.bind(str(root / "notify"))
@@ -316,7 +314,7 @@ async def test_systemd_is_told_of_readiness_and_life(root: Path, monkeypatch: py
         assert rest & {b"READY=1\nSTATUS=running", b"STOPPING=1"}
 
 
-async def test_without_systemd_nothing_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_nothing_is_notified_without_systemd(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("NOTIFY_SOCKET", raising=False)
     async with SystemdNotifier() as services:
         services.reloading()

@@ -134,7 +134,7 @@ async def test_several_lines(root: Path, terminal: Terminal) -> None:
     second.hang_up()
 
 
-async def test_noise_and_bad_checksums_harm_nobody(node: NodeManager, here: Any, terminal: Terminal) -> None:
+async def test_noise_and_bad_checksums_are_dropped(node: NodeManager, here: Any, terminal: Terminal) -> None:
     _, arrived = here
     good = judp.pack(Packet(FAR, HERE, b"\x02\x20", 1))
     frame = jserial.frame(good)
@@ -144,7 +144,7 @@ async def test_noise_and_bad_checksums_harm_nobody(node: NodeManager, here: Any,
     assert node.counters["dropped.malformed.serial_checksum"] == 1
 
 
-async def test_a_device_that_comes_back(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_returning_device_is_reopened(root: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(serial_link, "REOPEN_INTERVAL", 0.02)
     first, second = Terminal(), Terminal()
     name = tmp_path / "line"
@@ -167,7 +167,7 @@ async def test_a_device_that_comes_back(root: Path, tmp_path: Path, monkeypatch:
     second.hang_up()
 
 
-async def test_a_line_that_takes_nothing_is_bounded(node: NodeManager, here: Any, terminal: Terminal) -> None:
+async def test_queue_of_a_blocked_line_is_bounded(node: NodeManager, here: Any, terminal: Terminal) -> None:
     transport, arrived = here
     terminal.send("10010211001002c20000110001020164000101c8000a10100b09001003a58c")
     async with asyncio.timeout(20):
@@ -182,14 +182,14 @@ async def test_a_line_that_takes_nothing_is_bounded(node: NodeManager, here: Any
         assert await arrived.get() == own
 
 
-async def test_no_such_device(root: Path) -> None:
+async def test_missing_device_is_an_error(root: Path) -> None:
     line = SerialConfig(device="/dev/does-not-exist")
     with pytest.raises(TransportError, match="cannot open the serial port /dev/does-not-exist"):
         await NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root, serial=(line,))).open()
     assert list(root.iterdir()) == []
 
 
-async def test_without_pyserial_it_says_what_to_install(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_missing_pyserial_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     real = builtins.__import__
 
     def without(name: str, *rest: Any) -> Any:
@@ -205,7 +205,7 @@ async def test_without_pyserial_it_says_what_to_install(monkeypatch: pytest.Monk
         SerialLink(SerialLine("/dev/x"), Counters(serial_link._LOGGER), print).open()
 
 
-async def test_a_key_does_not_go_with_what_cannot_be_authenticated(root: Path, tmp_path: Path) -> None:
+async def test_key_with_serial_lines_or_tcp_is_an_error(root: Path, tmp_path: Path) -> None:
     key = tmp_path / "key"
     key.write_bytes(bytes(range(32)))
     key.chmod(0o600)

@@ -76,7 +76,7 @@ async def peer(node: NodeManager) -> AsyncIterator[Stream]:
     writer.close()
 
 
-async def test_the_streams_of_another_implementation(node: NodeManager, here: Inbox) -> None:
+async def test_streams_of_another_implementation_are_understood(node: NodeManager, here: Inbox) -> None:
     async with peer(node) as far:
         far.send("02001000010201640001 01c80011120100")
         assert (await here.next()).hex() == "0200100001020164000101c80011120100"
@@ -88,7 +88,7 @@ async def test_the_streams_of_another_implementation(node: NodeManager, here: In
         assert await far.receive(15) == "000f00010101c80002016400320600"
 
 
-async def test_several_ids_behind_a_connection_and_broadcasts(node: NodeManager, here: Inbox) -> None:
+async def test_connection_may_serve_several_ids_and_broadcasts(node: NodeManager, here: Inbox) -> None:
     async with peer(node) as far:
         far.send("02")
         for number, id in enumerate((FAR, OTHER)):
@@ -106,7 +106,7 @@ async def test_several_ids_behind_a_connection_and_broadcasts(node: NodeManager,
             greeting = ""
 
 
-async def test_an_unknown_destination_is_asked_for_on_connections_too(node: NodeManager, here: Inbox) -> None:
+async def test_unknown_destination_is_probed_on_connections(node: NodeManager, here: Inbox) -> None:
     async with peer(node) as far:
         await until(lambda: node.counters["tcp.accepted"] == 1)
         here.transport.send(judp.pack(Packet(HERE, FAR, b"\x02\x20", 1)))
@@ -114,7 +114,7 @@ async def test_an_unknown_destination_is_asked_for_on_connections_too(node: Node
 
 
 @pytest.mark.parametrize("compression", ["", "0000"], ids=["as Junior", "as FKIE's"])
-async def test_version_1_is_answered_in_the_form_it_came(node: NodeManager, here: Inbox, compression: str) -> None:
+async def test_version_1_is_answered_in_the_same_form(node: NodeManager, here: Inbox, compression: str) -> None:
     async with peer(node) as far:
         far.send(f"01 {compression} 0012 06023412 02016400 0101c800 0200 0700 aabb")
         assert await here.next() == bytes.fromhex("010000 0012 06023412 02016400 0101c800 0200 0700 aabb")
@@ -128,7 +128,7 @@ async def test_version_1_is_answered_in_the_form_it_came(node: NodeManager, here
 @pytest.mark.parametrize(
     "rubbish", ["03000010", "01001006 01", "02 02 001000", "02000500", "02c0ffff", "02ff"], ids=str
 )
-async def test_a_stream_that_lost_its_boundaries_is_closed_and_the_others_go_on(
+async def test_desynchronised_stream_is_closed_without_affecting_others(
     node: NodeManager, here: Inbox, rubbish: str
 ) -> None:
     async with peer(node) as good, peer(node) as bad:
@@ -140,7 +140,7 @@ async def test_a_stream_that_lost_its_boundaries_is_closed_and_the_others_go_on(
     assert len(malformed) == 1
 
 
-async def test_a_closed_connection_is_forgotten_and_its_ids_are_asked_for_again(node: NodeManager, here: Inbox) -> None:
+async def test_ids_of_a_closed_connection_are_probed_again(node: NodeManager, here: Inbox) -> None:
     async with peer(node) as far:
         far.send("0200100001020164000101c80011120100")
         await here.next()
@@ -154,7 +154,7 @@ async def test_a_closed_connection_is_forgotten_and_its_ids_are_asked_for_again(
         await far.receive(17)
 
 
-async def test_a_peer_that_does_not_read_delays_nobody_and_gets_whole_packets(node: NodeManager, here: Inbox) -> None:
+async def test_peer_that_does_not_read_delays_no_other_and_gets_whole_packets(node: NodeManager, here: Inbox) -> None:
     async with peer(node) as slow, peer(node) as good:
         for stream, id in ((slow, FAR), (good, OTHER)):
             stream.writer.write(judp.pack(Packet(id, HERE, b"\x02\x20")))
@@ -222,7 +222,7 @@ async def test_connections_are_bounded(node: NodeManager, here: Inbox, monkeypat
     assert node.counters["tcp.refused"] == 1
 
 
-async def test_who_connects_and_says_nothing_gives_its_place_to_the_next(
+async def test_silent_connection_is_replaced_by_a_new_one(
     node: NodeManager, here: Inbox, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(links, "MAX_CONNECTIONS", 2)
@@ -237,7 +237,7 @@ async def test_who_connects_and_says_nothing_gives_its_place_to_the_next(
     assert (node.counters["tcp.refused"], node.counters["tcp.accepted"]) == (1, 3)
 
 
-async def test_a_flood_on_connections_delays_nobody_else(node: NodeManager, here: Inbox) -> None:
+async def test_flood_on_a_connection_delays_no_other(node: NodeManager, here: Inbox) -> None:
     """Between any two turns of the event loop only so much is read of each."""
     seen = []
     async with peer(node) as first, peer(node) as second:
@@ -250,7 +250,7 @@ async def test_a_flood_on_connections_delays_nobody_else(node: NodeManager, here
     assert 0 < max(seen) <= 2 * (stream.READ_SIZE // 16 + 1)
 
 
-async def test_peers_of_the_address_book_are_connected_to_and_again(root: Path, free_port: int) -> None:
+async def test_address_book_peers_are_connected_and_reconnected(root: Path, free_port: int) -> None:
     book = {str(FAR): f"tcp://127.0.0.1:{free_port}"}
     near = NodeConfig(address="127.0.0.1", port=0, local_root=root / "near", addresses=book)
     far = NodeConfig(address="127.0.0.1", port=0, local_root=root / "far", tcp=True, tcp_port=free_port)
@@ -274,7 +274,7 @@ async def test_peers_of_the_address_book_are_connected_to_and_again(root: Path, 
         await a.transport.close()
 
 
-async def test_pauses_between_attempts_grow_and_begin_anew_after_a_connection(
+async def test_reconnect_pauses_grow_and_reset_after_a_connection(
     free_port: int, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     pauses: list[float] = []
@@ -299,7 +299,7 @@ async def test_pauses_between_attempts_grow_and_begin_anew_after_a_connection(
     await dialer.close()
 
 
-async def test_a_component_connects_again(root: Path, free_port: int) -> None:
+async def test_component_reconnects(root: Path, free_port: int) -> None:
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=free_port)
     ocu = Inbox(TcpTransport(FAR, ("127.0.0.1", free_port)))
     async with NodeManager(config):
@@ -314,7 +314,7 @@ async def test_a_component_connects_again(root: Path, free_port: int) -> None:
     await ocu.transport.close()
 
 
-async def test_nobody_there_and_a_taken_port_say_what_to_do(root: Path, free_port: int) -> None:
+async def test_missing_peer_and_port_in_use_errors_say_what_to_do(root: Path, free_port: int) -> None:
     with pytest.raises(TransportError, match="TCP switched on"):
         await TcpTransport(FAR, ("127.0.0.1", free_port), timeout=0.2).open()
     with socket.create_server(("127.0.0.1", 0)) as taken:

@@ -68,7 +68,7 @@ ASKING = {
 
 
 @pytest.mark.parametrize(("call", "words"), ASKING.values(), ids=ASKING)
-async def test_of_a_service(virtual_network, ocu_and_robot, call, words):
+async def test_invalid_service_arguments_are_rejected(virtual_network, ocu_and_robot, call, words):
     client = ocu_and_robot[1].service("LocalWaypointListDriver")
     sent = virtual_network.sent(Resume), virtual_network.sent(SetWrenchEffort)
     with pytest.raises(TypeError, match=words):
@@ -89,7 +89,7 @@ FINDING = {
 
 
 @pytest.mark.parametrize(("call", "words"), FINDING.values(), ids=FINDING)
-async def test_of_an_ocu(ocu, call, words):
+async def test_invalid_ocu_arguments_are_rejected(ocu, call, words):
     with pytest.raises(TypeError, match=words):
         await call(ocu)
 
@@ -103,12 +103,12 @@ async def test_of_an_ocu(ocu, call, words):
         (lambda: jauspy.OCU(registry="vendor/*.xml"), r"^registry is what `jauspy.load` returns, not the str 'vendor"),
     ],
 )
-def test_of_making_one(call, words):
+def test_invalid_constructor_arguments_are_rejected(call, words):
     with pytest.raises(TypeError, match=words):
         call()
 
 
-async def test_of_a_robot(ocu_and_robot):
+async def test_invalid_robot_arguments_are_rejected(ocu_and_robot):
     robot = ocu_and_robot[1]
     for place in (robot, robot.component(1)):
         with pytest.raises(TypeError, match=r"^a service's name is text, not the int 5$"):
@@ -132,12 +132,12 @@ def with_(it):
 
 
 @pytest.mark.parametrize(("call", "words"), WITHOUT_ASYNC.values(), ids=WITHOUT_ASYNC)
-async def test_what_needs_async_says_so(ocu_and_robot, call, words):
+async def test_with_instead_of_async_with_is_explained(ocu_and_robot, call, words):
     ocu, robot = ocu_and_robot
     with pytest.raises(TypeError, match=words):
         call(ocu, robot.service("LocalWaypointListDriver"))
 
 
-async def test_where_to_connect_to_is_said_with_all_forms():
+async def test_invalid_connect_error_lists_the_forms():
     with pytest.raises(jauspy.ConfigError, match=r"connect=5 is not supported; use 'udp://HOST"):
         await jauspy.OCU(connect=5).open()

@@ -14,7 +14,7 @@ from jauspy.messages.mobility import SetLocalWaypoint
 from jauspy.ocu import OCU
 
 
-async def test_what_it_controls_is_left_in_standby(world):
+async def test_close_leaves_controlled_components_in_standby(world):
     robot = await world.robot()
     ocu = await world.ocu()
     driver = await driver_of(ocu)
@@ -30,7 +30,7 @@ async def test_what_it_controls_is_left_in_standby(world):
             await driver.send(FULL)
 
 
-async def test_a_task_that_still_drives_when_the_program_leaves_does_not_leave_a_robot_that_drives(world):
+async def test_close_stops_a_robot_driven_by_another_task(world):
     robot = await world.robot()
 
     async def drive(driver) -> None:
@@ -49,7 +49,7 @@ async def test_a_task_that_still_drives_when_the_program_leaves_does_not_leave_a
         await task
 
 
-async def test_events_end_and_who_waits_for_one_is_told_at_once(world):
+async def test_close_ends_events_and_waiting_readers(world):
     robot = await world.robot()
     ocu = await world.ocu()
     sensor = await sensor_of(ocu)
@@ -65,7 +65,7 @@ async def test_events_end_and_who_waits_for_one_is_told_at_once(world):
         await until(lambda: len(events_of(robot).subscriptions) == 0, 1)
 
 
-async def test_from_another_event_loop_it_says_so(tmp_path):
+async def test_use_from_another_event_loop_is_an_error(tmp_path):
     ocu = OCU(connect="udp://127.0.0.1:9")
     await asyncio.to_thread(asyncio.run, ocu.open())
     with pytest.raises(TransportError, match=r"opened in another event loop .* inside one `asyncio.run`, or"):

@@ -82,7 +82,7 @@ async def begun(client, component, within: float = 30.0) -> asyncio.Task[None]:
     return task
 
 
-async def test_it_returns_when_the_command_has_been_carried_out(robot, client):
+async def test_perform_returns_when_the_command_is_complete(robot, client):
     task = await begun(client, robot)
     await asyncio.sleep(20)
     assert not task.done()
@@ -90,31 +90,31 @@ async def test_it_returns_when_the_command_has_been_carried_out(robot, client):
     await asyncio.wait_for(task, 0.1)
 
 
-async def test_what_takes_no_time_is_over_at_once(client):
+async def test_immediate_command_returns_at_once(client):
     await asyncio.wait_for(client.perform(Standby(), within=0), 0.1)
 
 
-async def test_a_standby_that_is_waited_for_is_no_loss_of_control(client):
+async def test_performed_standby_is_no_loss_of_control(client):
     await asyncio.sleep(3)
     await client.perform(Standby(), within=1)
     await asyncio.sleep(3)
     await client.perform(Resume(), within=1)
 
 
-async def test_given_up(robot, client):
+async def test_abandoned_command_raises_request_error(robot, client):
     task = await begun(client, robot)
     told(robot, success=False)
     with pytest.raises(RequestError, match=r"101\.1\.1 did not carry out SetTime within 30 s: it gave up, another"):
         await task
 
 
-async def test_longer_than_it_may_take(virtual_network, robot, client):
+async def test_command_above_the_time_limit_raises_request_error(virtual_network, robot, client):
     task = await begun(client, robot, within=2.5)
     with pytest.raises(RequestError, match=r"did not carry out SetTime within 2\.5 s"):
         await asyncio.wait_for(task, 3.2)
 
 
-async def test_two_at_once_are_not_mixed_up(robot, client):
+async def test_concurrent_commands_are_distinguished(robot, client):
     first = await begun(client, robot)
     second = asyncio.create_task(client.perform(Standby(), within=1))
     await second
@@ -124,7 +124,7 @@ async def test_two_at_once_are_not_mixed_up(robot, client):
 
 
 @pytest.mark.parametrize("success", [True, False])
-async def test_equal_ones_at_once_hear_of_the_same_end(virtual_network, robot, client, success):
+async def test_equal_concurrent_commands_share_the_result(virtual_network, robot, client, success):
     tasks = [await begun(client, robot), await begun(client, robot)]
     told(robot, success=success)
     results = await asyncio.wait_for(asyncio.gather(*tasks, return_exceptions=True), 1)
@@ -132,7 +132,7 @@ async def test_equal_ones_at_once_hear_of_the_same_end(virtual_network, robot, c
     assert len(virtual_network.sent(CommandEvent)) == 1
 
 
-async def test_the_most_patient_of_equal_ones_blames_nobody(virtual_network, client):
+async def test_longest_of_equal_commands_keeps_the_event(virtual_network, client):
     virtual_network.lose(CommandEvent)
     waits = [client.perform(SET_TIME, within=each) for each in (1.0, 6.0)]
     impatient, patient = await asyncio.gather(*waits, return_exceptions=True)
@@ -140,7 +140,7 @@ async def test_the_most_patient_of_equal_ones_blames_nobody(virtual_network, cli
     assert isinstance(patient, ResponseTimeout)
 
 
-async def test_who_stops_waiting_leaves_the_event_to_an_equal_one(virtual_network, robot, client):
+async def test_cancelled_wait_keeps_the_event_for_an_equal_command(virtual_network, robot, client):
     first, second = await begun(client, robot), await begun(client, robot)
     third = asyncio.create_task(client.perform(SET_TIME, within=30.0))
     await asyncio.sleep(0)  # it is sent, and not confirmed yet
@@ -154,7 +154,7 @@ async def test_who_stops_waiting_leaves_the_event_to_an_equal_one(virtual_networ
     await asyncio.wait_for(third, 1)
 
 
-async def test_the_last_of_equal_ones_ends_the_event(virtual_network, robot, client):
+async def test_last_of_equal_commands_cancels_the_event(virtual_network, robot, client):
     for task in [await begun(client, robot), await begun(client, robot)]:
         assert not virtual_network.sent(CancelEvent)
         task.cancel()
@@ -164,7 +164,7 @@ async def test_the_last_of_equal_ones_ends_the_event(virtual_network, robot, cli
     assert len(virtual_network.sent(CancelEvent)) == 1
 
 
-async def test_a_lost_confirmation_is_asked_for_again(virtual_network, robot, client):
+async def test_lost_confirmation_is_requested_again(virtual_network, robot, client):
     virtual_network.lose(ConfirmEventRequest, times=1)
     task = await begun(client, robot)
     await asyncio.sleep(3)
@@ -172,7 +172,7 @@ async def test_a_lost_confirmation_is_asked_for_again(virtual_network, robot, cl
     await task
 
 
-async def test_a_lost_end_is_told_again(virtual_network, robot, client):
+async def test_lost_result_is_resent(virtual_network, robot, client):
     virtual_network.lose(CommandEvent, times=2)
     task = await begun(client, robot)
     told(robot, success=True)
@@ -180,14 +180,14 @@ async def test_a_lost_end_is_told_again(virtual_network, robot, client):
     assert len(virtual_network.sent(CommandEvent)) == 3
 
 
-async def test_an_end_that_overtakes_the_confirmation(virtual_network, client):
+async def test_result_before_the_confirmation_is_accepted(virtual_network, client):
     virtual_network.lose(ConfirmEventRequest, times=2)
     await asyncio.wait_for(client.perform(Standby(), within=0), 1)
     assert len(virtual_network.sent(CommandEvent)) == 1
 
 
 @pytest.mark.parametrize("takes_time", [True, False])
-async def test_late_and_lost_confirmations_do_not_begin_it_twice(virtual_network, robot, client, takes_time):
+async def test_late_or_lost_confirmations_do_not_repeat_the_command(virtual_network, robot, client, takes_time):
     clock = clock_of(robot)
     virtual_network.delay = 0.4
     virtual_network.lose(ConfirmEventRequest, times=5)
@@ -211,7 +211,7 @@ async def test_a_client_that_does_not_acknowledge_keeps_control(virtual_network,
 
 
 @pytest.mark.parametrize("limits", [(3.0, 30.0), (30.0, 3.0)])
-async def test_equal_ones_at_once_have_each_their_own_limit(robot, client, limits):
+async def test_equal_concurrent_commands_have_separate_limits(robot, client, limits):
     first = await begun(client, robot, within=limits[0])
     second = await begun(client, robot, within=limits[1])
     short, long = (first, second) if limits[0] < limits[1] else (second, first)
@@ -223,7 +223,7 @@ async def test_equal_ones_at_once_have_each_their_own_limit(robot, client, limit
     await asyncio.wait_for(long, 1)
 
 
-async def test_a_robot_that_vanishes(virtual_network, robot, ocu):
+async def test_vanished_robot_raises_response_timeout(virtual_network, robot, ocu):
     client = (await ocu.discover(101)).service("Time")
     async with client.control():
         task = await begun(client, robot)
@@ -233,7 +233,7 @@ async def test_a_robot_that_vanishes(virtual_network, robot, ocu):
     virtual_network.reconnect("101.1.1")
 
 
-async def test_an_end_that_is_never_told(virtual_network, robot, client):
+async def test_missing_result_raises_response_timeout(virtual_network, robot, client):
     virtual_network.lose(CommandEvent)
     with pytest.raises(
         ResponseTimeout, match=r"101\.1\.1 took Standby and did not say within 5 s how it ended; it may have been"
@@ -241,7 +241,7 @@ async def test_an_end_that_is_never_told(virtual_network, robot, client):
         await client.perform(Standby(), within=5)
 
 
-async def test_an_ocu_that_is_closed_meanwhile(virtual_network, robot):
+async def test_close_ends_a_pending_command(virtual_network, robot):
     async with virtual_network.ocu("43.1.1") as ocu:
         found = (await ocu.discover(101)).service("Time")
         async with found.control():
@@ -252,7 +252,7 @@ async def test_an_ocu_that_is_closed_meanwhile(virtual_network, robot):
         await asyncio.wait_for(task, 1)
 
 
-async def test_who_stops_waiting_ends_the_event_and_not_the_command(virtual_network, robot, client):
+async def test_cancelled_wait_ends_the_event_but_not_the_command(virtual_network, robot, client):
     task = await begun(client, robot)
     task.cancel()
     with pytest.raises(asyncio.CancelledError):
@@ -264,7 +264,7 @@ async def test_who_stops_waiting_ends_the_event_and_not_the_command(virtual_netw
     assert not virtual_network.sent(CommandEvent)
 
 
-async def test_preempted(virtual_network, robot, client):
+async def test_loss_of_control_raises_control_rejected(virtual_network, robot, client):
     task = await begun(client, robot)
     async with virtual_network.ocu("43.1.1") as other:
         strong = (await other.discover(101)).service("Time")
@@ -275,7 +275,7 @@ async def test_preempted(virtual_network, robot, client):
                 await client.perform(SET_TIME, within=1)
 
 
-async def test_refused(virtual_network, robot, client):
+async def test_rejected_command_raises_event_rejected(virtual_network, robot, client):
     with pytest.raises(EventRejected, match=r"101\.1\.1 rejected the event for SetWrenchEffort: .*take this command"):
         await client.perform(SetWrenchEffort(propulsive_linear_effort_x=1.0), within=1)
     async with virtual_network.component("102.1.1", services(limit=0)), virtual_network.ocu("43.1.1") as ocu:
@@ -284,13 +284,13 @@ async def test_refused(virtual_network, robot, client):
             await full.perform(SET_TIME, within=1)
 
 
-async def test_a_component_that_knows_no_command_events(virtual_network, client):
+async def test_component_without_command_events_raises_event_rejected(virtual_network, client):
     virtual_network.lose(CreateCommandEvent)
     with pytest.raises(ResponseTimeout, match="CreateCommandEvent 6 times"):
         await client.perform(SET_TIME, within=1)
 
 
-async def test_a_robot_that_drives_to_a_waypoint(virtual_network, robot_inc1, ocu):
+async def test_perform_waits_for_a_waypoint(virtual_network, robot_inc1, ocu):
     driver = (await ocu.discover(101)).service("mobility:LocalWaypointDriver")
     async with driver.control():
         await driver.resume()
@@ -316,7 +316,7 @@ async def test_a_robot_that_drives_to_a_waypoint(virtual_network, robot_inc1, oc
         (lambda it: it.perform(SET_TIME, within=float("nan")), ConfigError, r"within nan s is outside 0\.\."),
     ],
 )
-async def test_mistakes(virtual_network, client, call, error, words):
+async def test_invalid_arguments_are_rejected(virtual_network, client, call, error, words):
     with pytest.raises(error, match=words):
         await call(client)
     assert not virtual_network.sent(CreateCommandEvent)

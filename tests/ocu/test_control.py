@@ -37,7 +37,7 @@ async def driver_of(ocu):
     return (await ocu.discover(subsystem=101)).service("mobility:PrimitiveDriver")
 
 
-async def test_the_whole_story(world):
+async def test_control_is_taken_kept_and_released(world):
     robot = await world.robot()
     ocu = await world.ocu()
     driver = await driver_of(ocu)
@@ -58,7 +58,7 @@ async def test_the_whole_story(world):
     assert world.drives[0].effort == (0.0, 0.0)
 
 
-async def test_leaving_puts_the_robot_in_standby_first(world):
+async def test_exit_sends_standby_before_release(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())
 
@@ -71,7 +71,7 @@ async def test_leaving_puts_the_robot_in_standby_first(world):
     assert kinds.index(Standby.CODE.to_bytes(2, "little")) < kinds.index(ReleaseControl.CODE.to_bytes(2, "little"))
 
 
-async def test_refusal_names_holder_and_authorities(world):
+async def test_refusal_names_the_holder_and_authorities(world):
     await world.robot()
     first, second = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
 
@@ -84,7 +84,7 @@ async def test_refusal_names_holder_and_authorities(world):
     assert (refusal.value.holder, refusal.value.authority) == (HOLDER, 220)
 
 
-async def test_too_little_authority_names_the_least(world):
+async def test_insufficient_authority_error_names_the_minimum(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
     with pytest.raises(
@@ -95,7 +95,7 @@ async def test_too_little_authority_names_the_least(world):
     assert (refusal.value.holder, refusal.value.authority) == (None, None)
 
 
-async def test_emergency_gives_no_control(world):
+async def test_emergency_refuses_control(world):
     await world.robot()
     ocu = await world.ocu()
     driver = await driver_of(ocu)
@@ -110,7 +110,7 @@ async def test_emergency_gives_no_control(world):
         pass
 
 
-async def test_preemption_stops_the_losers_commands_and_not_the_winners(world):
+async def test_preemption_rejects_commands_of_the_former_controller_only(world):
     robot = await world.robot()
     weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
 
@@ -127,7 +127,7 @@ async def test_preemption_stops_the_losers_commands_and_not_the_winners(world):
     assert len(world.network.sent(ReleaseControl, HOLDER)) == 0
 
 
-async def test_who_loses_control_is_told_who_has_it(world):
+async def test_loss_of_control_names_the_new_controller(world):
     await world.robot()
     weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
 
@@ -139,7 +139,7 @@ async def test_who_loses_control_is_told_who_has_it(world):
         assert (refusal.value.holder, refusal.value.authority) == (JausID(43, 1, 1), 200)
 
 
-async def test_who_has_it_may_stay_unknown(world):
+async def test_new_controller_may_be_unknown(world):
     await world.robot()
     weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
 
@@ -150,7 +150,7 @@ async def test_who_has_it_may_stay_unknown(world):
             assert control.lost.startswith("101.1.1 took it back: another client outranked you")
 
 
-async def test_an_emergency_in_standby_does_not_lose_control(world):
+async def test_emergency_in_standby_keeps_control(world):
     await world.robot(timeout=1)
     driver, other = await driver_of(await world.ocu()), await world.ocu("43.1.1")
 
@@ -173,7 +173,7 @@ async def test_control_is_kept_alive_beyond_its_timeout(world):
     assert len(world.network.sent(RequestControl)) >= 4
 
 
-async def test_control_without_a_timeout_needs_no_keeping(world):
+async def test_control_without_timeout_is_not_renewed(world):
     await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:
@@ -193,7 +193,7 @@ async def test_a_silent_component_counts_as_lost(world):
             await driver.send(FULL)
 
 
-async def test_a_silent_component_that_never_takes_control_back_counts_as_lost_too(world):
+async def test_silent_component_without_timeout_counts_as_lost(world):
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
 
@@ -210,7 +210,7 @@ async def test_a_silent_component_that_never_takes_control_back_counts_as_lost_t
             await driver.send(FULL)
 
 
-async def test_a_component_that_says_who_has_control_is_not_silent(world):
+async def test_component_that_reports_control_is_not_silent(world):
     robot = await world.robot(timeout=1)
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:
@@ -219,7 +219,7 @@ async def test_a_component_that_says_who_has_control_is_not_silent(world):
         assert (control.held, robot.host.controller) == (True, HOLDER)
 
 
-async def test_a_lost_control_may_be_taken_again(world):
+async def test_lost_control_can_be_taken_again(world):
     robot = await world.robot(timeout=1)
     driver = await driver_of(await world.ocu())
     control = driver.control()
@@ -236,7 +236,7 @@ async def test_a_lost_control_may_be_taken_again(world):
         await driver.send(FULL)
 
 
-async def test_leaving_the_block_ends_the_wait_for_its_loss(world):
+async def test_exit_ends_until_lost(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:
@@ -247,7 +247,7 @@ async def test_leaving_the_block_ends_the_wait_for_its_loss(world):
 
 
 @pytest.mark.parametrize("is_lost", [False, True])
-async def test_a_guard_ends_work_that_does_not_send(world, is_lost):
+async def test_until_lost_ends_work_that_sends_nothing(world, is_lost):
     robot = await world.robot()
     weak, strong = await driver_of(await world.ocu()), await driver_of(await world.ocu("43.1.1"))
 
@@ -272,7 +272,7 @@ async def test_a_guard_ends_work_that_does_not_send(world, is_lost):
     assert robot.host.controller is None
 
 
-async def test_all_ways_to_send_a_command_know_that_control_is_lost(world):
+async def test_all_commands_raise_after_loss_of_control(world):
     await world.robot()
     ocu = await world.ocu()
     weak, strong = await driver_of(ocu), await driver_of(await world.ocu("43.1.1"))
@@ -298,7 +298,7 @@ async def crash(world, robot) -> None:
     world.network.keeps = before
 
 
-async def test_a_robot_that_is_closed_says_so(world):
+async def test_closing_robot_notifies_the_client(world):
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:
@@ -308,7 +308,7 @@ async def test_a_robot_that_is_closed_says_so(world):
         assert control.lost.endswith("took it back: another client outranked you, you were silent, or it ended")
 
 
-async def test_a_restart_of_the_robot_is_not_taken_for_control(world):
+async def test_restart_of_the_robot_loses_control(world):
     robot = await world.robot(timeout=1)
     driver = await driver_of(await world.ocu())
 
@@ -323,7 +323,7 @@ async def test_a_restart_of_the_robot_is_not_taken_for_control(world):
         assert again.host.controller is None
 
 
-async def test_a_restart_is_noticed_even_when_it_is_not_said_who_is_in_control(world):
+async def test_restart_is_detected_without_report_control(world):
     robot = await world.robot(timeout=1)
     driver = await driver_of(await world.ocu())
 
@@ -337,7 +337,7 @@ async def test_a_restart_is_noticed_even_when_it_is_not_said_who_is_in_control(w
         assert "101.1.1 went from READY to STANDBY without a command of this OCU" in control.lost
 
 
-async def test_a_restart_is_noticed_when_control_never_times_out(world, monkeypatch):
+async def test_restart_is_detected_without_control_timeout(world, monkeypatch):
     monkeypatch.setattr(module, "CHECK_INTERVAL", 0.1)
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
@@ -347,7 +347,7 @@ async def test_a_restart_is_noticed_when_control_never_times_out(world, monkeypa
         await asyncio.wait_for(control.until_lost(), 2)
 
 
-async def test_anothers_emergency_counts_as_lost_and_ones_own_standby_does_not(world):
+async def test_emergency_of_another_client_loses_control_but_own_standby_does_not(world):
     await world.robot(timeout=1)
     first, second = await world.ocu(), await world.ocu("43.1.1")
     driver = await driver_of(first)
@@ -384,7 +384,7 @@ async def test_control_is_kept_for_minutes_on_a_network_that_loses_a_quarter(see
             assert robot.host.controller == HOLDER
 
 
-async def test_ones_own_acknowledged_standby_is_no_loss_either(virtual_network):
+async def test_own_acknowledged_standby_keeps_control(virtual_network):
     services = [AccessControl(timeout=1), Management(), Discovery(), Liveness()]
     async with virtual_network.component("101.1.1", services), virtual_network.ocu() as ocu:
         client = (await ocu.discover(101)).service("Management")
@@ -396,7 +396,7 @@ async def test_ones_own_acknowledged_standby_is_no_loss_either(virtual_network):
             assert control.held, control.lost
 
 
-async def test_lost_packets_do_not_matter(world):
+async def test_lost_packets_do_not_lose_control(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu(timeout=0.05, retries=20))
     chance = random.Random(7)
@@ -409,7 +409,7 @@ async def test_lost_packets_do_not_matter(world):
 
 
 @pytest.mark.parametrize("error", [ValueError("a bug"), asyncio.CancelledError()])
-async def test_an_error_in_the_block_stops_and_releases(world, error):
+async def test_exception_in_the_block_stops_and_releases(world, error):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())
 
@@ -425,7 +425,7 @@ async def test_an_error_in_the_block_stops_and_releases(world, error):
     assert world.drives[0].effort == (0.0, 0.0)
 
 
-async def test_cancellation_stops_and_releases_even_when_it_comes_twice(world):
+async def test_repeated_cancellation_stops_and_releases(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())
     inside = asyncio.Event()
@@ -449,7 +449,7 @@ async def test_cancellation_stops_and_releases_even_when_it_comes_twice(world):
 
 
 @pytest.mark.parametrize("kind", [ReleaseControl, CancelEvent])
-async def test_a_goodbye_that_gets_lost_is_said_again_before_the_ocu_is_closed(world, kind):
+async def test_lost_release_is_resent_before_close(world, kind):
     robot = await world.robot(timeout=0)
     ocu = await world.ocu()
     driver = await driver_of(ocu)
@@ -461,7 +461,7 @@ async def test_a_goodbye_that_gets_lost_is_said_again_before_the_ocu_is_closed(w
         assert not robot.host.service(Events).subscriptions.all()
 
 
-async def test_closing_waits_for_a_block_that_is_just_left(world):
+async def test_close_waits_for_a_block_that_is_being_left(world):
     robot = await world.robot()
     ocu = await world.ocu()
     driver, over = await driver_of(ocu), asyncio.Event()
@@ -483,7 +483,7 @@ async def test_closing_waits_for_a_block_that_is_just_left(world):
     assert not robot.host.service(Events).subscriptions.all()
 
 
-async def test_an_echo_of_the_block_before_ends_no_control(world):
+async def test_stale_reject_control_is_ignored(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:
@@ -492,7 +492,7 @@ async def test_an_echo_of_the_block_before_ends_no_control(world):
         assert (control.held, robot.host.controller) == (True, HOLDER)
 
 
-async def test_an_echo_of_an_earlier_refusal_is_no_refusal(world):
+async def test_stale_refusal_is_ignored(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())
     world.network.delay = 0.02
@@ -505,7 +505,7 @@ async def test_an_echo_of_an_earlier_refusal_is_no_refusal(world):
     await control.__aexit__(None, None, None)
 
 
-async def test_a_command_that_comes_late_does_not_undo_the_next_one(world):
+async def test_late_command_does_not_undo_the_next_one(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())
     async with driver.control() as control:
@@ -517,7 +517,7 @@ async def test_a_command_that_comes_late_does_not_undo_the_next_one(world):
         assert (control.held, robot.host.status) == (True, Status.READY)
 
 
-async def test_a_release_that_gets_lost_is_sent_again_behind_the_block(world):
+async def test_lost_release_is_resent_after_the_block(world):
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
     async with driver.control():
@@ -525,7 +525,7 @@ async def test_a_release_that_gets_lost_is_sent_again_behind_the_block(world):
     await until(lambda: robot.host.controller is None)
 
 
-async def test_control_that_nobody_waited_for_is_given_back_although_packets_get_lost(world):
+async def test_unwanted_control_is_released_despite_packet_loss(world):
     robot = await world.robot(timeout=0)
     driver = await driver_of(await world.ocu())
     world.network.delay = 0.01
@@ -539,7 +539,7 @@ async def test_control_that_nobody_waited_for_is_given_back_although_packets_get
     await until(lambda: robot.host.controller is None)
 
 
-async def test_leaving_is_bounded_when_the_robot_is_gone(world):
+async def test_exit_is_bounded_if_the_robot_is_gone(world):
     robot = await world.robot()
     driver = await driver_of(await world.ocu())
     started = asyncio.get_running_loop().time()
@@ -574,7 +574,7 @@ async def test_a_closed_ocu_does_not_hang(world):
         await ocu.close()
 
 
-async def test_no_answer_to_the_request(world):
+async def test_unanswered_request_raises_response_timeout(world):
     ocu = await world.ocu(timeout=0.02, retries=1)
     await world.robot()
     driver = await driver_of(ocu)
@@ -585,7 +585,7 @@ async def test_no_answer_to_the_request(world):
     assert world.network.sent(ReleaseControl)
 
 
-async def test_control_twice_by_the_same_ocu_is_a_mistake(world):
+async def test_control_twice_by_one_ocu_is_rejected(world):
     await world.robot()
     ocu = await world.ocu()
     robot = await ocu.discover(subsystem=101)
@@ -598,7 +598,7 @@ async def test_control_twice_by_the_same_ocu_is_a_mistake(world):
         robot.service("PrimitiveDriver").control(authority=256)
 
 
-async def test_a_component_that_does_not_obey_its_own_client_is_no_question_of_control(world):
+async def test_resume_without_effect_is_a_request_error(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
     async with driver.control():
@@ -607,7 +607,7 @@ async def test_a_component_that_does_not_obey_its_own_client_is_no_question_of_c
             await driver.resume(timeout=1)
 
 
-async def test_resume_without_control_says_so(world):
+async def test_resume_without_control_is_an_error(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
     with pytest.raises(
@@ -617,7 +617,7 @@ async def test_resume_without_control_says_so(world):
         await driver.resume(timeout=0.2)
 
 
-async def test_resume_of_a_silent_component(world):
+async def test_resume_of_a_silent_component_raises_response_timeout(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
     world.network.lose(ReportStatus)

@@ -22,7 +22,7 @@ async def test_a_robot_is_found_with_names_and_services(world):
     assert ServiceInfo("urn:jaus:jss:mobility:PrimitiveDriver", "1.1") in component.services
 
 
-async def test_others_find_the_ocu(world):
+async def test_ocu_is_discovered_by_others(world):
     await world.ocu()
     other = await world.ocu("43.1.1")
 
@@ -32,7 +32,7 @@ async def test_others_find_the_ocu(world):
     await other.query("42.1.1", QueryHeartbeatPulse())
 
 
-async def test_everybody_is_found_at_once(world):
+async def test_discover_all_finds_all_subsystems(world):
     for number in (101, 102):
         await world.robot(JausID(number, 1, 1))
     ocu = await world.ocu()
@@ -43,7 +43,7 @@ async def test_everybody_is_found_at_once(world):
     assert all(robot.components[0].find("PrimitiveDriver") for robot in robots)
 
 
-async def test_lost_questions_are_asked_again(world):
+async def test_lost_queries_are_repeated(world):
     await world.robot()
     world.network.lose(QueryServices, times=1)
     ocu = await world.ocu()
@@ -54,7 +54,7 @@ async def test_lost_questions_are_asked_again(world):
     assert robot.service("mobility:PrimitiveDriver")
 
 
-async def test_who_was_not_heard_at_first_is_found_all_the_same(world):
+async def test_component_with_lost_answers_is_found(world):
     await world.robot()
     other = JausID(101, 2, 7)
     await world.component(other, [Discovery()])
@@ -67,7 +67,7 @@ async def test_who_was_not_heard_at_first_is_found_all_the_same(world):
     assert [component.id for component in found.components] == [JausID(101, 1, 1), other]
 
 
-async def test_components_that_others_answer_for_are_asked_themselves(world):
+async def test_components_reported_by_others_are_queried(world):
     robot = await world.robot()
     await world.component(JausID(101, 2, 7), [Discovery()])
     ocu = await world.ocu()
@@ -79,7 +79,7 @@ async def test_components_that_others_answer_for_are_asked_themselves(world):
     assert found.component(7).info.name == "jauspy component"
 
 
-async def test_silence_says_what_was_tried_and_who_else_is_there(world):
+async def test_missing_subsystem_error_names_the_queries_and_others(world):
     await world.robot()
     ocu = await world.ocu()
 
@@ -87,7 +87,7 @@ async def test_silence_says_what_was_tried_and_who_else_is_there(world):
         await ocu.discover(subsystem=7, timeout=0.2)
 
 
-async def test_wrong_arguments_say_what_is_right(world):
+async def test_invalid_arguments_are_explained(world):
     ocu = await world.ocu()
     with pytest.raises(ConfigError, match=r"subsystem 70000 is outside 1\.\.65534"):
         await ocu.discover(subsystem=70000)
@@ -95,7 +95,7 @@ async def test_wrong_arguments_say_what_is_right(world):
         await ocu.discover_all(timeout=0)
 
 
-async def test_services_by_urn_by_short_name_and_wrongly(world):
+async def test_services_are_found_by_urn_or_short_name(world):
     await world.robot()
     ocu = await world.ocu()
     robot = await ocu.discover(subsystem=101)
@@ -110,7 +110,7 @@ async def test_services_by_urn_by_short_name_and_wrongly(world):
         robot.component(9)
 
 
-async def test_a_service_of_several_components_must_be_chosen(world):
+async def test_service_of_several_components_is_ambiguous(world):
     await world.robot()
     await world.robot(JausID(101, 1, 102))
     ocu = await world.ocu()
@@ -122,7 +122,7 @@ async def test_a_service_of_several_components_must_be_chosen(world):
     assert robot.component("101.1.1").service("mobility:PrimitiveDriver").id == JausID(101, 1, 1)
 
 
-async def test_garbage_answers_are_counted_and_the_rest_is_used(world):
+async def test_malformed_answers_are_counted_and_others_used(world):
     await world.robot()
     liar = world.transport(JausID(101, 1, 66))
     await liar.open()

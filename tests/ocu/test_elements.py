@@ -116,7 +116,7 @@ async def test_uploaded_and_read_back(robot, client):
     assert isinstance(waypoints[0], SetLocalWaypoint)
 
 
-async def test_it_is_a_sequence(client):
+async def test_elements_behave_as_a_sequence(client):
     waypoints = client.waypoints
     await waypoints.upload(at(1, 2, 3, 4))
     assert xs(waypoints[1:3]) == [2, 3]
@@ -148,7 +148,7 @@ CHANGES = [
 
 @pytest.mark.parametrize(("change", "same"), CHANGES)
 @pytest.mark.parametrize("bad", [False, True])
-async def test_each_change_is_what_a_python_list_does(virtual_network, robot, client, *, change, same, bad):
+async def test_changes_match_those_of_a_python_list(virtual_network, robot, client, *, change, same, bad):
     wanted = [1, 2, 3, 4]
     await client.waypoints.upload(at(*wanted))
     if bad:  # each confirmation is lost once, so each request is sent twice
@@ -158,14 +158,14 @@ async def test_each_change_is_what_a_python_list_does(virtual_network, robot, cl
     assert order(robot) == xs(client.waypoints) == wanted
 
 
-async def test_what_was_there_before_is_read_first(client, ocu):
+async def test_existing_list_is_read_before_a_change(client, ocu):
     await client.waypoints.upload(at(1, 2))
     again = (await ocu.discover(101)).service("LocalWaypointListDriver").waypoints
     await again.append(at(3)[0])
     assert xs(again) == [1, 2, 3]
 
 
-async def test_long_lists_go_in_several_requests(virtual_network, robot, client):
+async def test_long_lists_use_several_requests(virtual_network, robot, client):
     await client.waypoints.upload(at(*range(600)))
     assert order(robot) == list(range(600))
     assert len(virtual_network.sent(SetElement)) == 3
@@ -174,7 +174,7 @@ async def test_long_lists_go_in_several_requests(virtual_network, robot, client)
     assert len(virtual_network.sent(DeleteElement)) == 3
 
 
-async def test_a_new_list_is_there_before_the_old_one_goes(virtual_network, robot, driver, client):
+async def test_new_list_is_complete_before_the_old_one_is_deleted(virtual_network, robot, driver, client):
     await client.waypoints.upload(at(1, 2))
     await client.waypoints.execute(speed=1.0)
     before = len(virtual_network.sent(SetElement))
@@ -193,14 +193,14 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("new", REFUSED.values(), ids=REFUSED)
-async def test_the_old_list_stays_when_the_new_one_is_refused(robot, client, new):
+async def test_rejected_upload_keeps_the_old_list(robot, client, new):
     await client.waypoints.upload(at(1, 2))
     with pytest.raises((ElementRejected, EncodeError)):
         await client.waypoints.upload(new)
     assert order(robot) == xs(await client.waypoints.read()) == [1, 2]
 
 
-async def test_the_old_list_stays_when_the_upload_is_cancelled(virtual_network, robot, client):
+async def test_cancelled_upload_keeps_the_old_list(virtual_network, robot, client):
     await client.waypoints.upload(at(1, 2))
     before = len(virtual_network.sent(SetElement))
     virtual_network.delay = 0.01
@@ -212,7 +212,7 @@ async def test_the_old_list_stays_when_the_upload_is_cancelled(virtual_network, 
     assert order(robot) == xs(await client.waypoints.read()) == [1, 2]
 
 
-async def test_the_old_list_stays_behind_what_was_taken_when_the_network_fails(virtual_network, robot, client):
+async def test_network_failure_keeps_the_old_list_after_new_elements(virtual_network, robot, client):
     await client.waypoints.upload(at(1, 2))
     lost = [each.CODE.to_bytes(2, "little") for each in (ConfirmElementRequest, DeleteElement)]
     virtual_network.keeps = lambda packet: packet.payload[:2] not in lost
@@ -224,7 +224,7 @@ async def test_the_old_list_stays_behind_what_was_taken_when_the_network_fails(v
         len(client.waypoints)
 
 
-async def test_an_old_list_that_cannot_be_deleted_is_behind_the_new_one(virtual_network, robot, client):
+async def test_undeletable_old_list_follows_the_new_one(virtual_network, robot, client):
     await client.waypoints.upload(at(1, 2))
     virtual_network.lose(DeleteElement)
     with pytest.raises(ResponseTimeout) as caught:
@@ -236,7 +236,7 @@ async def test_an_old_list_that_cannot_be_deleted_is_behind_the_new_one(virtual_
 
 
 @pytest.mark.parametrize("count", [1, 3])
-async def test_a_list_that_goes_round_is_replaced_by_one_that_does_not(robot, client, count):
+async def test_loop_is_replaced_by_a_linear_list(robot, client, count):
     uids = [*range(1, count + 1)]
     ring = zip(uids, uids[-1:] + uids[:-1], uids[1:] + uids[:1], at(*uids), strict=True)
     await client.query(
@@ -251,7 +251,7 @@ async def test_a_list_that_goes_round_is_replaced_by_one_that_does_not(robot, cl
     assert not robot.host.service(ListManager).list.loop
 
 
-async def test_a_component_that_does_not_link_as_it_says_keeps_its_old_list(virtual_network, ocu, driver):
+async def test_inconsistent_links_keep_the_old_list(virtual_network, ocu, driver):
     class Careless(ListManager):
         """Confirms, and puts everything at the end."""
 
@@ -269,7 +269,7 @@ async def test_a_component_that_does_not_link_as_it_says_keeps_its_old_list(virt
         assert order(component) == [1, 2]
 
 
-async def test_refusals_say_why_and_change_nothing(robot, client):
+async def test_rejections_have_a_reason_and_change_nothing(robot, client):
     await client.waypoints.upload(at(1, 2))
     with pytest.raises(ElementRejected, match=r"101\.1\.1 .*UNSUPPORTED_ELEMENT_TYPE.*none of its drivers"):
         await client.waypoints.append(SetGlobalWaypoint(latitude=1.0, longitude=2.0))
@@ -278,7 +278,7 @@ async def test_refusals_say_why_and_change_nothing(robot, client):
     assert order(robot) == xs(client.waypoints) == [1, 2]
 
 
-async def test_a_change_behind_ones_back_is_said(robot, client, ocu):
+async def test_foreign_change_of_the_list_is_an_error(robot, client, ocu):
     await client.waypoints.upload(at(1, 2, 3))
     await (await ocu.discover(101)).service("LocalWaypointListDriver").waypoints.delete(2)
     with pytest.raises(ElementRejected, match=r"the list has changed meanwhile; call `read\(\)`"):
@@ -288,13 +288,13 @@ async def test_a_change_behind_ones_back_is_said(robot, client, ocu):
     assert order(robot) == [1, 2, 4]
 
 
-async def test_without_control_it_says_so(robot, ocu):
+async def test_change_without_control_is_an_error(robot, ocu):
     waypoints = (await ocu.discover(101)).service("LocalWaypointListDriver").waypoints
     with pytest.raises(ResponseTimeout, match="only from the client in control"):
         await waypoints.append(at(1)[0])
 
 
-async def test_when_control_is_lost_a_change_says_so_at_once(virtual_network, robot, client):
+async def test_change_after_loss_of_control_is_an_error(virtual_network, robot, client):
     await client.waypoints.upload(at(1, 2))
     async with virtual_network.ocu("43.1.1") as other:
         strong = (await other.discover(101)).service("LocalWaypointListDriver")
@@ -319,7 +319,7 @@ async def test_when_control_is_lost_a_change_says_so_at_once(virtual_network, ro
         (lambda it: it.execute(1.0, start=9), IndexError),
     ],
 )
-async def test_mistakes_are_said_before_anything_is_sent(virtual_network, robot, client, change, error):
+async def test_invalid_arguments_are_rejected_before_sending(virtual_network, robot, client, change, error):
     await client.waypoints.upload(at(1, 2, 3, 4))
     sent = len(virtual_network.sent(SetElement)) + len(virtual_network.sent(DeleteElement))
     with pytest.raises(error):
@@ -328,7 +328,7 @@ async def test_mistakes_are_said_before_anything_is_sent(virtual_network, robot,
     assert order(robot) == [1, 2, 3, 4]
 
 
-async def test_the_list_is_carried_out_and_followed(robot, driver, client):
+async def test_list_is_executed_and_progress_reported(robot, driver, client):
     waypoints = client.waypoints
     await waypoints.upload(at(1, 2, 3))
     await waypoints.execute(speed=1.5)
@@ -343,7 +343,7 @@ async def test_the_list_is_carried_out_and_followed(robot, driver, client):
     assert await waypoints.active() is None
 
 
-async def test_a_lost_command_is_sent_again_and_a_lost_end_is_noticed(virtual_network, robot, driver, client):
+async def test_lost_execute_is_resent_and_lost_end_detected(virtual_network, robot, driver, client):
     await client.waypoints.upload(at(1, 2))
     virtual_network.lose(ExecuteList, times=1)
     await client.waypoints.execute(speed=1.0)
@@ -357,13 +357,13 @@ async def test_a_lost_command_is_sent_again_and_a_lost_end_is_noticed(virtual_ne
     assert seen == [0, 1]
 
 
-async def test_late_answers_about_other_elements_are_not_mixed_up(virtual_network, robot, client):
+async def test_late_answers_about_other_elements_are_ignored(virtual_network, robot, client):
     await client.waypoints.upload(at(1, 2, 3))
     virtual_network.delay = 0.3  # so that each question is sent twice
     assert xs(await client.waypoints.read()) == [1, 2, 3]
 
 
-async def test_a_late_answer_about_the_list_as_it_was_does_not_matter(virtual_network, robot, client):
+async def test_late_answer_about_an_earlier_list_is_ignored(virtual_network, robot, client):
     virtual_network.delay = 0.02
     upload = asyncio.create_task(client.waypoints.upload(at(1, 2, 3)))
     await until(lambda: virtual_network.sent(ConfirmElementRequest))
@@ -372,7 +372,7 @@ async def test_a_late_answer_about_the_list_as_it_was_does_not_matter(virtual_ne
     assert order(robot) == xs(client.waypoints) == [1, 2, 3]
 
 
-async def test_silence_is_not_taken_for_the_end(virtual_network, robot, driver, client):
+async def test_missing_reports_do_not_end_progress(virtual_network, robot, driver, client):
     await client.waypoints.upload(at(1, 2))
     await client.waypoints.execute(speed=1.0)
     virtual_network.lose(CreateEvent, times=2)
@@ -383,7 +383,7 @@ async def test_silence_is_not_taken_for_the_end(virtual_network, robot, driver, 
     assert seen == [0, 1]
 
 
-async def test_from_the_middle_and_at_another_speed(virtual_network, robot, driver, client):
+async def test_execution_starts_anywhere_at_another_speed(virtual_network, robot, driver, client):
     await client.waypoints.upload(at(1, 2, 3))
     await client.waypoints.execute(speed=1.0, start=-1)
     assert await client.waypoints.active() == 2
@@ -392,7 +392,7 @@ async def test_from_the_middle_and_at_another_speed(virtual_network, robot, driv
     assert driver.speeds == [pytest.approx(1.0, abs=0.01), pytest.approx(0.5, abs=0.01)]
 
 
-async def test_nothing_is_carried_out_in_standby(client):
+async def test_execute_in_standby_is_an_error(client):
     await client.waypoints.upload(at(1))
     await client.standby()
     with pytest.raises(RequestError, match=r"101\.1\.1 ignores ExecuteList while it is STANDBY; call `resume\(\)`"):
@@ -400,7 +400,7 @@ async def test_nothing_is_carried_out_in_standby(client):
     assert [each async for each in client.waypoints.progress()] == []
 
 
-async def test_progress_by_asking_where_events_are_refused(virtual_network, ocu, driver):
+async def test_progress_polls_if_events_are_rejected(virtual_network, ocu, driver):
     refusing = [AccessControl(timeout=0), Events(limit=0), Management(), Discovery(), ListManager(), driver]
     async with virtual_network.component(ROBOT, refusing) as component:
         found = (await ocu.discover(101)).service("LocalWaypointListDriver")
@@ -415,7 +415,7 @@ async def test_progress_by_asking_where_events_are_refused(virtual_network, ocu,
         assert seen == [0, 1]
 
 
-async def test_over_a_real_node_manager(driver):
+async def test_elements_work_over_a_node_manager(driver):
     with LocalNode() as node:
         async with node.component(ROBOT, services(driver)) as component, node.ocu() as ocu:
             found = (await ocu.discover(101)).service("LocalWaypointListDriver")

@@ -70,7 +70,7 @@ async def move_everything(robot: RobotRunner, found: Robot) -> None:
     await until(lambda: stands(robot))
 
 
-async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU) -> None:
+async def test_frames_match_the_simulated_robot(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     await move_everything(robot, found)
     reader = RobotFrames(found, MODEL, CONFIG.movers)
@@ -89,7 +89,7 @@ async def test_all_frames_are_where_they_really_are(robot: RobotRunner, ocu: OCU
             assert row == pytest.approx(wanted, abs=2e-3), link
 
 
-async def test_what_nobody_reports_is_assumed_to_be_where_it_starts(robot: RobotRunner, ocu: OCU) -> None:
+async def test_unreported_joints_are_assumed_at_their_start(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     nameless = RobotFrames(found, MODEL)
     frames = await nameless.read()
@@ -103,7 +103,7 @@ async def test_what_nobody_reports_is_assumed_to_be_where_it_starts(robot: Robot
     assert (left, right) == pytest.approx((0.03, -0.03))
 
 
-async def test_another_robot_than_the_description_says(robot: RobotRunner, ocu: OCU) -> None:
+async def test_robot_that_differs_from_its_description_is_an_error(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     with pytest.raises(
         ConfigError, match=r"101\.1\.105 reports 1 joints, and the description has 2 there: base_link_to_pan"
@@ -111,7 +111,7 @@ async def test_another_robot_than_the_description_says(robot: RobotRunner, ocu: 
         await RobotFrames(found, MODEL, {105: "pan_tilt"}).read()
 
 
-async def test_a_robot_that_tells_no_pose(robot: RobotRunner, ocu: OCU) -> None:
+async def test_robot_without_pose_sensor_is_an_error(robot: RobotRunner, ocu: OCU) -> None:
     found = await ocu.discover(101)
     (without,) = [each for each in found.components if each.id.component == 104]
     node = type(found.nodes[0])(1, "", 0, (without,))

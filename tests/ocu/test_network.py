@@ -76,7 +76,7 @@ async def test_an_ocu_finds_and_controls_a_robot(site, form):
         assert await driver.status() == Status.STANDBY
 
 
-async def test_the_node_manager_may_go_and_come_back(site):
+async def test_restart_of_the_node_manager_is_survived(site):
     async with site.manager() as manager, site.robot, OCU(connect=f"udp://127.0.0.1:{site.port}") as ocu:
         await ocu.query(ROBOT, QueryHeartbeatPulse())
         await manager.close()
@@ -84,7 +84,7 @@ async def test_the_node_manager_may_go_and_come_back(site):
             await ocu.query(ROBOT, QueryStatus(), timeout=0.25, retries=20)
 
 
-async def test_a_local_root_without_a_node_manager_says_what_to_do(site):
+async def test_missing_node_manager_error_says_what_to_do(site):
     with pytest.raises(TransportError, match="no node manager"):
         await OCU(connect=f"local:{site.root}").open()
 
@@ -105,7 +105,7 @@ asyncio.run(main())
 """
 
 
-async def test_the_robot_stops_when_the_ocus_process_is_killed(site):
+async def test_robot_stops_when_the_ocu_process_is_killed(site):
     async with site.manager(), site.robot:
         process = await asyncio.create_subprocess_exec(sys.executable, "-c", KILLED, f"udp://127.0.0.1:{site.port}")
         await until(lambda: site.drive.effort > 0.3, 20)

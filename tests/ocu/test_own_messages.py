@@ -42,19 +42,19 @@ async def lamp(own: Registry, world: Any) -> Any:
     )
 
 
-def test_queries_are_told_by_the_definition(own: Registry) -> None:
+def test_user_defined_queries_are_recognised(own: Registry) -> None:
     assert [own.by_name(name).IS_QUERY for name in ("SetLamp", "QueryLamp", "ReportLamp")] == [False, True, False]
     assert own.by_name("QueryUGVSummary").IS_QUERY
     assert not any(each.IS_QUERY for each in own if each.NAME.startswith(("Report", "Set")))
 
 
-async def test_a_query_of_a_user_is_answered(own: Registry, lamp: Any, world: Any) -> None:
+async def test_user_defined_query_is_answered(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu(registry=own)
     await ocu.send(lamp.id, own.by_name("SetLamp")(70))
     assert await ocu.query(lamp.id, own.by_name("QueryLamp")()) == own.by_name("ReportLamp")(70)
 
 
-async def test_events_of_a_user(own: Registry, lamp: Any, world: Any) -> None:
+async def test_user_defined_reports_can_be_subscribed(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu(registry=own)
     query = own.by_name("QueryLamp")()
     await ocu.query(lamp.id, CreateEvent(1, 0, 1.0, query), expects=own.by_name("ConfirmEventRequest"))
@@ -63,7 +63,7 @@ async def test_events_of_a_user(own: Registry, lamp: Any, world: Any) -> None:
     assert event.query_message == query
 
 
-async def test_an_ocu_that_does_not_know_the_definition_can_ask_as_well(own: Registry, lamp: Any, world: Any) -> None:
+async def test_ocu_without_the_definition_can_query(own: Registry, lamp: Any, world: Any) -> None:
     ocu = await world.ocu()
     assert await ocu.query(lamp.id, own.by_name("QueryLamp")()) == own.by_name("ReportLamp")(10)
 
@@ -78,13 +78,13 @@ async def test_an_ocu_that_does_not_know_the_definition_can_ask_as_well(own: Reg
         ),
     ],
 )
-async def test_messages_by_name(own: Registry, lamp: Any, world: Any, known: bool, problem: str) -> None:
+async def test_messages_are_found_by_name(own: Registry, lamp: Any, world: Any, known: bool, problem: str) -> None:
     ocu = await world.ocu(registry=own if known else None)
     with pytest.raises(ConfigError, match=problem):
         (await ocu.discover(101)).service("Lamp").message("QueryLmap")
 
 
-async def test_a_query_that_nothing_is_known_to_answer(own: Registry, world: Any, tmp_path: Path) -> None:
+async def test_query_without_known_report_is_an_error(own: Registry, world: Any, tmp_path: Path) -> None:
     ocu = await world.ocu()
     file = tmp_path / "Lamp.xml"
     file.write_text(LAMP.read_text().replace("ReportLamp", "TellLamp"))

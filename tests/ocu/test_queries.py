@@ -33,7 +33,7 @@ async def test_a_query_is_answered_with_its_report(world):
     assert report == ReportStatus(status=ReportStatus.Status.STANDBY, reserved=0)
 
 
-async def test_a_lost_answer_is_asked_for_again(world):
+async def test_query_is_repeated_after_a_lost_answer(world):
     await world.robot()
     world.network.lose(ReportStatus, times=2)
     ocu = await world.ocu(timeout=0.05)
@@ -45,7 +45,7 @@ async def test_a_lost_answer_is_asked_for_again(world):
     assert ocu.stats.rtt_max == 0.0  # nobody knows which question was answered
 
 
-async def test_silence_says_what_was_sent_and_what_to_do(world):
+async def test_timeout_error_names_query_and_remedy(world):
     ocu = await world.ocu(timeout=0.02, retries=1)
 
     with pytest.raises(
@@ -55,7 +55,7 @@ async def test_silence_says_what_was_sent_and_what_to_do(world):
     assert ocu.stats.timeouts == 1
 
 
-async def test_equal_queries_may_be_outstanding_at_once(world):
+async def test_equal_queries_are_concurrent(world):
     await world.robot()
     ocu = await world.ocu()
 
@@ -65,7 +65,7 @@ async def test_equal_queries_may_be_outstanding_at_once(world):
     assert ocu.stats.answers == 20
 
 
-async def test_different_queries_with_like_answers_each_get_their_own(world):
+async def test_queries_with_one_report_class_are_serialised(world):
     await world.robot()
     world.network.lose(ReportLocalPose, times=1)
     ocu = await world.ocu()
@@ -79,7 +79,7 @@ async def test_different_queries_with_like_answers_each_get_their_own(world):
     assert (only_yaw.x, only_yaw.yaw) == (None, pytest.approx(0, abs=1e-4))
 
 
-async def test_nobody_waits_for_ever_behind_those_who_ask_the_same_again_and_again(world):
+async def test_repeated_equal_queries_do_not_starve_others(world):
     await world.robot()
     ocu = await world.ocu(timeout=1)
     world.network.delay = 0.05
@@ -104,7 +104,7 @@ async def test_nobody_waits_for_ever_behind_those_who_ask_the_same_again_and_aga
             each.cancel()
 
 
-async def test_a_query_that_had_no_turn_says_so(world):
+async def test_timeout_before_sending_is_explained(world):
     ocu = await world.ocu(timeout=1)
     first = asyncio.create_task(ocu.query(ROBOT, QueryLocalPose(presence_vector=1)))
     await asyncio.sleep(0)
@@ -115,7 +115,7 @@ async def test_a_query_that_had_no_turn_says_so(world):
         await first
 
 
-async def test_a_loop_that_only_sends_lets_others_run(world):
+async def test_send_loop_lets_other_tasks_run(world):
     ocu = await world.ocu()
     other = asyncio.create_task(asyncio.sleep(0))
     for _ in range(5):
@@ -123,7 +123,7 @@ async def test_a_loop_that_only_sends_lets_others_run(world):
     assert other.done()
 
 
-async def test_late_answers_and_messages_that_nobody_knows_are_counted(world):
+async def test_late_and_unknown_messages_are_counted(world):
     ocu = await world.ocu(timeout=0.1, retries=0)
     await world.robot()
     world.network.delay = 0.2
@@ -137,7 +137,7 @@ async def test_late_answers_and_messages_that_nobody_knows_are_counted(world):
     await stranger.close()
 
 
-async def test_an_answer_of_another_kind_is_named(world):
+async def test_timeout_error_names_other_messages(world):
     await world.robot()
     ocu = await world.ocu(timeout=0.1, retries=0)
     with pytest.raises(ResponseTimeout, match=r"no ReportControl came, but ReportStatus did \(`expects` says what to"):
@@ -146,7 +146,7 @@ async def test_an_answer_of_another_kind_is_named(world):
         await ocu.query("101.1.9", QueryStatus())
 
 
-async def test_an_answer_that_is_not_known_is_named(world):
+async def test_timeout_error_names_unknown_messages(world):
     ocu = await world.ocu(timeout=0.1, retries=0)
     peer = world.transport(ROBOT)
     await peer.open()
@@ -156,7 +156,7 @@ async def test_an_answer_that_is_not_known_is_named(world):
     await peer.close()
 
 
-async def test_levels_of_identification_are_not_mixed_up(world):
+async def test_identification_levels_are_distinguished(world):
     await world.robot()
     ocu = await world.ocu()
 
@@ -167,7 +167,7 @@ async def test_levels_of_identification_are_not_mixed_up(world):
     assert [int(report.query_type) for report in reports] == [1, 2, 3, 4] * 3
 
 
-async def test_a_cancelled_query_makes_way_for_the_next(world):
+async def test_cancelled_query_unblocks_the_next(world):
     ocu = await world.ocu(timeout=5)
     first = asyncio.create_task(ocu.query(ROBOT, QueryLocalPose(presence_vector=1)))
     await asyncio.sleep(0)
@@ -182,7 +182,7 @@ async def test_a_cancelled_query_makes_way_for_the_next(world):
         await first
 
 
-async def test_the_wrong_sender_and_garbage_do_not_count_as_answers(world):
+async def test_other_senders_and_garbage_are_no_answers(world):
     ocu = await world.ocu(timeout=0.1, retries=0)
     peer, stranger = world.transport(ROBOT), world.transport(JausID(101, 1, 9))
     await peer.open()
@@ -200,7 +200,7 @@ async def test_the_wrong_sender_and_garbage_do_not_count_as_answers(world):
     await stranger.close()
 
 
-async def test_closing_ends_what_waits(world):
+async def test_close_ends_pending_queries(world):
     ocu = await world.ocu(timeout=30)
     waiting = asyncio.create_task(ocu.query(ROBOT, QueryStatus()))
     await asyncio.sleep(0)
@@ -214,7 +214,7 @@ async def test_closing_ends_what_waits(world):
         await ocu.query(ROBOT, QueryStatus())
 
 
-async def test_only_queries_have_an_answer_by_themselves(world):
+async def test_other_messages_need_expects(world):
     ocu = await world.ocu()
     with pytest.raises(ConfigError, match="Resume is no query"):
         await ocu.query(ROBOT, Resume())
@@ -222,14 +222,14 @@ async def test_only_queries_have_an_answer_by_themselves(world):
         await ocu.query(ROBOT, QueryStatus(), timeout=0)
 
 
-async def test_a_wildcard_takes_the_first_answer(world):
+async def test_wildcard_query_returns_the_first_answer(world):
     await world.robot()
     ocu = await world.ocu()
     report = await ocu.query("101.255.255", QueryIdentification(query_type=2), expects=ReportIdentification)
     assert report.identification == "test robot"
 
 
-async def test_stats(world):
+async def test_statistics_are_counted(world):
     await world.robot()
     ocu = await world.ocu()
     for _ in range(3):
@@ -243,7 +243,7 @@ async def test_stats(world):
 @pytest.mark.parametrize(
     "connect", ["http://x", "tcp://", "udp://", "local:", "udp://host:99999", "udp://host/path", "10.0.0.1"]
 )
-async def test_a_wrong_connect_shows_the_forms(connect):
+async def test_invalid_connect_error_lists_the_forms(connect):
     with pytest.raises(ConfigError, match=r"udp://HOST\[:PORT\].*tcp://HOST.*local:DIRECTORY"):
         await jauspy.OCU("42.1.1", connect=connect).open()
 
@@ -265,7 +265,7 @@ async def test_direct_udp_needs_no_node_manager_to_open():
     assert not ocu.is_open
 
 
-async def test_all_who_answer_a_wildcard_are_told_apart_and_each_once(world):
+async def test_query_each_yields_each_sender_once(world):
     await world.robot()
     await world.robot(JausID(102, 1, 7))
     ocu = await world.ocu()
@@ -277,7 +277,7 @@ async def test_all_who_answer_a_wildcard_are_told_apart_and_each_once(world):
     assert all(isinstance(answer, ReportStatus) for _, answer in found)
 
 
-async def test_who_reads_answers_slowly_gets_all_that_came_in_time(world):
+async def test_slow_reader_gets_all_answers_in_time(world):
     ids = [JausID(101, 1, number) for number in (1, 2, 3)]
     for id in ids:
         await world.robot(id)
@@ -290,12 +290,12 @@ async def test_who_reads_answers_slowly_gets_all_that_came_in_time(world):
 
 
 @pytest.mark.parametrize("within", [0, -1, float("nan")])
-async def test_no_time_for_answers(world, within):
+async def test_query_each_rejects_zero_seconds(world, within):
     ocu = await world.ocu()
     with pytest.raises(ConfigError, match=r"within .* s must be above 0"):
         await anext(ocu.query_each("9.255.255", QueryStatus(), within=within))
 
 
-async def test_nobody_answers_a_wildcard(world):
+async def test_query_each_without_answers_ends(world):
     ocu = await world.ocu()
     assert [each async for each in ocu.query_each("9.255.255", QueryStatus(), within=0.1)] == []

@@ -29,7 +29,7 @@ async def check(ocu: jauspy.OCU, plain: jauspy.sync.OCU, unknown: jauspy.Message
 """
 
 
-def test_type_checkers_know_the_report(tmp_path):
+def test_type_checkers_infer_the_report(tmp_path):
     file = tmp_path / "typed.py"
     file.write_text(TYPED)
     done = subprocess.run(

@@ -24,19 +24,19 @@ def told(*numbers: int, rate: float = 10.0) -> list[int | None]:
         ((255, 256, 255, 257), [0, 0, None, 0]),
     ],
 )
-def test_numbers(numbers, missing):
+def test_gaps_are_counted_by_sequence_numbers(numbers, missing):
     assert told(*numbers) == missing
 
 
 @pytest.mark.parametrize("rate", [0.0, 0.1, 10.0, 100.0])
-def test_after_a_long_silence_nothing_is_late(rate):
+def test_no_report_counts_as_late_after_a_long_silence(rate):
     sequence = SequenceTracker()
     assert sequence.missing(0, rate, 0.0) == 0
     assert sequence.missing(201, rate, MAX_DELAY) == 200
     assert sequence.missing(202, rate, MAX_DELAY) == 0
 
 
-def test_at_a_high_rate_the_silence_is_shorter():
+def test_silence_limit_depends_on_the_rate():
     sequence = SequenceTracker()
     assert sequence.missing(0, 500.0, 0.0) == 0
     assert sequence.missing(151, 500.0, 0.25) is None

@@ -59,7 +59,7 @@ async def service(node_manager, video):
         yield robot.component(str(CAMERA)).service("StillImage")
 
 
-async def test_a_large_picture_arrives_whole(service, video):
+async def test_large_image_arrives_complete(service, video):
     photo = await service.still(timeout=20.0)
     assert zlib.crc32(photo.content) == zlib.crc32(video.picture)
     assert (photo.format, photo.sensor) == ("JPEG", 1)
@@ -69,7 +69,7 @@ async def test_a_large_picture_arrives_whole(service, video):
     assert zlib.crc32(photo.content) == zlib.crc32(video.picture)
 
 
-async def test_size_and_format_are_for_this_one_picture(service, video):
+async def test_size_and_format_apply_to_one_image(service, video):
     photo = await service.still(size=(1280, 720), format="png", timeout=20.0)
     assert photo.format == "PNG"
     assert video.last == StillSettings(1280, 720, StillFormat.PNG)
@@ -77,13 +77,13 @@ async def test_size_and_format_are_for_this_one_picture(service, video):
     assert video.last == StillSettings(640, 480, StillFormat.JPEG)
 
 
-async def test_it_can_be_in_control_already(service, video):
+async def test_existing_control_is_used(service, video):
     async with service.control():
         await service.still(size=(320, 240), timeout=20.0)
     assert video.last.width == 320
 
 
-async def test_what_is_as_it_is_set_needs_no_control(service, node_manager):
+async def test_unchanged_settings_need_no_control(service, node_manager):
     async with OCU("42.2.1", node_manager.udp) as other:
         robot = await other.discover(CAMERA.subsystem)
         async with robot.component(str(CAMERA)).service("StillImage").control(200):
@@ -92,7 +92,7 @@ async def test_what_is_as_it_is_set_needs_no_control(service, node_manager):
                 await service.still(size=(320, 240), timeout=20.0)
 
 
-async def test_what_cannot_be(service, video):
+async def test_unsupported_settings_are_rejected(service, video):
     with pytest.raises(ConfigError, match="no images of 641x480; the sizes are 128x96, "):
         await service.still(size=(641, 480))
     with pytest.raises(ConfigError, match="no image format 'webp'; there are JPEG, GIF, PNG"):
@@ -106,14 +106,14 @@ async def test_what_cannot_be(service, video):
         await service.still()
 
 
-async def test_a_camera_that_sends_nothing_may_be_starting(service, video):
+async def test_report_without_image_is_queried_again(service, video):
     video.sleeps = True
     with pytest.raises(ResponseTimeout, match=r"no picture of sensor 1 in 0\.4 s: its camera may still be starting"):
         await service.still(timeout=0.4)
 
 
 @pytest.mark.parametrize("start", [15.0, 35.0, 60.0])
-async def test_a_camera_that_starts_slowly_is_waited_for(virtual_network, video, start):
+async def test_slowly_starting_camera_is_awaited(virtual_network, video, start):
     """Its component gives up after ten seconds, and says that there is no picture."""
     video.sleeps = True
     cameras = {1: VideoCamera(Transform, source=video)}
@@ -132,7 +132,7 @@ async def test_a_camera_that_starts_slowly_is_waited_for(virtual_network, video,
                 await asked
 
 
-async def test_pictures_as_events(service, video):
+async def test_images_arrive_as_events(service, video):
     query = m.QueryStillImageDataExt
     record = query.QueryStillImageDataRec(1, query.ReportCoordinateSystem.NATIVE, 2)
     video.picture = os.urandom(100_000)

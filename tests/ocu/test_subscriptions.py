@@ -59,7 +59,7 @@ async def test_typed_reports_at_the_confirmed_rate(world):
     await until(lambda: len(events_of(robot).subscriptions) == 0)
 
 
-async def test_a_rate_that_is_too_high_is_confirmed_lower(world):
+async def test_rate_above_the_limit_is_confirmed_lower(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=1000.0) as poses:
@@ -93,7 +93,7 @@ async def test_a_cancelled_loop_cancels_the_event(world):
     await until(lambda: len(events_of(robot).subscriptions) == 0)
 
 
-async def test_every_change_reports_at_once_and_then_only_changes(world):
+async def test_every_change_event_reports_at_once_and_then_changes_only(world):
     await world.robot()
     ocu = await world.ocu()
     driver = (await ocu.discover(subsystem=101)).service("mobility:PrimitiveDriver")
@@ -111,7 +111,7 @@ async def test_every_change_reports_at_once_and_then_only_changes(world):
 
 
 @pytest.mark.parametrize("rate", [None, 10.0])
-async def test_an_event_that_the_component_ends_is_told(world, rate):
+async def test_event_ended_by_the_component_raises_event_rejected(world, rate):
     class Broken(Liveness):
         works = True
 
@@ -136,7 +136,7 @@ async def test_an_event_that_the_component_ends_is_told(world, rate):
             await asyncio.wait_for(pulses.get(), 10)
 
 
-async def test_two_streams_at_once_are_not_mixed_up(world):
+async def test_two_streams_are_distinguished(world):
     await world.robot()
     ocu = await world.ocu()
     robot = await ocu.discover(subsystem=101)
@@ -150,7 +150,7 @@ async def test_two_streams_at_once_are_not_mixed_up(world):
             assert isinstance(await speeds.get(), ReportVelocityState)
 
 
-async def test_the_same_event_twice_ends_with_the_last_listener(world):
+async def test_shared_event_ends_with_its_last_subscription(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=50.0) as first:
@@ -163,7 +163,7 @@ async def test_the_same_event_twice_ends_with_the_last_listener(world):
     assert len(world.network.sent(CancelEvent)) == 1
 
 
-async def test_lost_events_are_counted(world):
+async def test_lost_reports_are_counted(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     world.network.lose(Event, times=3, after=2)
@@ -174,7 +174,7 @@ async def test_lost_events_are_counted(world):
 
 
 @pytest.mark.parametrize("outage", [100, 127, 128, 150, 200, 250])
-async def test_all_that_a_long_outage_takes_is_counted(world, outage):
+async def test_reports_lost_in_a_long_outage_are_counted(world, outage):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=100.0, silence=20.0) as poses:
@@ -186,7 +186,7 @@ async def test_all_that_a_long_outage_takes_is_counted(world, outage):
         await until(lambda: poses.received + poses.lost == len(world.network.sent(Event)))
 
 
-async def test_what_comes_late_or_twice_is_not_lost_and_not_told_again(world):
+async def test_late_and_duplicate_reports_are_ignored(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     world.network.reordering = world.network.duplication = 0.3
@@ -195,7 +195,7 @@ async def test_what_comes_late_or_twice_is_not_lost_and_not_told_again(world):
         assert poses.received + poses.lost == pytest.approx(2000, abs=5)
 
 
-async def test_what_is_not_read_is_dropped_oldest_first(world):
+async def test_unread_reports_are_dropped_oldest_first(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=100.0, buffer=2) as poses:
@@ -205,7 +205,7 @@ async def test_what_is_not_read_is_dropped_oldest_first(world):
         assert poses.latest is last
 
 
-async def test_a_lost_confirmation_is_asked_for_again(world):
+async def test_lost_confirmation_is_requested_again(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.05))
     world.network.lose(ConfirmEventRequest, times=2)
@@ -213,7 +213,7 @@ async def test_a_lost_confirmation_is_asked_for_again(world):
         await poses.get()
 
 
-async def test_refusal_says_what_the_code_means(world):
+async def test_rejection_explains_the_code(world):
     await world.robot()
     ocu = await world.ocu()
     sensor = await sensor_of(ocu)
@@ -225,7 +225,7 @@ async def test_refusal_says_what_the_code_means(world):
     assert not world.network.sent(CancelEvent)
 
 
-async def test_an_unanswered_subscription_gives_up(world):
+async def test_unanswered_subscription_raises_response_timeout(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.02, retries=1))
     world.network.lose(CreateEvent)
@@ -234,7 +234,7 @@ async def test_an_unanswered_subscription_gives_up(world):
             pytest.fail("subscribed to silence")
 
 
-async def test_a_stream_that_dries_up_ends_with_an_error(world):
+async def test_missing_reports_raise_response_timeout(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=50.0, silence=0.2) as poses:
@@ -245,7 +245,7 @@ async def test_a_stream_that_dries_up_ends_with_an_error(world):
             await drain(poses)
 
 
-async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkeypatch):
+async def test_vanished_component_ends_an_every_change_subscription(world, monkeypatch):
     monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.05)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
@@ -257,7 +257,7 @@ async def test_a_vanished_component_ends_a_subscription_to_changes(world, monkey
             await statuses.get()
 
 
-async def test_events_are_renewed_and_made_anew_after_a_restart(world, monkeypatch):
+async def test_events_are_renewed_and_recreated_after_a_restart(world, monkeypatch):
     monkeypatch.setattr(EventClient, "lifetime", lambda _: asyncio.sleep(0, 0.3))
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
@@ -272,7 +272,7 @@ async def test_events_are_renewed_and_made_anew_after_a_restart(world, monkeypat
     assert world.network.sent(RejectEventRequest)
 
 
-async def test_reports_that_stay_out_after_a_restart_are_asked_for_anew_before_anybody_complains(world):
+async def test_event_is_recreated_after_a_restart_before_the_timeout(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=50.0, silence=2.0) as poses:
@@ -285,7 +285,7 @@ async def test_reports_that_stay_out_after_a_restart_are_asked_for_anew_before_a
         await poses.get()
 
 
-async def test_a_component_that_comes_back_late_is_heard_again(world):
+async def test_component_that_returns_late_is_received_again(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.05, retries=1))
     async with sensor.subscribe(POSE, rate=50.0, silence=0.2) as poses:
@@ -298,7 +298,7 @@ async def test_a_component_that_comes_back_late_is_heard_again(world):
         await until(lambda: poses.received > received + 2)
 
 
-async def test_a_subscription_to_changes_is_made_anew_after_a_restart(world, monkeypatch):
+async def test_every_change_event_is_recreated_after_a_restart(world, monkeypatch):
     monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.1)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
@@ -311,7 +311,7 @@ async def test_a_subscription_to_changes_is_made_anew_after_a_restart(world, mon
         assert (await asyncio.wait_for(statuses.get(), 2.0)).status == Status.STANDBY
 
 
-async def test_a_report_that_overtakes_its_confirmation_counts(world):
+async def test_report_before_its_confirmation_is_accepted(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     hold_back(world.network, ConfirmEventRequest, 0.05)
@@ -320,7 +320,7 @@ async def test_a_report_that_overtakes_its_confirmation_counts(world):
 
 
 @pytest.mark.parametrize("after", [0, 1])
-async def test_a_change_whose_report_gets_lost_is_told_all_the_same(world, after):
+async def test_lost_report_of_a_change_is_repeated_by_renewal(world, after):
     await world.robot()
     ocu = await world.ocu()
     driver = (await ocu.discover(subsystem=101)).service("mobility:PrimitiveDriver")
@@ -336,7 +336,7 @@ async def test_a_change_whose_report_gets_lost_is_told_all_the_same(world, after
         assert statuses.received == 1 + after
 
 
-async def test_a_cancellation_that_gets_lost_does_not_end_the_event_after_it(world):
+async def test_lost_cancellation_does_not_end_the_next_event(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     world.network.lose(CancelEvent, times=1)
@@ -346,7 +346,7 @@ async def test_a_cancellation_that_gets_lost_does_not_end_the_event_after_it(wor
             assert poses.received == pytest.approx(50, abs=5)
 
 
-async def test_an_event_that_is_being_cancelled_is_not_made_anew(world):
+async def test_cancelled_event_is_not_recreated(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     world.network.delay = 0.02
@@ -357,7 +357,7 @@ async def test_an_event_that_is_being_cancelled_is_not_made_anew(world):
     assert len(world.network.sent(CreateEvent)) == 1
 
 
-async def test_events_that_change_their_numbers_in_a_restart_are_not_mixed_up(world):
+async def test_events_with_new_numbers_after_a_restart_are_distinguished(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=50.0, silence=30.0) as poses, sensor.subscribe(QueryStatus()) as statuses:
@@ -371,7 +371,7 @@ async def test_events_that_change_their_numbers_in_a_restart_are_not_mixed_up(wo
         assert events == {"QueryLocalPose": poses.event_id, "QueryStatus": statuses.event_id}
 
 
-async def test_silence_about_changes_is_said_and_may_end(world, monkeypatch):
+async def test_every_change_timeout_is_raised_and_may_end(world, monkeypatch):
     monkeypatch.setattr(module, "RENEWAL_INTERVAL", 0.05)
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu(timeout=0.03, retries=1))
@@ -414,7 +414,7 @@ async def test_garbage_in_an_event_is_counted_and_skipped(world):
         assert isinstance(await poses.get(), ReportLocalPose)
 
 
-async def test_anothers_events_do_not_count(world):
+async def test_events_of_other_clients_are_ignored(world):
     await world.robot()
     ocu = await world.ocu()
     stranger = world.transport(JausID(9, 1, 1))
@@ -429,7 +429,7 @@ async def test_anothers_events_do_not_count(world):
     await stranger.close()
 
 
-async def test_it_may_be_opened_again(world):
+async def test_subscription_can_be_entered_again(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     poses = sensor.subscribe(POSE, rate=50.0, silence=0.3)
@@ -444,7 +444,7 @@ async def test_it_may_be_opened_again(world):
         assert poses.lost == 0
 
 
-async def test_opened_again_after_another_used_the_same_event(world):
+async def test_subscription_can_be_entered_again_after_a_shared_use(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     first, second = (sensor.subscribe(POSE, rate=50.0) for _ in range(2))
@@ -458,7 +458,7 @@ async def test_opened_again_after_another_used_the_same_event(world):
             await until(lambda: second.received > received + 2)
 
 
-async def test_not_open_it_says_so_instead_of_waiting(world):
+async def test_get_outside_of_the_block_is_an_error(world):
     await world.robot()
     statuses = (await sensor_of(await world.ocu())).subscribe(QueryStatus())
     with pytest.raises(ConfigError, match="this subscription is not open; use `async with` or `async for`"):
@@ -471,7 +471,7 @@ async def test_not_open_it_says_so_instead_of_waiting(world):
         await asyncio.wait_for(waiting, 1)
 
 
-async def test_cancelled_while_it_is_made_leaves_no_event_behind(world):
+async def test_cancelled_creation_leaves_no_event(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     world.network.delay = 0.01
@@ -484,7 +484,7 @@ async def test_cancelled_while_it_is_made_leaves_no_event_behind(world):
     await until(lambda: len(events_of(robot).subscriptions) == 0, 5)
 
 
-async def test_a_lost_cancellation_is_sent_again(world):
+async def test_lost_cancellation_is_resent(world):
     robot = await world.robot()
     sensor = await sensor_of(await world.ocu())
     async with sensor.subscribe(POSE, rate=50.0) as poses:
@@ -493,7 +493,7 @@ async def test_a_lost_cancellation_is_sent_again(world):
     await until(lambda: len(events_of(robot).subscriptions) == 0)
 
 
-async def test_wrong_arguments(world):
+async def test_invalid_arguments_are_rejected(world):
     await world.robot()
     sensor = await sensor_of(await world.ocu())
     with pytest.raises(ConfigError, match="rate -1"):

@@ -73,7 +73,7 @@ async def news(virtual_network, ocu):
     await asyncio.wait({task})
 
 
-async def test_the_whole_is_told_before_its_parts_and_each_once(virtual_network, news):
+async def test_appearances_come_from_whole_to_part_once_each(virtual_network, news):
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(60)
         assert [each for each in kinds(news) if "Transport" not in each and "Events" not in each] == ALL
@@ -83,7 +83,7 @@ async def test_the_whole_is_told_before_its_parts_and_each_once(virtual_network,
         assert (news[0].now.name, news[2].now.name) == ("robot", "component")
 
 
-async def test_what_falls_silent_vanishes_parts_first_and_may_come_back(virtual_network, news):
+async def test_silent_component_vanishes_parts_first_and_may_return(virtual_network, news):
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         appeared = kinds(news)
@@ -101,7 +101,7 @@ async def test_what_falls_silent_vanishes_parts_first_and_may_come_back(virtual_
         assert kinds(news) == appeared
 
 
-async def test_lost_packets_do_not_make_it_vanish(virtual_network, news):
+async def test_lost_packets_cause_no_vanished_component(virtual_network, news):
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         news.clear()
@@ -110,7 +110,7 @@ async def test_lost_packets_do_not_make_it_vanish(virtual_network, news):
         assert news == []
 
 
-async def test_who_does_not_hear_the_question_to_all_is_asked_by_itself(virtual_network, news):
+async def test_component_that_missed_the_broadcast_is_queried_directly(virtual_network, news):
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         news.clear()
@@ -119,7 +119,7 @@ async def test_who_does_not_hear_the_question_to_all_is_asked_by_itself(virtual_
         assert news == []
 
 
-async def test_another_name_is_a_change(virtual_network, news):
+async def test_new_name_is_reported_as_change(virtual_network, news):
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         news.clear()
@@ -129,7 +129,7 @@ async def test_another_name_is_a_change(virtual_network, news):
         assert (news[0].before.name, news[0].now.name) == ("robot", "another")
 
 
-async def test_services_come_and_go(virtual_network, news):
+async def test_services_appear_and_vanish(virtual_network, news):
     async with virtual_network.component(ME, [named("robot"), Liveness()], core=False):
         await asyncio.sleep(10)
         news.clear()
@@ -138,7 +138,7 @@ async def test_services_come_and_go(virtual_network, news):
         assert kinds(news) == ["-core:Liveness 101.1.1"]
 
 
-async def test_one_subsystem_of_many(virtual_network, ocu):
+async def test_watch_can_be_limited_to_one_subsystem(virtual_network, ocu):
     found: list = []
     task = asyncio.create_task(collect(ocu, found, subsystem=102))
     async with (
@@ -151,7 +151,7 @@ async def test_one_subsystem_of_many(virtual_network, ocu):
     assert {each.id.subsystem for each in found} == {102}
 
 
-async def test_a_slow_reader_gets_the_sum(virtual_network, ocu):
+async def test_slow_reader_gets_the_sum_of_changes(virtual_network, ocu):
     news = ocu.watch()
     async with virtual_network.component(ME, [named("robot")], core=False):
         assert (await anext(news)).now.name == "robot"
@@ -164,7 +164,7 @@ async def test_a_slow_reader_gets_the_sum(virtual_network, ocu):
 
 
 @pytest.mark.parametrize("pause", [1.0, 3.0, 9.0])
-async def test_what_is_there_does_not_vanish_because_its_reader_is_slow(virtual_network, ocu, pause):
+async def test_slow_reader_causes_no_vanished_component(virtual_network, ocu, pause):
     found: list = []
 
     async def read_slowly() -> None:
@@ -186,7 +186,7 @@ async def test_what_is_there_does_not_vanish_because_its_reader_is_slow(virtual_
     await asyncio.wait({task})
 
 
-async def test_what_is_only_listed_vanishes_with_its_silence_although_it_stays_listed():
+async def test_silent_component_vanishes_although_others_list_it():
     tree = SubsystemTree()
     listing = ReportServices.decode(_listing(9))
     tree.add(listing, ME, 0.0)
@@ -217,7 +217,7 @@ def test_a_flood_of_ids_is_bounded():
     assert tree._names == {}
 
 
-async def test_garbage_is_no_news(virtual_network, news):
+async def test_malformed_reports_are_ignored(virtual_network, news):
     peer = virtual_network.transport(ME)
     await peer.open()
     for payload in (b"\x00", ReportIdentification.CODE.to_bytes(2, "little"), b"\x07\x4b\xff\xff"):
@@ -228,12 +228,12 @@ async def test_garbage_is_no_news(virtual_network, news):
 
 
 @pytest.mark.parametrize("options", [{"interval": 0.0}, {"interval": 5.0, "silence": 4.0}, {"subsystem": 65535}])
-async def test_wrong_options_are_said(ocu, options):
+async def test_invalid_options_are_rejected(ocu, options):
     with pytest.raises(ConfigError):
         await anext(ocu.watch(**options))
 
 
-async def test_over_a_real_node_manager():
+async def test_watch_works_over_a_node_manager():
     with LocalNode() as node:
         async with node.ocu() as ocu:
             found: list = []

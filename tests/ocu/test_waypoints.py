@@ -77,7 +77,7 @@ async def test_joint_positions_in_order(virtual_network, robot, ocu, name):
         assert after.joint_position.value == pytest.approx(before.joint_position.value + 0.1, abs=0.03)
 
 
-async def test_on_a_real_node_manager(node_manager, robot, ocu):
+async def test_lists_work_on_a_node_manager(node_manager, robot, ocu):
     driver = (await ocu.discover(101)).service("LocalWaypointListDriver")
     async with driver.control():
         await driver.resume()

@@ -9,15 +9,15 @@ from jauspy.platform import backends
 from jauspy.platform.kinematic import KinematicBackend
 
 
-def test_shipped_backends_are_announced() -> None:
+def test_included_backends_are_registered() -> None:
     assert {"kinematic", "sim"} <= set(backends.names())
 
 
-def test_finds_by_name() -> None:
+def test_backend_is_found_by_name() -> None:
     assert isinstance(backends.find("kinematic"), KinematicBackend)
 
 
-def test_unknown_name_lists_what_is_there() -> None:
+def test_unknown_backend_error_lists_the_installed_ones() -> None:
     with pytest.raises(ConfigError, match=r"'gazebo'.*kinematic.*sim"):
         backends.find("gazebo")
 

@@ -154,7 +154,7 @@ def test_same_commands_give_the_same_trajectory_bit_for_bit(open_robot: Callable
     assert trajectory() == trajectory()
 
 
-def test_many_odd_steps_are_one_long_one(open_robot: Callable[[], Robot]) -> None:
+def test_uneven_steps_equal_one_long_step(open_robot: Callable[[], Robot]) -> None:
     odd, long = open_robot(), open_robot()
     for robot in (odd, long):
         robot.drive.set_effort(0.4, 0.0)
@@ -166,7 +166,7 @@ def test_many_odd_steps_are_one_long_one(open_robot: Callable[[], Robot]) -> Non
     assert odd.drive.pose().x == pytest.approx(long.drive.pose().x, abs=0.003)
 
 
-def test_advancing_by_nothing_changes_nothing(robot: Robot) -> None:
+def test_advancing_by_zero_has_no_effect(robot: Robot) -> None:
     robot.drive.set_effort(1.0, 0.0)
     before = robot.drive.pose()
     robot.advance(0.0)
@@ -217,7 +217,7 @@ def test_a_closed_loop_drives_two_metres_and_turns_left(robot: Robot) -> None:
     assert pose.yaw == pytest.approx(math.pi / 2, abs=math.radians(3))
 
 
-def test_closing_twice_is_fine(robot: Robot) -> None:
+def test_close_may_be_called_twice(robot: Robot) -> None:
     robot.close()
     robot.close()
 
@@ -227,5 +227,5 @@ def test_unknown_world_lists_the_known_ones(backend_name: str) -> None:
         find(backend_name).open(robot_model(load("inc1")), "moon")
 
 
-def test_backend_says_its_name(backend_name: str) -> None:
+def test_backend_has_its_name(backend_name: str) -> None:
     assert find(backend_name).name == backend_name

@@ -40,7 +40,7 @@ def test_measures_at_its_rate_and_keeps_the_measurement_between() -> None:
     assert sorted(set(seen)) == [(pytest.approx(n / 10), float(n)) for n in range(10)]
 
 
-def test_what_is_too_strong_shows_as_the_most_it_can_measure() -> None:
+def test_measurements_are_clipped_to_the_limits() -> None:
     sensor = SampledForceTorque(SETUP, lambda: ((-900.0, 1.0, 51.0), (0.0, -6.0, 4.0)))
     sensor.step(0.0)
     assert sensor.wrench.force == (-50.0, 1.0, 50.0)
@@ -59,12 +59,12 @@ def test_what_is_too_strong_shows_as_the_most_it_can_measure() -> None:
         ),
     ],
 )
-def test_weight_of_all_that_a_link_carries_by_hand(angle: float, force: Vector, torque: Vector) -> None:
+def test_computed_weight_matches_a_manual_calculation(angle: float, force: Vector, torque: Vector) -> None:
     found = gravity_wrench(CRANE, "arm", lambda: {"lift": angle})()
     assert found == (pytest.approx(force, abs=1e-9), pytest.approx(torque, abs=1e-9))
 
 
-def test_simulated_and_computed_weight_are_the_same() -> None:
+def test_simulated_and_computed_weight_agree() -> None:
     """Also with the wrist bent and rolled: the frames, signs and points of reference agree."""
     pytest.importorskip("mujoco", reason="MuJoCo is not installed")
     model = robot_model(load("inc1"))

@@ -28,11 +28,11 @@ NAMES = [level.name for level in LEVELS]
         (VideoSettings(7680, 4800, 60, 2_000_000), None),
     ],
 )
-def test_the_lowest_level_that_does(settings, level):
+def test_lowest_sufficient_level_is_selected(settings, level):
     assert settings.level == (None if level is None else NAMES.index(level))
 
 
-def test_levels_grow():
+def test_levels_are_ascending():
     for lower, higher in pairwise(LEVELS):
         assert all(a <= b for a, b in zip(lower[1:], higher[1:], strict=True))
         assert lower[1:] != higher[1:]
@@ -48,6 +48,6 @@ def test_a_level_that_is_too_low_is_refused():
         dataclasses.replace(fitting, rate=60)
 
 
-def test_how_long_a_gradual_refresh_takes():
+def test_duration_of_a_gradual_refresh():
     assert VideoSettings(640, 480, gop=60).refresh == 40
     assert VideoSettings(640, 480, gop=30).refresh == 30

@@ -24,14 +24,14 @@ def test_holds_its_position_at_first(robot: Robot, arm: JointGroup) -> None:
     assert arm.state().positions == pytest.approx(before, abs=0.002)
 
 
-def test_goes_to_a_position_and_stays(robot: Robot, arm: JointGroup) -> None:
+def test_position_is_reached_and_held(robot: Robot, arm: JointGroup) -> None:
     arm.command([Target(ControlMode.POSITION, value) for value in POSE])
     robot.advance(6.0)
     assert arm.state().positions == pytest.approx(POSE, abs=0.002)
     assert arm.state().velocities == pytest.approx((0.0,) * 5, abs=0.01)
 
 
-def test_goes_no_faster_than_told(robot: Robot, arm: JointGroup) -> None:
+def test_speed_limit_of_a_target_is_respected(robot: Robot, arm: JointGroup) -> None:
     arm.command([Target(ControlMode.POSITION, 1.0, speed=0.2), *[None] * 4])
     robot.advance(2.0)
     assert arm.state().positions[0] == pytest.approx(0.4, abs=0.05)
@@ -56,7 +56,7 @@ def test_hold_stops(robot: Robot, arm: JointGroup) -> None:
     assert arm.state().positions == pytest.approx(before, abs=0.003)
 
 
-def test_effort_moves_until_it_ends(robot: Robot, arm: JointGroup) -> None:
+def test_effort_moves_until_it_is_zero(robot: Robot, arm: JointGroup) -> None:
     arm.command([Target(ControlMode.EFFORT, 6.0), *[None] * 4])
     robot.advance(0.5)
     assert arm.state().efforts[0] == 6.0
@@ -70,7 +70,7 @@ def test_effort_is_limited(robot: Robot, arm: JointGroup) -> None:
     assert arm.state().efforts[0] == arm.joints[0].effort
 
 
-def test_switching_from_effort_to_position_returns(robot: Robot, arm: JointGroup) -> None:
+def test_switching_from_effort_to_position_moves_to_the_target(robot: Robot, arm: JointGroup) -> None:
     arm.command([Target(ControlMode.EFFORT, -6.0), *[None] * 4])
     robot.advance(0.5)
     arm.command([Target(ControlMode.POSITION, 0.0), *[None] * 4])

@@ -39,14 +39,14 @@ def sky(image):
     return (image == SKY).all(axis=2)
 
 
-def test_the_horizon_is_in_the_middle_of_a_level_camera(eye):
+def test_horizon_of_a_level_camera_is_centred(eye):
     image = eye.look(320, 240).image
     assert image.shape == (240, 320, 3)
     assert sky(image)[:118].all()
     assert not sky(image)[124:].any()
 
 
-def test_the_floor_has_squares_of_a_metre_whose_edges_are_where_they_should_be(eye):
+def test_floor_squares_have_the_right_edges(eye):
     """The camera is 0.376 m ahead of the robot and 0.24 m high; what is d ahead is seen 0.24/d below the middle."""
     image = eye.look(801, 601).image
     column = image[:, 401 + 20].astype(int).sum(axis=1)
@@ -56,7 +56,7 @@ def test_the_floor_has_squares_of_a_metre_whose_edges_are_where_they_should_be(e
         assert abs(near - far) > 60, f"no edge at {edge} m"
 
 
-def test_it_sees_the_robot_drive_and_when(robot, eye):
+def test_images_follow_the_motion_with_times(robot, eye):
     before = eye.look(160, 120)
     robot.drive.set_effort(0.5, 0.0)
     robot.advance(1.0)
@@ -65,7 +65,7 @@ def test_it_sees_the_robot_drive_and_when(robot, eye):
     assert (after.image != before.image).any()
 
 
-def test_a_camera_on_the_arm_goes_with_its_joints(robot):
+def test_arm_camera_moves_with_its_joints(robot):
     eye = robot.cameras["arm"].open()
     arm = robot.groups["arm"]
     shares = []
@@ -86,7 +86,7 @@ def test_a_robot_without_cameras_has_none():
     assert KinematicRobot(model).cameras == {}
 
 
-def test_without_numpy_it_says_what_to_install(robot, monkeypatch):
+def test_missing_numpy_error_names_the_extra(robot, monkeypatch):
     def fail(_):
         raise ImportError("No module named 'numpy'")
 

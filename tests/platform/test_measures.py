@@ -37,7 +37,7 @@ def cart(lean: float) -> RobotModel:
     return RobotModel(parse_urdf(URDF), TrackSetup((), (), 0.0), {"mast": group})
 
 
-def test_mass_middle_and_size_by_hand() -> None:
+def test_mass_centre_and_size_match_a_manual_calculation() -> None:
     upright = measure(cart(0.0))
     assert upright.mass == 4.0
     assert upright.centre_of_gravity == pytest.approx((0.0, 0.0, (3 * 0.1 + 0.7) / 4))
@@ -45,13 +45,13 @@ def test_mass_middle_and_size_by_hand() -> None:
     assert upright.high == pytest.approx((0.6, 0.25, 1.2))
 
 
-def test_joints_are_where_they_start() -> None:
+def test_measures_use_start_positions() -> None:
     leaning = measure(cart(math.pi / 2))
     assert leaning.centre_of_gravity == pytest.approx((0.5 / 4, 0.0, (3 * 0.1 + 0.2) / 4))
     assert leaning.high == pytest.approx((1.0, 0.25, 0.25))
 
 
-def test_a_mass_that_is_no_number_names_its_link() -> None:
+def test_invalid_mass_error_names_the_link() -> None:
     broken = RobotDescription("x", URDF.replace('value="3"', 'value="heavy"'), parse_urdf(URDF).joints)
     with pytest.raises(ConfigError, match="'base': 'heavy' is not 1 finite number"):
         measure(RobotModel(broken, TrackSetup((), (), 0.0)))
@@ -71,7 +71,7 @@ def test_agrees_with_the_simulator(name: str) -> None:
     assert found.centre_of_gravity == pytest.approx(simulated._data.subtree_com[base].tolist(), abs=2e-3)
 
 
-def test_the_chassis_of_inc1_is_that_of_its_description() -> None:
+def test_chassis_of_inc1_matches_its_description() -> None:
     chassis = chassis_of(robot_model(load("inc1")))
     assert 40.0 < chassis.mass < 60.0
     assert chassis.track_separation == pytest.approx(0.46)

@@ -24,7 +24,7 @@ def test_rays_go_all_around_and_ahead() -> None:
     assert angles[6] == pytest.approx(math.pi / 2)
 
 
-def test_what_is_too_close_or_too_far_is_not_a_distance() -> None:
+def test_distances_out_of_range_are_infinite() -> None:
     scanner = Scanner(SETUP, distances)
     scanner.step(0.0)
     assert scanner.scan is not None
@@ -32,7 +32,7 @@ def test_what_is_too_close_or_too_far_is_not_a_distance() -> None:
     assert (scanner.scan.frame, scanner.scan.time) == ("lidar_link", 0.0)
 
 
-def test_scans_at_its_rate_whatever_the_steps() -> None:
+def test_scan_rate_is_independent_of_the_steps() -> None:
     scanner, times = Scanner(SETUP), []
     for step in range(500):
         scanner.step(step * 0.002)
@@ -42,7 +42,7 @@ def test_scans_at_its_rate_whatever_the_steps() -> None:
     assert sorted(set(times)) == pytest.approx([n / 10 for n in range(10)])
 
 
-def test_after_a_pause_it_does_not_catch_up() -> None:
+def test_missed_scans_are_skipped() -> None:
     calls = []
     scanner = Scanner(SETUP, lambda angles: calls.append(1) or distances(angles))
     for now in (0.0, 5.0, 5.002, 5.004):
@@ -50,7 +50,7 @@ def test_after_a_pause_it_does_not_catch_up() -> None:
     assert len(calls) == 2
 
 
-def test_settings_act_with_the_next_step() -> None:
+def test_settings_take_effect_with_the_next_step() -> None:
     scanner = Scanner(SETUP, distances)
     scanner.step(0.0)
     scanner.configure(replace(scanner.settings, start=-math.pi / 4, stop=math.pi / 2, max_range=6.0, min_range=0.1))
@@ -61,7 +61,7 @@ def test_settings_act_with_the_next_step() -> None:
     assert (scanner.settings.max_range, scanner.settings.min_range) == (4.0, 0.5)
 
 
-def test_slower_but_never_faster() -> None:
+def test_rate_can_only_be_reduced() -> None:
     scanner = Scanner(SETUP)
     scanner.configure(replace(scanner.settings, rate=2.0))
     seen = set()

@@ -32,7 +32,7 @@ def test_arrives_without_overshoot_within_speed_and_acceleration(goal: float) ->
     assert all(min(0.0, goal) <= position <= max(0.0, goal) for position, _ in path)
 
 
-def test_a_goal_beyond_the_limit_is_the_limit() -> None:
+def test_goal_beyond_the_limit_is_limited() -> None:
     motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.POSITION, 9.0)
     assert run(motion, 5.0)[-1] == (1.0, 0.0)
@@ -51,7 +51,7 @@ def test_velocity_is_limited() -> None:
     assert max(velocity for _, velocity in run(motion, 2.0)) == pytest.approx(0.5)
 
 
-def test_turns_round_when_the_goal_changes() -> None:
+def test_setpoint_reverses_when_the_goal_changes() -> None:
     motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.POSITION, 1.0)
     run(motion, 1.0)
@@ -59,13 +59,13 @@ def test_turns_round_when_the_goal_changes() -> None:
     assert run(motion, 6.0)[-1] == (-1.0, 0.0)
 
 
-def test_under_effort_it_stands() -> None:
+def test_setpoint_stands_in_effort_mode() -> None:
     motion = SetpointGenerator(JOINT, 0.3)
     motion.target = Target(ControlMode.EFFORT, 5.0)
     assert run(motion, 0.1)[-1] == (0.3, 0.0)
 
 
-def test_brakes_as_gently_as_told() -> None:
+def test_deceleration_is_respected() -> None:
     motion = SetpointGenerator(JOINT, 0.0)
     motion.target = Target(ControlMode.POSITION, 0.9, acceleration=4.0, deceleration=0.25)
     path = run(motion, 9.0)

@@ -21,7 +21,7 @@ def numbers(value: float) -> bytes:
     return struct.pack("=512d", *[value] * 512)
 
 
-def test_the_reader_sees_what_was_written_last_and_when(pair):
+def test_reader_gets_the_last_state_and_its_time(pair):
     writer, reader = pair
     for value in (1.0, 2.0):
         writer.write(numbers(value))
@@ -50,7 +50,7 @@ def test_a_state_is_never_read_in_parts(pair):
     assert [state[0] for state in seen] == sorted(state[0] for state in seen)
 
 
-def test_a_reader_waits_for_a_writer_that_is_held_up_in_the_middle(pair, monkeypatch):
+def test_reader_waits_for_an_interrupted_write(pair, monkeypatch):
     writer, reader = pair
     writer.write(numbers(1.0))
     unfinished = (3).to_bytes(8, "little")
@@ -76,7 +76,7 @@ def test_a_state_of_another_length_is_an_error(pair):
         pair[0].write(bytes(8))
 
 
-def test_closing_twice_is_fine():
+def test_close_may_be_called_twice():
     writer = StateWriter(1)
     writer.close()
     writer.close()

@@ -18,10 +18,10 @@ from jauspy.platform.chassis import clamp, mix
         ((5.0, 0.0), (1.0, 1.0)),
     ],
 )
-def test_mix(efforts: tuple[float, float], tracks: tuple[float, float]) -> None:
+def test_efforts_are_mixed_for_both_tracks(efforts: tuple[float, float], tracks: tuple[float, float]) -> None:
     assert mix(*efforts) == pytest.approx(tracks)
 
 
-def test_clamp_takes_not_a_number_for_no_effort() -> None:
+def test_clamp_treats_nan_as_zero() -> None:
     assert clamp(math.nan) == 0.0
     assert clamp(-math.inf) == -1.0

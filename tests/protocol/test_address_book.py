@@ -8,7 +8,7 @@ HOME, AWAY, GATE = UdpPort("10.0.0.1", 1), UdpPort("10.0.0.2", 2), UdpPort("10.0
 ONE = int(JausID(101, 1, 1))
 
 
-def test_exact_before_learned_before_wildcard() -> None:
+def test_exact_addresses_precede_learned_and_wildcard_ones() -> None:
     book = AddressBook({int(JausID(101, 255, 255)): [GATE], int(JausID(101, 1, 9)): [HOME]})
     assert book.find(ONE, 0.0) == GATE
     assert book.learn(ONE, AWAY, 0.0)
@@ -19,7 +19,7 @@ def test_exact_before_learned_before_wildcard() -> None:
     assert book.find(int(JausID(357, 1, 1)), 0.0) is None
 
 
-def test_learning_again_is_news_only_when_something_changed() -> None:
+def test_learn_returns_true_only_for_changes() -> None:
     book = AddressBook(lifetime=10.0)
     assert [book.learn(ONE, port, now) for port, now in ((HOME, 0), (HOME, 9), (HOME, 18), (AWAY, 18), (AWAY, 28))] == [
         True,
@@ -36,7 +36,7 @@ def test_udp_and_tcp_on_one_port_are_two_addresses() -> None:
     assert book.learn(ONE, TcpPort("10.0.0.1", 3794), 0.0)
 
 
-def test_what_is_not_heard_any_more_makes_room() -> None:
+def test_least_recently_received_id_is_dropped() -> None:
     book = AddressBook(lifetime=10.0, limit=3)
     for number in range(5):
         book.learn(number, HOME, float(number))
@@ -46,7 +46,7 @@ def test_what_is_not_heard_any_more_makes_room() -> None:
     assert len(book) == 2
 
 
-def test_forgets_all_behind_a_connection() -> None:
+def test_addresses_of_a_closed_connection_are_removed() -> None:
     book = AddressBook()
     for number in range(4):
         book.learn(number, HOME if number % 2 else AWAY, 0.0)

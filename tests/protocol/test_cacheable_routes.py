@@ -8,7 +8,7 @@ from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.gateway import Gateway, GatewayRules
 from jauspy.protocol.header import Packet
 from jauspy.protocol.routing import Router
-from jauspy.protocol.sources import MOVE_TIMEOUT, SourceChecks, SourceLimits
+from jauspy.protocol.sources import MOVE_TIMEOUT, VERIFIED_INTERVAL, SourceChecks, SourceLimits
 
 A, B, FAR, NOBODY = (JausID.parse(text) for text in ("101.1.1", "101.1.2", "42.1.1", "77.1.1"))
 PEER, OTHER = UdpPort("10.0.0.2", 3794), UdpPort("10.0.0.3", 3794)
@@ -36,7 +36,7 @@ class Node:
         return self.core.cacheable_route(int(source), int(destination), port, now)
 
 
-def test_between_components_to_a_peer_and_from_it() -> None:
+def test_plain_routes_are_cacheable() -> None:
     node = Node()
     assert node.cacheable_route(A, B, home(A)) == home(B)
     assert node.cacheable_route(A, FAR, home(A)) == PEER
@@ -59,18 +59,18 @@ def test_between_components_to_a_peer_and_from_it() -> None:
         (FAR, B, GROUP),
     ],
 )
-def test_all_else_is_looked_at(source: JausID, destination: JausID, port: Port) -> None:
+def test_other_routes_are_not_cacheable(source: JausID, destination: JausID, port: Port) -> None:
     assert Node().cacheable_route(source, destination, port) is None
 
 
-def test_what_was_heard_is_checked_again_after_a_second() -> None:
+def test_what_was_heard_is_checked_again_after_a_moment() -> None:
     node = Node()
-    assert node.cacheable_route(FAR, B, PEER, 0.9) is not None
-    assert node.cacheable_route(FAR, B, PEER, 1.0) is None
+    assert node.cacheable_route(FAR, B, PEER, 0.9 * VERIFIED_INTERVAL) is not None
+    assert node.cacheable_route(FAR, B, PEER, VERIFIED_INTERVAL) is None
     assert node.cacheable_route(A, FAR, home(A), 600.0) is None
 
 
-def test_rules_and_rates_want_to_see_every_packet() -> None:
+def test_rules_and_rates_disable_caching() -> None:
     limited = Node(sources=SourceChecks(SourceLimits(rate=10.0)))
     assert limited.cacheable_route(A, B, home(A)) is None
     node = Node()
@@ -78,7 +78,7 @@ def test_rules_and_rates_want_to_see_every_packet() -> None:
     assert node.cacheable_route(A, B, home(A)) is None
 
 
-def test_components_that_speak_udp_go_the_whole_way() -> None:
+def test_udp_components_are_not_cacheable() -> None:
     node = Node()
     here = UdpPort("127.0.0.1", 4000)
     node.core.receive(junior.connect(NOBODY), here, 0.0)
@@ -86,7 +86,7 @@ def test_components_that_speak_udp_go_the_whole_way() -> None:
     assert node.cacheable_route(A, NOBODY, home(A)) is None
 
 
-def test_peers_that_compress_headers_go_the_whole_way() -> None:
+def test_compressing_peers_are_not_cacheable() -> None:
     node = Node()
     plain = judp.pack(Packet(FAR, A, b"\x02\x20"))
     proposal = plain[:1] + b"\x40" + (len(plain) + 1).to_bytes(2, "little") + b"\x01\x09" + plain[4:]
@@ -98,7 +98,7 @@ def test_peers_that_compress_headers_go_the_whole_way() -> None:
     assert node.changed == [None]
 
 
-def test_every_change_is_told() -> None:
+def test_all_changes_are_reported() -> None:
     node = Node()
     node.hear(FAR, PEER, 2.0)
     node.core.receive(junior.connect(B), home(B), 2.0)

@@ -44,7 +44,7 @@ def known(core: Router) -> Router:
     return core
 
 
-def test_a_proposal_is_accepted_and_what_it_promised_is_understood() -> None:
+def test_proposal_is_accepted_and_compressed_packets_are_expanded() -> None:
     core = node()
     proposal = "02 401200 0509 01 02016400 01016500 0220 0700"
     accepted = plain("02 801000 0509 01 01016500 02016400 0000")
@@ -59,13 +59,13 @@ def test_a_proposal_is_accepted_and_what_it_promised_is_understood() -> None:
     assert receive(core, "02 c00700 060b 0a00", PEER) == [(OURS, plain("02 001000 01 02016400 01016500 0220 0a00"))]
 
 
-def test_nothing_is_compressed_for_who_has_not_shown_that_it_can() -> None:
+def test_packets_to_unknown_peers_are_not_compressed() -> None:
     core = known(node())
     for number in range(20):
         assert receive(core, PLAIN, OURS, float(number)) == [(PEER, plain(PLAIN))]
 
 
-def test_who_proposes_is_proposed_to_and_who_accepts_is_compressed_for() -> None:
+def test_peers_that_propose_get_proposals_and_compressed_packets() -> None:
     core = known(node())
     receive(core, "02 401200 0509 01 02016400 01016500 0220 0700", PEER)
     proposed = plain("02 401200 0109 01 01016500 02016400 0220 0700")
@@ -85,13 +85,13 @@ def agreed(*, use: CompressionUse = "accept") -> Router:
     return core
 
 
-def test_a_template_is_confirmed_now_and_then_and_not_trusted_without_it() -> None:
+def test_templates_are_proposed_again_and_expire() -> None:
     core = agreed()
     kinds = [receive(core, PLAIN, OURS, now)[0][1][2:4] for now in (4.9, 5.0, 5.5, 6.0, 9.9, 10.0, 10.5, 20.0)]
     assert kinds == ["c0", "40", "c0", "40", "40", "00", "00", "40"]
 
 
-def test_a_peer_that_has_forgotten_says_so_and_is_told_again() -> None:
+def test_rejected_template_is_proposed_again() -> None:
     core = agreed()
     assert receive(core, PLAIN, OURS, 1.0)[0][1].startswith("02c0")
     assert receive(core, "02 801000 0100 00 00000000 00000000 0000", PEER, 1.1) == []
@@ -123,7 +123,7 @@ def test_an_acknowledgement_may_carry_the_answer() -> None:
     assert receive(core, carried, PEER) == [(OURS, plain("02 000e00 31 02016400 01016500 0700"))]
 
 
-def test_the_most_urgent_always_go_whole() -> None:
+def test_safety_critical_packets_are_not_compressed() -> None:
     urgent = judp.pack(Packet(HERE, FAR, b"\x06\x00\x00", 1, Priority.SAFETY_CRITICAL))
     for now in (0.1, 1.0, 6.0):
         assert receive(agreed(), urgent, OURS, now) == [(PEER, urgent.hex())]
@@ -138,7 +138,7 @@ def test_the_largest_packets_stay_within_4096_bytes() -> None:
         assert len(sent) // 2 == (4096 if payload == 4079 else len(data))
 
 
-def test_peers_are_asked_with_an_empty_packet_a_few_times_and_only_when_told_to() -> None:
+def test_probes_are_empty_bounded_and_optional() -> None:
     core = known(node("propose"))
     asked = (PEER, plain("02 401000 0009 01 01016500 02016400 0000"))
     sent = [receive(core, PLAIN, OURS, now / 2) for now in range(40)]
@@ -148,7 +148,7 @@ def test_peers_are_asked_with_an_empty_packet_a_few_times_and_only_when_told_to(
     assert receive(core, PLAIN, OURS)[0][1].startswith("0240")
 
 
-def test_switched_off_proposals_are_plain_packets_and_the_rest_is_dropped() -> None:
+def test_compression_off_accepts_proposals_as_plain_packets() -> None:
     core = node("off")
     assert receive(core, "02 401200 0509 01 02016400 01016500 0220 0700", PEER) == [
         (OURS, plain("02 001000 01 02016400 01016500 0220 0700"))
@@ -158,7 +158,7 @@ def test_switched_off_proposals_are_plain_packets_and_the_rest_is_dropped() -> N
     assert core.counters["dropped.malformed.compressed"] == 2
 
 
-def test_templates_of_broadcasts_and_too_long_ones_are_not_accepted() -> None:
+def test_broadcast_and_oversized_templates_are_rejected() -> None:
     core = node()
     broadcast = "02 401200 0509 09 ffffffff 01016500 0220 0700"
     assert receive(core, broadcast, PEER) == [(OURS, plain("02 001000 09 ffffffff 01016500 0220 0700"))]
@@ -168,7 +168,7 @@ def test_templates_of_broadcasts_and_too_long_ones_are_not_accepted() -> None:
     assert core.counters["compression.not_accepted"] == 4
 
 
-def test_everything_is_bounded() -> None:
+def test_templates_and_peers_are_bounded() -> None:
     core = node()
     chance = random.Random(1)
     for number in range(3 * templates.MAX_TEMPLATES):
@@ -181,7 +181,7 @@ def test_everything_is_bounded() -> None:
     assert len(used._partners) == compression.MAX_PARTNERS
 
 
-def test_numbers_are_used_again_only_after_a_silence() -> None:
+def test_numbers_are_reused_only_after_a_delay() -> None:
     offers = templates.Offers()
     first = [offers.offer_for(bytes([n]) * 9, 0.0) for n in range(templates.MAX_OFFERS)]
     assert {each.number for each in first if each} == set(range(1, templates.MAX_OFFERS + 1))
@@ -192,7 +192,7 @@ def test_numbers_are_used_again_only_after_a_silence() -> None:
 
 
 @given(st.lists(st.binary(max_size=40), max_size=8), st.sampled_from([b"\x40", b"\x80", b"\xc0"]))
-def test_no_bytes_raise_anything_else(datagrams: list[bytes], flags: bytes) -> None:
+def test_arbitrary_bytes_raise_protocol_errors_only(datagrams: list[bytes], flags: bytes) -> None:
     made = Compression(Counters(logging.getLogger()), lambda port, data: None)
     for rest in datagrams:
         for data in (b"\x02" + flags + rest, b"\x02" + flags + bytes([len(rest) + 1, 0]) + rest[2:]):
@@ -274,7 +274,7 @@ def conversation(cable: Cable, disturb: Callable[[int], None]) -> tuple[list[byt
 
 
 @pytest.mark.parametrize("loss", [0.0, 0.2])
-def test_over_a_bad_network_every_packet_that_arrives_is_one_that_was_sent(loss: float) -> None:
+def test_bad_network_delivers_only_sent_packets(loss: float) -> None:
     cable = Cable(7, loss=loss)
     sent = conversation(cable, lambda _: None)
     for side in range(2):
@@ -284,7 +284,7 @@ def test_over_a_bad_network_every_packet_that_arrives_is_one_that_was_sent(loss:
             assert set(cable.arrived[side]) == set(sent[side])
 
 
-def test_a_restart_in_the_middle_costs_a_few_packets_and_never_a_wrong_one() -> None:
+def test_restart_loses_few_packets_and_corrupts_none() -> None:
     cable = Cable(3, loss=0.0)
 
     def restart(number: int) -> None:

@@ -24,7 +24,7 @@ def pair(network: Any, delivery: Delivery | None = None) -> Any:
     return network
 
 
-def test_a_lost_packet_is_sent_again_with_its_number_after_100_ms(network: Any) -> None:
+def test_lost_packet_is_resent_with_its_number_after_100_ms(network: Any) -> None:
     pair(network)
     network.lose = lambda _: network.now < 0.15
     ticket = network.send(A, B, QUERY, Ack.REQUIRED)
@@ -37,7 +37,7 @@ def test_a_lost_packet_is_sent_again_with_its_number_after_100_ms(network: Any) 
     assert [packet.payload for packet in network.received[B]] == [QUERY]
 
 
-def test_given_up_after_three_resends_and_told(network: Any) -> None:
+def test_failure_is_reported_after_three_resends(network: Any) -> None:
     pair(network)
     network.lose = lambda _: True
     ticket = network.send(A, B, QUERY, Ack.REQUIRED)
@@ -50,7 +50,7 @@ def test_given_up_after_three_resends_and_told(network: Any) -> None:
     assert network.endpoints[A].next_timeout() is None
 
 
-def test_a_lost_ack_makes_no_second_message(network: Any) -> None:
+def test_lost_ack_causes_no_second_message(network: Any) -> None:
     pair(network)
     network.lose = lambda data: judp.unpack(data)[0].ack is Ack.ACK and network.now < 0.25
     ticket = network.send(A, B, QUERY, Ack.REQUIRED)
@@ -61,7 +61,7 @@ def test_a_lost_ack_makes_no_second_message(network: Any) -> None:
     assert network.endpoints[B].counters["sent.ack"] == 4
 
 
-def test_a_nak_has_it_sent_again_at_once() -> None:
+def test_nak_causes_an_immediate_resend() -> None:
     endpoint = Endpoint(A, first_sequence=9)
     endpoint.send(B, QUERY, ack=Ack.REQUIRED, now=0.0)
     (first,) = endpoint.poll_output()
@@ -74,7 +74,7 @@ def test_a_nak_has_it_sent_again_at_once() -> None:
     assert endpoint.next_outcome() == (1, False, B)
 
 
-def test_an_ack_of_somebody_else_or_of_another_number_does_not_count() -> None:
+def test_ack_with_other_source_or_number_is_ignored() -> None:
     endpoint = Endpoint(A, first_sequence=9)
     endpoint.send(B, QUERY, ack=Ack.REQUIRED, now=0.0)
     for packet in (Packet(FAR, A, b"", 9, ack=Ack.ACK), Packet(B, A, b"", 10, ack=Ack.ACK)):
@@ -84,13 +84,13 @@ def test_an_ack_of_somebody_else_or_of_another_number_does_not_count() -> None:
     assert endpoint.next_outcome() == (1, True, None)
 
 
-def test_broadcasts_ask_for_no_ack_and_have_no_ticket() -> None:
+def test_broadcasts_request_no_ack_and_have_no_ticket() -> None:
     endpoint = Endpoint(A, first_sequence=9)
     assert endpoint.send(EVERYONE, QUERY, ack=Ack.REQUIRED, now=0.0) is None
     assert endpoint.next_timeout() is None
 
 
-def test_what_is_under_way_is_bounded() -> None:
+def test_pending_messages_are_bounded() -> None:
     endpoint = Endpoint(A, first_sequence=9)
     for _ in range(transfers.MAX_TRANSFERS):
         endpoint.send(B, QUERY, ack=Ack.REQUIRED, now=0.0)
@@ -99,7 +99,7 @@ def test_what_is_under_way_is_bounded() -> None:
     endpoint.send(B, QUERY, now=0.0)
 
 
-def test_a_full_component_does_not_acknowledge_what_it_cannot_keep() -> None:
+def test_full_component_does_not_acknowledge() -> None:
     endpoint = Endpoint(B, first_sequence=9)
     for number in range(MAX_QUEUED):
         endpoint.receive(judp.pack(Packet(A, B, QUERY, number)), 0.0)
@@ -113,7 +113,7 @@ def test_a_full_component_does_not_acknowledge_what_it_cannot_keep() -> None:
 
 
 @pytest.mark.parametrize("ack", [Ack.NONE, Ack.REQUIRED])
-def test_a_restarted_peer_is_heard_from_its_first_message(network: Any, ack: Ack) -> None:
+def test_restarted_peer_is_received_from_its_first_message(network: Any, ack: Ack) -> None:
     """The widespread node manager's library drops these as duplicates, and acknowledges them."""
     pair(network)
     conversation = [bytes([0x0D, 0, number]) for number in range(20)]
@@ -125,7 +125,7 @@ def test_a_restarted_peer_is_heard_from_its_first_message(network: Any, ack: Ack
     assert [each.payload for each in network.received[B]] == conversation + conversation[1:] + conversation[2:]
 
 
-def test_equal_messages_with_numbers_of_their_own_are_all_heard(network: Any) -> None:
+def test_equal_messages_with_different_numbers_are_all_received(network: Any) -> None:
     pair(network)
     for _ in range(100):
         network.send(A, B, QUERY)
@@ -133,7 +133,7 @@ def test_equal_messages_with_numbers_of_their_own_are_all_heard(network: Any) ->
     assert len(network.received[B]) == 100
 
 
-def test_what_the_network_doubles_arrives_once(bad_network: Callable[..., Any]) -> None:
+def test_network_duplicates_arrive_once(bad_network: Callable[..., Any]) -> None:
     network = pair(bad_network(twice=1.0))
     network.send(A, B, QUERY)
     network.send(A, B, bytes(MAX_PAYLOAD + 1))
@@ -156,7 +156,7 @@ def test_small_messages_that_overtake_a_large_one_arrive_once(network: Any) -> N
     assert network.endpoints[B].counters["dropped.duplicate"] > 0
 
 
-def test_equal_packets_of_subsystems_100_and_356_are_two() -> None:
+def test_equal_packets_of_subsystems_100_and_356_are_distinct() -> None:
     """Their ids differ in one byte only, which is not looked at everywhere."""
     endpoint = Endpoint(B, first_sequence=1)
     for subsystem in (100, 356):
@@ -165,7 +165,7 @@ def test_equal_packets_of_subsystems_100_and_356_are_two() -> None:
         assert endpoint.next_event() == packet
 
 
-def test_a_peer_that_never_counts_is_heard() -> None:
+def test_peer_without_sequence_numbers_is_received() -> None:
     endpoint = Endpoint(B, first_sequence=9)
     for step in range(10):
         endpoint.receive(judp.pack(Packet(A, B, QUERY, 0)), step / 10)
@@ -180,7 +180,7 @@ def test_a_peer_that_never_counts_is_heard() -> None:
     delay=st.floats(0.0005, 0.15),
     sizes=st.lists(st.integers(2, 5 * MAX_PAYLOAD), min_size=1, max_size=12),
 )
-def test_each_message_arrives_at_most_once_and_whoever_was_told_so_is_right(
+def test_messages_arrive_at_most_once_and_outcomes_are_right(
     bad_network: Callable[..., Any], *, seed: int, loss: float, twice: float, delay: float, sizes: list[int]
 ) -> None:
     network = pair(bad_network(seed, loss=loss, twice=twice, delay=delay))
@@ -200,7 +200,7 @@ def test_each_message_arrives_at_most_once_and_whoever_was_told_so_is_right(
 
 @settings(max_examples=20, deadline=None)
 @given(st.integers(0, 1 << 32), st.lists(st.integers(2, 3 * MAX_PAYLOAD), min_size=1, max_size=10))
-def test_without_loss_everything_arrives_in_any_order_of_packets(
+def test_all_messages_arrive_in_any_order_without_loss(
     bad_network: Callable[..., Any], seed: int, sizes: list[int]
 ) -> None:
     network = pair(bad_network(seed, twice=0.3, delay=0.004))
@@ -222,6 +222,6 @@ def test_without_loss_everything_arrives_in_any_order_of_packets(
         {"fragment_timeout": -1},
     ],
 )
-def test_settings_that_make_no_sense(wrong: dict[str, Any]) -> None:
+def test_invalid_settings_are_rejected(wrong: dict[str, Any]) -> None:
     with pytest.raises(ConfigError, match="delivery"):
         Delivery(**wrong)

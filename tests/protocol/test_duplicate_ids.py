@@ -40,7 +40,7 @@ def test_a_dead_components_id_is_free_for_another_socket() -> None:
     assert node.poll_output() == [(ELSEWHERE, TO_B)]
 
 
-def test_a_living_components_id_is_not_free() -> None:
+def test_id_of_a_live_component_is_in_use() -> None:
     node = core(PATH_A)
     node.receive(FROM_B, REMOTE, 0.0)
     node.receive(FROM_B, ELSEWHERE, 0.0)
@@ -48,7 +48,7 @@ def test_a_living_components_id_is_not_free() -> None:
     assert (node.counters["dropped.hijack"], node.counters["dropped.duplicate_id"]) == (1, 1)
 
 
-def test_nobody_is_looked_after_while_everybody_speaks_for_himself() -> None:
+def test_liveness_is_checked_only_for_conflicts() -> None:
     asked: list[str] = []
 
     def is_dead(path: str) -> bool:

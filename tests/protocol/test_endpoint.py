@@ -33,7 +33,7 @@ def test_a_wildcard_destination_is_a_global_broadcast_without_acknowledgement() 
     ]
 
 
-def test_acknowledges_what_asks_for_it_with_the_same_number_and_priority() -> None:
+def test_requested_acks_have_the_same_number_and_priority() -> None:
     endpoint = Endpoint(US, first_sequence=1)
     endpoint.receive(judp.pack(Packet(PEER, US, bytes(10), 1, Priority.HIGH, ack=Ack.REQUIRED)), 0.0)
     assert sent(endpoint) == [Packet(US, PEER, b"", 1, Priority.HIGH, ack=Ack.ACK)]
@@ -60,7 +60,7 @@ def test_broadcasts_are_not_acknowledged() -> None:
         (b"\x07rubbish", "dropped.malformed.version"),
     ],
 )
-def test_what_is_not_handed_up_is_counted(datagram: bytes, counter: str) -> None:
+def test_unread_messages_are_counted(datagram: bytes, counter: str) -> None:
     endpoint = Endpoint(US, first_sequence=1)
     endpoint.receive(datagram, 0.0)
     assert endpoint.next_event() is None
@@ -79,7 +79,7 @@ def test_queues_are_bounded() -> None:
     assert event.sequence == 3
 
 
-def test_a_message_that_is_larger_than_allowed() -> None:
+def test_oversized_message_is_rejected() -> None:
     with pytest.raises(ProtocolError, match="1048576"):
         Endpoint(US, first_sequence=1).send(PEER, bytes(1048577), now=0.0)
 
@@ -89,7 +89,7 @@ def test_a_broadcast_must_fit_one_packet() -> None:
         Endpoint(US, first_sequence=1).send(EVERYONE, bytes(4080), now=0.0)
 
 
-def test_without_an_id_of_its_own_it_hears_broadcasts() -> None:
+def test_endpoint_without_id_receives_broadcasts() -> None:
     endpoint = Endpoint(JausID(0, 0, 101), first_sequence=1)
     endpoint.receive(judp.pack(Packet(PEER, JausID(100, 255, 255), b"\x02\x20")), 0.0)
     assert endpoint.next_event() is not None

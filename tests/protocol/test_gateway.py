@@ -40,7 +40,7 @@ def core() -> Router:
     return core
 
 
-def test_unicast_crosses_both_ways_as_it_came(core: Router) -> None:
+def test_unicast_crosses_both_ways_unchanged(core: Router) -> None:
     query, report = message(OCU, MOB), message(MOB, OCU)
     assert after(core, query, OCU_PORT) == [(MOB_PORT, query)]
     assert after(core, report, MOB_PORT) == [(OCU_PORT, report)]
@@ -64,7 +64,7 @@ def test_broadcasts_cross_both_ways(core: Router) -> None:
     ],
     ids=["for the subsystem itself", "local broadcast", "of another subsystem"],
 )
-def test_what_does_not_leave_the_subsystem(
+def test_packets_that_do_not_leave_the_subsystem(
     core: Router, source: JausID, destination: JausID, fields: dict[str, object]
 ) -> None:
     assert after(core, message(source, destination, **fields), MOB_PORT) == []
@@ -78,18 +78,18 @@ def test_what_does_not_leave_the_subsystem(
         (MAN, EVERYONE, "own_id_outside"),
     ],
 )
-def test_what_does_not_enter(core: Router, source: JausID, destination: JausID, reason: str) -> None:
+def test_packets_that_do_not_enter(core: Router, source: JausID, destination: JausID, reason: str) -> None:
     assert after(core, message(source, destination), OCU_PORT) == []
     assert core.counters[f"dropped.gateway.{reason}"] == 1
 
 
-def test_an_id_that_is_known_inside_cannot_be_taken_from_outside(core: Router) -> None:
+def test_inside_id_cannot_be_used_from_outside(core: Router) -> None:
     assert after(core, message(MOB, EVERYONE, 2), OCU_PORT) == []
     assert after(core, message(OCU, MOB, 3), OCU_PORT) == [(MOB_PORT, message(OCU, MOB, 3))]
     assert core.counters["dropped.address_mismatch"] == 1
 
 
-def test_an_unknown_module_is_asked_for_inside_only(core: Router) -> None:
+def test_unknown_module_is_probed_inside_only(core: Router) -> None:
     asking = message(OCU, MAN, ack=Ack.REQUIRED)
     assert after(core, message(OCU, MAN), OCU_PORT) == [(VEHICLE, asking)]
     assert after(core, message(OCU, MAN, 2), OCU_PORT) == []
@@ -101,13 +101,13 @@ def test_an_unknown_module_is_asked_for_inside_only(core: Router) -> None:
     assert after(core, answer, there, 1.2) == [(there, message(OCU, MAN, 3)), (OCU_PORT, answer)]
 
 
-def test_an_unknown_ocu_is_asked_for_outside_only(core: Router) -> None:
+def test_unknown_ocu_is_probed_outside_only(core: Router) -> None:
     far = JausID(43, 1, 1)
     asking = message(MOB, far, ack=Ack.REQUIRED)
     assert after(core, message(MOB, far), MOB_PORT) == [(LAN, asking)]
 
 
-def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: Router) -> None:
+def test_resend_while_the_module_is_unknown_is_no_echo(core: Router) -> None:
     asking = message(OCU, MAN, ack=Ack.REQUIRED)
     assert after(core, asking, OCU_PORT) == [(VEHICLE, asking)]
     assert after(core, asking, OCU_PORT, 0.1) == []
@@ -115,7 +115,7 @@ def test_a_retransmission_while_the_module_is_unknown_is_no_echo(core: Router) -
     assert core.pending_messages == 1
 
 
-def test_a_module_that_asks_its_own_network_gets_no_echo(core: Router) -> None:
+def test_module_gets_no_echo_from_its_own_network(core: Router) -> None:
     """The destination is on the same network and answers by itself."""
     assert after(core, message(MOB, MAN, ack=Ack.REQUIRED), MOB_PORT) == []
 
@@ -136,7 +136,7 @@ def test_local_components_reach_all_networks_of_their_node_manager(core: Router)
 # --- rules -----------------------------------------------------------------------------------------------------------
 
 
-def test_the_first_rule_that_matches_decides_and_the_rest_is_refused() -> None:
+def test_first_matching_rule_decides_and_others_are_refused() -> None:
     core = gateway(
         GatewayRule(allow=False, source=JausID(42, 255, 255), messages=(range(0x0405, 0x0406),)),
         GatewayRule(allow=True, source=JausID(42, 255, 255), destination=JausID(101, 255, 255)),
@@ -156,7 +156,7 @@ def test_rules_protect_the_components_of_the_same_machine() -> None:
     assert after(core, message(OCU, LOCAL), OCU_PORT) == [(HERE, message(OCU, LOCAL))]
 
 
-def test_a_rule_allows_so_many_per_second_and_source() -> None:
+def test_rule_limits_the_rate_per_source() -> None:
     core = gateway(GatewayRule(allow=True, rate=10.0))
     after(core, message(MOB, OCU), MOB_PORT)
     passed = sum(len(after(core, message(OCU, MOB, n), OCU_PORT, n / 100)) for n in range(200))
@@ -164,14 +164,14 @@ def test_a_rule_allows_so_many_per_second_and_source() -> None:
     assert core.counters["dropped.gateway.rule_rate"] == 200 - passed
 
 
-def test_a_rule_for_a_network_inside_limits_what_leaves_it() -> None:
+def test_rule_for_an_inside_network_filters_leaving_packets() -> None:
     core = gateway(GatewayRule(allow=False, network="vehicle", messages=(range(0x2002, 0x2003),)))
     after(core, message(OCU, EVERYONE), OCU_PORT)
     assert after(core, message(MOB, OCU), MOB_PORT) == []
     assert len(after(core, message(MOB, OCU, code=0x4002), MOB_PORT)) == 1
 
 
-def test_fragments_follow_the_first_of_them() -> None:
+def test_fragments_follow_the_decision_for_the_first() -> None:
     core = gateway(GatewayRule(allow=True, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     for code, passes in ((0x0405, True), (0x2002, False)):
@@ -181,7 +181,7 @@ def test_fragments_follow_the_first_of_them() -> None:
             assert bool(after(core, data, OCU_PORT)) is passes
 
 
-def test_the_first_fragment_opens_the_way_for_a_while_only() -> None:
+def test_decision_for_the_first_fragment_expires() -> None:
     core = gateway(GatewayRule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     assert after(core, message(OCU, MOB, 1, 0x0405, data_flag=DataFlag.FIRST), OCU_PORT)
@@ -191,7 +191,7 @@ def test_the_first_fragment_opens_the_way_for_a_while_only() -> None:
     assert not after(core, message(OCU, MOB, 4, data_flag=DataFlag.LAST), OCU_PORT, 2 * late + rules.FRAGMENT_TIMEOUT)
 
 
-def test_acknowledgements_pass_where_a_message_may() -> None:
+def test_acknowledgements_pass_where_messages_may() -> None:
     core = gateway(GatewayRule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)
     assert len(after(core, judp.pack(Packet(OCU, MOB, b"", 1, ack=Ack.ACK)), OCU_PORT)) == 1
@@ -234,7 +234,7 @@ def test_two_gateways_between_the_same_networks_send_each_broadcast_once() -> No
     assert sorted(ring.crossings) == [("10.9.0.1", "lan", answer), ("10.9.0.2", "lan", answer)]
 
 
-def test_a_ring_of_three_networks_comes_to_rest() -> None:
+def test_broadcast_in_a_ring_of_networks_ends() -> None:
     """With the address check off, so that only the memory of what was relayed stops it."""
     ring = Ring(("lan", "a", "b"), ("lan", "b", "c"), ("lan", "c", "a"))
     for core in ring.gateways.values():
@@ -245,7 +245,7 @@ def test_a_ring_of_three_networks_comes_to_rest() -> None:
     assert all(sent == data for _, _, sent in ring.crossings)
 
 
-def test_unicast_in_a_ring_comes_to_rest() -> None:
+def test_unicast_in_a_ring_of_networks_ends() -> None:
     ring = Ring(("lan", "vehicle"), ("lan", "vehicle"))
     ring.hear(message(OCU, MAN), OCU_PORT)
     assert len(ring.crossings) <= 2

@@ -39,12 +39,12 @@ SEEN = [
 
 
 @pytest.mark.parametrize(("text", "packet"), SEEN)
-def test_packets_seen_on_real_networks(text: str, packet: Packet) -> None:
+def test_captured_packets_are_parsed(text: str, packet: Packet) -> None:
     assert judp.unpack(bytes.fromhex(text)) == [packet]
     assert judp.pack(packet).hex() == text
 
 
-def test_packed_datagram_gives_every_packet() -> None:
+def test_packed_datagram_gives_all_packets() -> None:
     data = bytes.fromhex("0200100001020164000101c8000a0b060000110001010164000101c8000c0d0e0700")
     assert [(str(p.destination), p.payload.hex(), p.sequence) for p in judp.unpack(data)] == [
         ("100.1.2", "0a0b", 6),
@@ -52,13 +52,13 @@ def test_packed_datagram_gives_every_packet() -> None:
     ]
 
 
-def test_what_follows_a_whole_packet_does_not_hide_it() -> None:
+def test_garbage_after_a_packet_does_not_hide_it() -> None:
     packets, errors = judp.unpack_all(bytes.fromhex(SEEN[0][0]) + b"\0\1\2")
     assert packets == [SEEN[0][1]]
     assert [error.reason for error in errors] == ["truncated"]
 
 
-def test_control_byte_ff_of_a_faulty_peer_passes() -> None:
+def test_control_byte_ff_is_accepted() -> None:
     (packet,) = judp.unpack(bytes.fromhex("02001200ff0101650009016400000102030100"))
     assert (packet.priority, packet.broadcast, packet.ack, packet.data_flag) == (
         Priority.SAFETY_CRITICAL,
@@ -69,7 +69,7 @@ def test_control_byte_ff_of_a_faulty_peer_passes() -> None:
     assert packet.payload.hex() == "00010203"
 
 
-def test_proposed_compression_is_read_past() -> None:
+def test_proposal_of_compression_is_skipped() -> None:
     plain = bytes.fromhex(SEEN[1][0])
     size = (int.from_bytes(plain[2:4], "little") + 2).to_bytes(2, "little")
     proposed = plain[:1] + b"\x40" + size + b"\x07\x0c" + plain[4:]
@@ -118,19 +118,19 @@ def test_round_trip(packet: Packet) -> None:
 
 
 @given(st.binary(max_size=100))
-def test_no_bytes_raise_anything_else(data: bytes) -> None:
+def test_arbitrary_bytes_raise_protocol_errors_only(data: bytes) -> None:
     found, errors = judp.unpack_all(data)
     assert found or errors
 
 
 @given(packets, st.integers(0, 100))
-def test_every_truncation_is_noticed(packet: Packet, cut: int) -> None:
+def test_all_truncations_are_detected(packet: Packet, cut: int) -> None:
     data = judp.pack(packet)
     found, errors = judp.unpack_all(data[: max(0, len(data) - 1 - cut)])
     assert not found
     assert errors
 
 
-def test_a_payload_that_no_packet_can_carry() -> None:
+def test_oversized_payload_is_rejected() -> None:
     with pytest.raises(ProtocolError, match="65530 bytes"):
         header.pack(Packet(A, B, bytes(65530)))

@@ -16,19 +16,19 @@ SEEN = {
 
 
 @pytest.mark.parametrize("kind", SEEN)
-def test_bytes(kind: junior.ControlKind) -> None:
+def test_control_messages_have_the_captured_bytes(kind: junior.ControlKind) -> None:
     make = {"CONNECT": junior.connect, "ACCEPT": junior.accept, "CANCEL": junior.cancel}[kind.name]
     assert make(ID).hex() == SEEN[kind]
     assert junior.parse(make(ID)) == junior.Control(kind, ID)
 
 
 @given(st.binary(max_size=40))
-def test_anything_else_is_none_or_a_control_message(data: bytes) -> None:
+def test_other_bytes_give_none_or_a_control_message(data: bytes) -> None:
     assert junior.parse(data) is None or data[0] == 1
 
 
 @pytest.mark.parametrize("at", [0, 4, 6, 7, 17])
-def test_a_wrong_byte_makes_it_something_else(at: int) -> None:
+def test_changed_byte_is_no_control_message(at: int) -> None:
     data = bytearray(junior.connect(ID))
     data[at] ^= 0x40
     assert junior.parse(data) is None

@@ -29,7 +29,7 @@ def message(endpoint: Endpoint) -> bytes | None:
 
 
 @pytest.mark.parametrize(("ack", "controls"), [(Ack.NONE, "4181c1"), (Ack.REQUIRED, "5191d1")])
-def test_the_pieces_are_those_seen_on_the_wire(ack: Ack, controls: str) -> None:
+def test_fragments_match_the_capture(ack: Ack, controls: str) -> None:
     endpoint = Endpoint(A, first_sequence=0xFFFF)
     endpoint.send(B, bytes(number & 0xFF for number in range(10000)), ack=ack, now=0.0)
     out = endpoint.poll_output()
@@ -39,7 +39,7 @@ def test_the_pieces_are_those_seen_on_the_wire(ack: Ack, controls: str) -> None:
     assert out[1].hex().startswith(f"0200fd0f{controls[2:4]}0101650004016400eff0f1")
 
 
-def test_pieces_wait_while_there_is_no_room_for_them() -> None:
+def test_fragments_wait_while_the_transport_is_congested() -> None:
     endpoint = Endpoint(A, first_sequence=1)
     endpoint.send(B, bytes(40 * MAX_PAYLOAD), now=0.0)
     assert len(endpoint.poll_output()) == FRAGMENTS_PER_BURST
@@ -51,7 +51,7 @@ def test_pieces_wait_while_there_is_no_room_for_them() -> None:
         assert len(endpoint.poll_output()) == count
 
 
-def test_while_nothing_gets_out_the_oldest_give_way_to_what_is_newer() -> None:
+def test_congestion_drops_the_oldest_unreliable_messages() -> None:
     endpoint = Endpoint(A, first_sequence=1, delivery=Delivery(total_memory=100_000))
     endpoint.send(B, bytes(80_000), now=0.0)
     with pytest.raises(ProtocolError, match="too_much_under_way"):
@@ -67,7 +67,7 @@ def test_while_nothing_gets_out_the_oldest_give_way_to_what_is_newer() -> None:
 
 @settings(max_examples=60, deadline=None)
 @given(st.data())
-def test_any_order_with_doubles_gives_the_message_once(data: st.DataObject) -> None:
+def test_fragments_in_any_order_with_duplicates_give_one_message(data: st.DataObject) -> None:
     payload = bytes(range(256)) * data.draw(st.integers(17, 120))
     parts = pieces(payload, data.draw(st.integers(0, 0xFFFF)), ack=data.draw(st.sampled_from([Ack.NONE, Ack.REQUIRED])))
     order = data.draw(st.permutations(parts + parts[: data.draw(st.integers(0, 3))]))
@@ -80,7 +80,7 @@ def test_any_order_with_doubles_gives_the_message_once(data: st.DataObject) -> N
     assert endpoint._reassembly.memory == 0
 
 
-def test_messages_of_several_sources_do_not_mix() -> None:
+def test_messages_of_several_sources_are_separate() -> None:
     endpoint = Endpoint(B, first_sequence=1)
     sources = [JausID(100, 1, number) for number in range(1, 6)]
     payloads = [bytes([number]) * 9000 for number in range(5)]
@@ -90,7 +90,7 @@ def test_messages_of_several_sources_do_not_mix() -> None:
     assert [message(endpoint) for _ in sources] == payloads
 
 
-def test_two_messages_one_after_the_other_do_not_grow_together() -> None:
+def test_consecutive_messages_are_separate() -> None:
     endpoint = Endpoint(B, first_sequence=1)
     first, second = b"a" * 9000, b"b" * 9000
     for part in reversed(pieces(first, 10) + pieces(second, 13)):
@@ -98,7 +98,7 @@ def test_two_messages_one_after_the_other_do_not_grow_together() -> None:
     assert [message(endpoint), message(endpoint)] == [second, first]
 
 
-def test_missing_pieces_are_waited_for_three_seconds() -> None:
+def test_missing_fragments_expire_after_three_seconds() -> None:
     endpoint = Endpoint(B, first_sequence=1)
     first, middle, last = pieces(bytes(10000))
     endpoint.receive(first, 0.0)
@@ -116,7 +116,7 @@ def test_missing_pieces_are_waited_for_three_seconds() -> None:
     assert endpoint._reassembly.memory == 0
 
 
-def test_a_sender_that_starts_again_at_the_same_number_after_a_loss() -> None:
+def test_restarted_sender_with_the_same_numbers_is_received() -> None:
     endpoint = Endpoint(B, first_sequence=1)
     for part in pieces(b"\x01" * 10000, 0)[:2]:
         endpoint.receive(part, 0.0)
@@ -142,7 +142,7 @@ def test_memory_is_bounded_per_source_and_the_newest_message_wins() -> None:
     assert endpoint.counters["dropped.large_message.no_memory"] > 20
 
 
-def test_memory_is_bounded_in_total_and_the_greedy_pay() -> None:
+def test_memory_is_bounded_in_total_and_the_largest_source_loses() -> None:
     endpoint = Endpoint(B, first_sequence=1, delivery=Delivery(max_message=40_000, total_memory=100_000))
     start, *rest = pieces(b"m" * 10_000, 5, source=JausID(1, 1, 1))
     endpoint.receive(start, 0.0)
@@ -161,7 +161,7 @@ def test_the_number_of_sources_is_bounded() -> None:
     assert endpoint.counters["dropped.large_message.no_memory"] == 20
 
 
-def test_what_does_not_fit_is_not_acknowledged(network: Any) -> None:
+def test_oversized_message_is_not_acknowledged(network: Any) -> None:
     network.add(A, 1, Delivery(max_message=100_000))
     network.add(B, 1, Delivery(max_message=50_000))
     ticket = network.send(A, B, bytes(60_000), Ack.REQUIRED)
@@ -171,7 +171,7 @@ def test_what_does_not_fit_is_not_acknowledged(network: Any) -> None:
     assert network.endpoints[B].counters["dropped.large_message.too_large"] == 4
 
 
-def test_full_memory_of_promised_messages_is_not_given_to_others() -> None:
+def test_memory_of_acknowledged_fragments_is_not_reused() -> None:
     endpoint = Endpoint(B, first_sequence=1, delivery=Delivery(max_message=12_000, source_memory=14_000))
     first, *_ = pieces(b"a" * 10_000, 1, ack=Ack.REQUIRED)
     endpoint.receive(first, 0.0)

@@ -23,7 +23,7 @@ def v1(body: bytes) -> bytes:
     return b"\x01\0\0" + len(body).to_bytes(2, "big") + body
 
 
-def test_version_1_from_the_wire() -> None:
+def test_captured_version_1_is_parsed() -> None:
     (packet,) = legacy.parse(V1)
     assert (packet.version, packet.code) == (LegacyVersion.V1, 0x1234)
     assert (packet.raw.destination, packet.raw.source) == (0x00650101, 0x00640108)
@@ -31,7 +31,7 @@ def test_version_1_from_the_wire() -> None:
     assert packet.as_datagram(LegacyVersion.V1) == V1
 
 
-def test_opc_from_the_wire_and_over_to_version_1() -> None:
+def test_captured_opc_is_converted_to_version_1() -> None:
     (packet,) = legacy.parse(OPC)
     assert (packet.version, packet.payload.hex()) == (LegacyVersion.OPC, "0102")
     assert packet.as_datagram(LegacyVersion.OPC) == OPC
@@ -40,7 +40,7 @@ def test_opc_from_the_wire_and_over_to_version_1() -> None:
     assert (heartbeat.code, heartbeat.raw.source) == (0x4202, 0x82010101)
 
 
-def test_without_a_command_code_it_is_a_current_packet() -> None:
+def test_packet_without_command_code_is_converted() -> None:
     (packet,) = legacy.parse(v1(ra(properties=0x19)))
     assert judp.unpack(packet.as_current()) == [
         Packet(JausID(100, 1, 8), JausID(101, 1, 1), b"\x02\x20", 1, Priority.HIGH, ack=Ack.REQUIRED)
@@ -51,7 +51,7 @@ def test_without_a_command_code_it_is_a_current_packet() -> None:
     ("control", "flag"),
     [(0, DataFlag.SINGLE), (1, DataFlag.FIRST), (2, DataFlag.MIDDLE), (4, DataFlag.MIDDLE), (8, DataFlag.LAST)],
 )
-def test_pieces_of_large_messages(control: int, flag: DataFlag) -> None:
+def test_fragments_are_mapped(control: int, flag: DataFlag) -> None:
     (packet,) = legacy.parse(v1(ra(size=2 | control << 12)))
     assert judp.unpack(packet.as_current())[0].data_flag is flag
 
@@ -81,14 +81,14 @@ def test_several_packets_in_one_datagram() -> None:
         (b"JAUS01.0\x06", "truncated"),
     ],
 )
-def test_malformed(data: bytes, reason: str) -> None:
+def test_malformed_legacy_packets_are_rejected(data: bytes, reason: str) -> None:
     with pytest.raises(ProtocolError) as caught:
         legacy.parse(data)
     assert caught.value.reason == reason
 
 
 @given(st.sampled_from([b"\x01", b"\x01\0\0\0\x10\x06\x02", b"JAUS01.0", b"JAUS01.0\x06\x02"]), st.binary(max_size=60))
-def test_no_bytes_raise_anything_else(start: bytes, rest: bytes) -> None:
+def test_arbitrary_bytes_raise_protocol_errors_only(start: bytes, rest: bytes) -> None:
     try:
         packets = legacy.parse(start + rest)
     except ProtocolError:

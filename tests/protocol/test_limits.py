@@ -43,7 +43,7 @@ def query(number: int, priority: Priority = Priority.STANDARD) -> bytes:
     return judp.pack(Packet(FAR, HERE, b"\x02\x20", number, priority))
 
 
-def test_a_bucket_gives_a_burst_and_then_its_rate() -> None:
+def test_token_bucket_allows_a_burst_and_then_its_rate() -> None:
     bucket = TokenBuckets(10.0, 5.0)
     assert sum(bucket.take("a", 0.0) for _ in range(20)) == 5
     assert sum(bucket.take("a", 1.0 + n / 100) for n in range(200)) in (24, 25)
@@ -57,7 +57,7 @@ def test_the_number_of_buckets_is_bounded() -> None:
     assert len(bucket) == buckets.MAX_TOKEN_BUCKETS
 
 
-def test_a_flood_of_one_source_leaves_its_safety_critical_messages_and_others_alone() -> None:
+def test_rate_limit_spares_safety_critical_messages_and_other_sources() -> None:
     node = core(rate=100.0, burst=10.0)
     assert sum(received(node, query(n)) for n in range(1000)) == 10
     assert node.counters["dropped.rate"] == 990
@@ -65,14 +65,14 @@ def test_a_flood_of_one_source_leaves_its_safety_critical_messages_and_others_al
     assert received(node, judp.pack(Packet(JausID(43, 1, 1), HERE, b"\x02\x20"))) == 1
 
 
-def test_the_rate_holds_for_components_too() -> None:
+def test_rate_limit_applies_to_components() -> None:
     node = core(rate=100.0, burst=10.0)
     for n in range(50):
         node.receive(judp.pack(Packet(HERE, HERE, b"\0\0", n)), PORT, 0.0)
     assert len(node.poll_output()) == 10
 
 
-def test_an_id_keeps_its_host_until_it_was_silent() -> None:
+def test_id_keeps_its_host_until_it_is_silent() -> None:
     node = core()
     assert received(node, query(1)) == 1
     assert received(node, query(2), "10.0.0.66", 5.0) == 0
@@ -81,7 +81,7 @@ def test_an_id_keeps_its_host_until_it_was_silent() -> None:
     assert received(node, query(4), "10.0.0.66", 10.0 + sources.MOVE_TIMEOUT) == 1
 
 
-def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
+def test_forged_ids_of_a_host_displace_only_its_own() -> None:
     """Neither where they are to be heard, nor where they are reached."""
     node = core()
     node.receive(query(1), UdpPort("10.0.0.1", 3794), 0.0)
@@ -97,7 +97,7 @@ def test_a_host_that_makes_up_ids_makes_nobody_elses_be_forgotten() -> None:
     assert node.poll_output() == [(UdpPort("10.0.0.1", 3794), answer)]
 
 
-def test_ids_of_one_host_are_bounded_the_one_heard_longest_ago_goes_first() -> None:
+def test_ids_of_a_host_are_bounded_and_the_oldest_is_dropped() -> None:
     places, port, other = LearnedAddresses(limit=4, per_host=2), UdpPort("10.0.0.1", 3794), UdpPort("10.0.0.2", 3794)
     for now, id in enumerate((1, 2, 1, 3)):
         places.set(id, port, float(now))
@@ -111,7 +111,7 @@ def test_ids_of_one_host_are_bounded_the_one_heard_longest_ago_goes_first() -> N
     assert places.get(4) is None
 
 
-def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_counted(
+def test_duplicate_ids_are_logged_once_and_counted(
     caplog: pytest.LogCaptureFixture,
 ) -> None:
     node = core()
@@ -125,7 +125,7 @@ def test_whoever_uses_an_id_twice_is_told_once_and_a_flood_of_them_is_only_count
     assert node.counters["dropped.hijack"] == 2000
 
 
-def test_components_by_udp_leave_places_for_those_with_a_socket() -> None:
+def test_udp_components_leave_room_for_local_ones() -> None:
     node = Router("/root")
     for number in range(component_ports.MAX_UDP_COMPONENTS + 10):
         id = JausID(7, 1 + number // 200, 1 + number % 200)
@@ -139,18 +139,18 @@ def test_components_by_udp_leave_places_for_those_with_a_socket() -> None:
     assert int(JausID(9, 1, 1)) in node.components
 
 
-def test_the_check_of_addresses_can_be_switched_off() -> None:
+def test_address_check_can_be_disabled() -> None:
     node = core(check_address=False)
     assert [received(node, query(n), f"10.0.0.{n}") for n in (1, 2)] == [1, 1]
 
 
 @pytest.mark.parametrize("priority", list(Priority))
-def test_the_priority_is_seen_before_the_packet_is_checked(priority: Priority) -> None:
+def test_priority_is_read_from_unchecked_packets(priority: Priority) -> None:
     assert judp.peek_priority(query(1, priority)) == priority
     assert judp.peek_priority(b"12" + query(1, priority), 2) == priority
 
 
-def test_what_is_no_packet_has_no_priority() -> None:
+def test_garbage_has_the_lowest_priority() -> None:
     assert [judp.peek_priority(data) for data in (b"", b"\x02", b"\x02\x00\xff\xff\xff", bytes(100))] == [0] * 4
 
 
@@ -179,7 +179,7 @@ def test_a_signature_is_accepted_once() -> None:
     assert verified(receiver, data) == "replayed"
 
 
-def test_datagrams_may_overtake_each_other_within_the_window() -> None:
+def test_reordering_within_the_replay_window_is_accepted() -> None:
     sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
     sent = [sender.sign(query(n), 1000.0) for n in range(REPLAY_WINDOW + 2)]
     assert verified(receiver, sent[5]) == "good"
@@ -193,14 +193,14 @@ def test_datagrams_may_overtake_each_other_within_the_window() -> None:
     ]
 
 
-def test_whatever_is_changed_is_noticed() -> None:
+def test_all_changes_of_a_signed_datagram_are_detected() -> None:
     data = Authenticator(KEY, 1).sign(query(1), 1000.0)
     for at in range(len(data)):
         changed = data[:at] + bytes([data[at] ^ 1]) + data[at + 1 :]
         assert verified(Authenticator(KEY, 2), changed) in ("forged", "unauthenticated")
 
 
-def test_other_keys_plain_packets_old_ones_and_our_own_are_refused() -> None:
+def test_other_keys_unsigned_stale_and_own_datagrams_are_rejected() -> None:
     sender, receiver = Authenticator(KEY, 1), Authenticator(KEY, 2)
     assert verified(receiver, Authenticator(KEY + b"!", 1).sign(query(1), 1000.0)) == "forged"
     assert verified(receiver, query(1)) == "unauthenticated"

@@ -49,12 +49,12 @@ def test_any_message_registers_its_sender() -> None:
     assert after(core, message(B, A), port(B)) == [(port(A), message(B, A))]
 
 
-def test_a_sender_without_a_socket_name_is_answered_at_its_usual_path() -> None:
+def test_sender_without_socket_name_is_answered_at_its_path() -> None:
     core = Router("/root/")
     assert after(core, junior.connect(A), LocalPort("")) == [(port(A), junior.accept(A))]
 
 
-def test_a_second_socket_with_the_same_id_is_not_heard_until_it_connects(node: Router) -> None:
+def test_second_socket_with_the_same_id_is_ignored_until_it_connects(node: Router) -> None:
     other = LocalPort("/root/other")
     assert after(node, message(B, A), other) == []
     assert node.counters["dropped.duplicate_id"] == 1
@@ -63,7 +63,7 @@ def test_a_second_socket_with_the_same_id_is_not_heard_until_it_connects(node: R
     assert after(node, message(A, B), port(A)) == [(other, message(A, B))]
 
 
-def test_unicast_to_oneself_comes_back(node: Router) -> None:
+def test_unicast_to_the_own_id_is_delivered(node: Router) -> None:
     assert after(node, message(A, A), port(A)) == [(port(A), message(A, A))]
 
 
@@ -72,29 +72,29 @@ def test_after_cancel_a_component_is_unknown(node: Router) -> None:
     assert [to for to, _ in after(node, message(A, B), port(A))] == [GROUP]
 
 
-def test_somebody_else_cannot_cancel_a_component(node: Router) -> None:
+def test_cancel_by_another_socket_is_ignored(node: Router) -> None:
     after(node, junior.cancel(B), port(A))
     assert after(node, message(A, B), port(A)) == [(port(B), message(A, B))]
 
 
-def test_broadcast_goes_to_all_but_its_source_and_unchanged(node: Router) -> None:
+def test_broadcast_reaches_all_but_its_source_unchanged(node: Router) -> None:
     data = message(A, EVERYONE, broadcast=Broadcast.GLOBAL)
     assert after(node, data, port(A)) == [(port(B), data), (port(C), data), (GROUP, data)]
 
 
-def test_local_broadcast_stays_local(node: Router) -> None:
+def test_local_broadcast_is_not_sent_to_networks(node: Router) -> None:
     data = message(A, EVERYONE, broadcast=Broadcast.LOCAL)
     assert after(node, data, port(A)) == [(port(B), data), (port(C), data)]
 
 
-def test_wildcards_work_field_by_field(node: Router) -> None:
+def test_wildcards_match_field_by_field(node: Router) -> None:
     data = message(A, JausID(100, 255, 1))
     assert after(node, data, port(A)) == [(port(C), data), (GROUP, data)]
     data = message(FAR, JausID(100, 1, 255))
     assert after(node, data, FAR_PORT) == [(port(A), data), (port(B), data)]
 
 
-def test_subsystem_100_is_not_356(node: Router) -> None:
+def test_subsystems_100_and_356_are_distinct(node: Router) -> None:
     other = JausID(356, 1, 2)
     after(node, junior.connect(other), port(other))
     assert after(node, message(A, B), port(A)) == [(port(B), message(A, B))]
@@ -103,14 +103,14 @@ def test_subsystem_100_is_not_356(node: Router) -> None:
     assert after(node, data, FAR_PORT) == [(port(other), data)]
 
 
-def test_a_component_that_waits_for_its_id_hears_broadcasts(node: Router) -> None:
+def test_component_without_id_receives_broadcasts(node: Router) -> None:
     newcomer = JausID(0, 0, 101)
     after(node, junior.connect(newcomer), port(newcomer))
     data = message(FAR, JausID(100, 255, 255))
     assert (port(newcomer), data) in after(node, data, FAR_PORT)
 
 
-def test_unknown_destination_is_asked_for_once_and_others_wait(node: Router) -> None:
+def test_unknown_destination_is_probed_once_and_messages_wait(node: Router) -> None:
     probe = message(A, FAR, ack=Ack.REQUIRED)
     assert after(node, message(A, FAR), port(A), 0.0) == [(GROUP, probe)]
     assert after(node, message(A, FAR, 2), port(A), 0.1) == []
@@ -122,7 +122,7 @@ def test_unknown_destination_is_asked_for_once_and_others_wait(node: Router) -> 
     assert node.next_timeout() is None
 
 
-def test_an_unknown_destination_is_asked_for_at_a_bounded_rate(node: Router) -> None:
+def test_probes_are_rate_limited(node: Router) -> None:
     multicasts = 0
     for step in range(1000):
         now = step / 100
@@ -135,7 +135,7 @@ def test_an_unknown_destination_is_asked_for_at_a_bounded_rate(node: Router) -> 
     assert node.counters["dropped.unknown_destination"] + multicasts + pending.MAX_PENDING_PER_DESTINATION >= 1000
 
 
-def test_waiting_messages_ask_again_and_expire(node: Router) -> None:
+def test_pending_messages_probe_again_and_expire(node: Router) -> None:
     for sequence in range(1, 6):
         after(node, message(A, FAR, sequence), port(A), 0.0)
     asked = []
@@ -147,13 +147,13 @@ def test_waiting_messages_ask_again_and_expire(node: Router) -> None:
     assert node.next_timeout() is None
 
 
-def test_many_unknown_destinations_are_bounded(node: Router) -> None:
+def test_unknown_destinations_are_bounded(node: Router) -> None:
     for number in range(pending.MAX_PENDING_DESTINATIONS + 5):
         after(node, message(A, JausID(200, 1 + number // 200, 1 + number % 200)), port(A))
     assert node.counters["dropped.too_many_unknown_destinations"] == 5
 
 
-def test_the_answer_goes_to_the_port_that_was_heard(node: Router) -> None:
+def test_answer_uses_the_learned_port(node: Router) -> None:
     after(node, message(FAR, A), FAR_PORT)
     assert after(node, message(A, FAR), port(A)) == [(FAR_PORT, message(A, FAR))]
     moved = UdpPort(FAR_PORT.host, 4002)
@@ -161,20 +161,20 @@ def test_the_answer_goes_to_the_port_that_was_heard(node: Router) -> None:
     assert after(node, message(A, FAR), port(A)) == [(moved, message(A, FAR))]
 
 
-def test_network_messages_never_go_back_to_the_network(node: Router) -> None:
+def test_network_messages_are_not_sent_back(node: Router) -> None:
     assert after(node, message(FAR, JausID(102, 1, 1)), FAR_PORT) == []
     assert node.counters["dropped.not_here"] == 1
     data = message(FAR, EVERYONE, broadcast=Broadcast.GLOBAL)
     assert {type(to) for to, _ in after(node, data, FAR_PORT)} == {LocalPort}
 
 
-def test_a_remote_packet_cannot_take_a_local_id(node: Router) -> None:
+def test_remote_packet_cannot_use_a_local_id(node: Router) -> None:
     assert after(node, message(B, A), FAR_PORT) == []
     assert node.counters["dropped.hijack"] == 1
     assert after(node, message(A, B), port(A)) == [(port(B), message(A, B))]
 
 
-def test_own_multicasts_that_come_back_are_ignored(node: Router) -> None:
+def test_own_multicast_echoes_are_ignored(node: Router) -> None:
     data = message(A, EVERYONE, broadcast=Broadcast.GLOBAL)
     after(node, data, port(A))
     assert after(node, data, FAR_PORT) == []
@@ -188,12 +188,12 @@ def test_wildcard_sources_are_not_learned(node: Router) -> None:
     assert len(node.address_book) == 0
 
 
-def test_packed_datagrams_are_unpacked_for_everybody(node: Router) -> None:
+def test_packed_datagrams_are_unpacked(node: Router) -> None:
     both = message(FAR, A) + message(FAR, B)[1:]
     assert after(node, both, FAR_PORT) == [(port(A), message(FAR, A)), (port(B), message(FAR, B))]
 
 
-def test_a_dead_component_leaves_the_living_alone(node: Router) -> None:
+def test_removal_of_a_dead_component_does_not_affect_others(node: Router) -> None:
     node.remove_dead(port(A))
     data = message(FAR, JausID(100, 255, 255))
     assert after(node, data, FAR_PORT) == [(port(B), data), (port(C), data)]
@@ -201,7 +201,7 @@ def test_a_dead_component_leaves_the_living_alone(node: Router) -> None:
     assert after(node, message(B, A), port(B)) == [(port(A), message(B, A))]
 
 
-def test_who_does_not_listen_any_more_is_asked_for_again(node: Router) -> None:
+def test_unreachable_peer_is_probed_again(node: Router) -> None:
     after(node, message(FAR, A), FAR_PORT)
     assert after(node, message(A, FAR), port(A)) == [(FAR_PORT, message(A, FAR))]
     node.remove_dead(FAR_PORT)
@@ -225,14 +225,14 @@ def test_the_number_of_components_is_bounded() -> None:
 
 
 @given(st.lists(st.tuples(st.binary(max_size=60), st.booleans()), max_size=20))
-def test_no_input_raises(datagrams: list[tuple[bytes, bool]]) -> None:
+def test_arbitrary_input_never_raises(datagrams: list[tuple[bytes, bool]]) -> None:
     core = Router("/root")
     for data, local in datagrams:
         core.receive(b"\x02\x00" + data if len(data) % 2 else data, port(A) if local else FAR_PORT, 0.0)
     core.handle_timeout(10.0)
 
 
-def test_what_waits_for_a_component_that_starts_late_is_delivered(node: Router) -> None:
+def test_pending_messages_are_delivered_to_a_late_component(node: Router) -> None:
     late = JausID.parse("100.1.9")
     after(node, message(A, late, 1), port(A))
     after(node, message(A, late, 2), port(A))
@@ -242,21 +242,21 @@ def test_what_waits_for_a_component_that_starts_late_is_delivered(node: Router) 
     ]
 
 
-def test_the_bytes_that_wait_are_bounded(node: Router) -> None:
+def test_pending_bytes_are_bounded(node: Router) -> None:
     big = judp.pack(Packet(A, FAR, bytes(60000), 1))
     for number in range(40):
         after(node, judp.pack(Packet(A, JausID(200, 1, 1 + number // 4), bytes(60000), number)), port(A))
     assert node.counters["dropped.unknown_destination"] == 30 - pending.MAX_PENDING_BYTES // len(big)
 
 
-def test_only_the_newest_own_multicasts_are_remembered() -> None:
+def test_remembered_multicasts_are_bounded() -> None:
     echoes = MulticastEchoes(limit=2)
     for data in (b"a", b"b", b"a", b"c"):
         echoes.add(data, "lan", 0.0)
     assert [echoes.seen(data, "lan", 0.1) for data in (b"a", b"b", b"c", b"d")] == [True, False, True, False]
 
 
-def test_a_multicast_is_remembered_for_its_network_and_for_a_short_time() -> None:
+def test_multicast_memory_is_per_network_and_expires() -> None:
     echoes = MulticastEchoes()
     echoes.add(b"a", "lan", 5.0)
     assert echoes.seen(b"a", "lan", 5.0 + ECHO_LIFETIME / 2)

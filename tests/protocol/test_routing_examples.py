@@ -25,7 +25,7 @@ def node() -> Router:
     return core
 
 
-def test_two_nodes_find_each_other_by_an_acknowledgement(node: Router) -> None:
+def test_two_nodes_discover_addresses_by_an_ack(node: Router) -> None:
     plain = "02001800010101650002016400000102030405060708090100"
     asking = "02001800110101650002016400000102030405060708090100"
     ack = "02000e003102016400010165000100"
@@ -35,7 +35,7 @@ def test_two_nodes_find_each_other_by_an_acknowledgement(node: Router) -> None:
     assert receive(node, second, SENDER_PORT) == [(PEER, second)]
 
 
-def test_proposed_compression_is_taken_and_not_passed_on(node: Router) -> None:
+def test_proposal_of_compression_is_accepted_and_not_forwarded(node: Router) -> None:
     assert receive(node, "024012000700010101650002016400aabb0100", SENDER_PORT) == [
         (GROUP, "02001000110101650002016400aabb0100")
     ]
@@ -67,12 +67,12 @@ def test_reserved_message_types_are_never_misread(node: Router, kind: int) -> No
     assert node.counters["dropped.malformed.message_type"] == 1
 
 
-def test_compression_that_nobody_agreed_on_is_dropped_and_its_sender_told(node: Router) -> None:
+def test_unknown_compression_is_dropped_and_rejected(node: Router) -> None:
     refusal = (PEER, "02" + "80100007" + "00" * 12)
     assert receive(node, "02c01200070001020164000101c8000a0b0600", PEER) == [refusal]
     assert node.counters["dropped.malformed.no_template"] == 1
 
 
-def test_a_shutdown_message_to_itself_comes_back(node: Router) -> None:
+def test_shutdown_to_the_own_id_is_delivered(node: Router) -> None:
     wakeup = "0200100001020164000201640000000600"
     assert receive(node, wakeup, SENDER_PORT) == [(SENDER_PORT, wakeup)]

@@ -34,14 +34,14 @@ def plain(text: str) -> str:
     return bytes.fromhex(text).hex()
 
 
-def test_a_peer_that_spoke_opc_is_answered_in_opc() -> None:
+def test_opc_peer_is_answered_in_opc() -> None:
     core = node()
     assert receive(core, OPC_FROM_PEER, PEER) == [(OUR_PORT, plain(V1_HERE))]
     reply = plain("4a41555330312e30 06023412 0101c800 01016400 0200 2300 0102")
     assert receive(core, V1_REPLY, OUR_PORT) == [(PEER, reply)]
 
 
-def test_a_peer_that_spoke_version_1_is_answered_in_version_1() -> None:
+def test_version_1_peer_is_answered_in_version_1() -> None:
     core = node()
     assert receive(core, V1_HERE, PEER) == [(OUR_PORT, plain(V1_HERE))]
     assert receive(core, V1_REPLY, OUR_PORT) == [(PEER, plain(V1_REPLY))]
@@ -50,17 +50,17 @@ def test_a_peer_that_spoke_version_1_is_answered_in_version_1() -> None:
 
 
 @pytest.mark.parametrize("start", ["010000 0012", "4a41555330312e30"])
-def test_without_a_command_code_it_reaches_components_as_as5669a(start: str) -> None:
+def test_packet_without_command_code_reaches_components_as_as5669a(start: str) -> None:
     core = node()
     old = start + "06020000 01016400 0101c800 0200 2300 0220"
     assert receive(core, old, PEER) == [(OUR_PORT, "02001000010101640001" + "01c8000220" + "2300")]
 
 
-def test_version_1_for_an_unknown_destination_asks_for_an_ack() -> None:
+def test_version_1_probe_requests_an_ack() -> None:
     assert receive(node(), V1_REPLY, OUR_PORT) == [(GROUP, plain(V1_REPLY.replace("0602", "1602")))]
 
 
-def test_version_1_between_local_components_and_to_everybody() -> None:
+def test_version_1_unicast_and_broadcast_between_local_components() -> None:
     core = node()
     other = LocalPort("/root/other")
     receive(core, junior.connect(THEIRS), other)
@@ -69,7 +69,7 @@ def test_version_1_between_local_components_and_to_everybody() -> None:
     assert receive(core, everybody, OUR_PORT) == [(other, plain(everybody)), (GROUP, plain(everybody))]
 
 
-def test_proposed_compression_reaches_nobody_as_such() -> None:
+def test_proposal_of_compression_is_not_forwarded() -> None:
     packed = "02 401200 070c 01 01016400 0101c800 0220 0100 001000 01 01016400 0101c800 0520 0200"
     assert [out for _, out in receive(node(), packed, PEER)] == [
         plain("02 001000 01 01016400 0101c800 0220 0100"),
@@ -77,13 +77,13 @@ def test_proposed_compression_reaches_nobody_as_such() -> None:
     ]
 
 
-def test_connects_from_the_network_are_not_taken() -> None:
+def test_connects_from_the_network_are_ignored() -> None:
     core = node()
     assert receive(core, junior.connect(THEIRS), PEER) == []
     assert core.counters["dropped.connect_from_network"] == 1
 
 
-def test_a_component_without_an_id_gets_what_may_be_for_it() -> None:
+def test_component_without_id_gets_matching_broadcasts() -> None:
     core = node()
     newcomer = LocalPort("/root/101")
     receive(core, junior.connect(JausID(0, 0, 101)), newcomer)
@@ -95,7 +95,7 @@ def test_a_component_without_an_id_gets_what_may_be_for_it() -> None:
     assert [port for port, _ in receive(core, everybody, PEER)] == [OUR_PORT, newcomer, wild]
 
 
-def test_ids_that_are_used_twice_are_reported_once_each(caplog: pytest.LogCaptureFixture) -> None:
+def test_duplicate_ids_are_reported_once_each(caplog: pytest.LogCaptureFixture) -> None:
     core = node()
     for port in (LocalPort("/root/thief"), LocalPort("/root/thief"), PEER, PEER):
         assert receive(core, judp.pack(Packet(OURS, THEIRS, b"\x02\x20")), port) == []
@@ -135,7 +135,7 @@ def test_static_addresses_get_unicasts_and_copies_of_broadcasts() -> None:
     assert receive(core, local, OUR_PORT) == []
 
 
-def test_a_learned_address_expires_and_is_asked_for_again() -> None:
+def test_expired_address_is_probed_again() -> None:
     core = node()
     receive(core, judp.pack(Packet(THEIRS, OURS, b"\x02\x20")), PEER)
     data = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))
@@ -144,7 +144,7 @@ def test_a_learned_address_expires_and_is_asked_for_again() -> None:
     assert receive(core, data, OUR_PORT, ADDRESS_LIFETIME) == [(GROUP, asking.hex())]
 
 
-def test_a_connect_by_udp_does_not_take_the_id_of_a_socket() -> None:
+def test_udp_connect_cannot_take_the_id_of_a_local_socket() -> None:
     core = node()
     assert receive(core, junior.connect(OURS), UdpPort("127.0.0.1", 4000)) == []
     assert core.counters["dropped.duplicate_id"] == 1
@@ -152,7 +152,7 @@ def test_a_connect_by_udp_does_not_take_the_id_of_a_socket() -> None:
     assert receive(core, own, OUR_PORT) == [(OUR_PORT, own.hex())]
 
 
-def test_who_comes_back_on_a_closed_connection_is_learned_at_once() -> None:
+def test_new_address_after_a_closed_connection_is_learned_at_once() -> None:
     core, port = node(), TcpPort("10.0.0.9", 3794)
     there, here = judp.pack(Packet(OURS, THEIRS, b"\x02\x40")), judp.pack(Packet(THEIRS, OURS, b"\x02\x20"))
     receive(core, here, port, 0.0)

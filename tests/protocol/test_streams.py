@@ -36,17 +36,17 @@ def data(text: str) -> bytes:
 
 
 @pytest.mark.parametrize(("wire", "datagram"), SERIAL.values(), ids=SERIAL)
-def test_serial_frames_of_another_implementation(wire: str, datagram: str) -> None:
+def test_serial_frames_of_another_implementation_are_decoded(wire: str, datagram: str) -> None:
     assert jserial.frame(data(datagram)).hex() == data(wire).hex()
     assert FrameDecoder().feed(data(wire)) == ([data(datagram)], [])
 
 
-def test_the_checksum() -> None:
+def test_checksum_matches_known_values() -> None:
     assert crc16(b"123456789") == 0x6F91
     assert crc16(b"6789", crc16(b"12345")) == 0x6F91
 
 
-def test_an_explicit_address_is_read_past() -> None:
+def test_address_in_a_serial_frame_is_skipped() -> None:
     plain = data(SERIAL["accepted elsewhere"][0])
     assert FrameDecoder().feed(plain[:5] + b"\xaa\xbb" + plain[5:])[0] == [data(SERIAL["accepted elsewhere"][1])]
 
@@ -60,7 +60,7 @@ packets = st.builds(
 
 
 @given(st.lists(packets, max_size=8), st.data())
-def test_any_cuts_give_the_same_packets(datagrams: list[bytes], draw: st.DataObject) -> None:
+def test_packets_do_not_depend_on_chunk_boundaries(datagrams: list[bytes], draw: st.DataObject) -> None:
     serial, stream_decoder = FrameDecoder(), StreamDecoder()
     for start, frame, decode in (
         (b"\x02", StreamDecoder().frame, lambda part: stream_decoder.feed(part)[0]),
@@ -73,7 +73,7 @@ def test_any_cuts_give_the_same_packets(datagrams: list[bytes], draw: st.DataObj
 
 
 @given(st.lists(packets, min_size=1, max_size=4), st.data())
-def test_a_damaged_frame_harms_only_itself_and_its_neighbour(datagrams: list[bytes], draw: st.DataObject) -> None:
+def test_damaged_frame_affects_only_its_neighbour(datagrams: list[bytes], draw: st.DataObject) -> None:
     frames = [jserial.frame(each) for each in datagrams]
     damaged = bytearray(frames[0])
     damaged[draw.draw(st.integers(0, len(damaged) - 1))] ^= 1 << draw.draw(st.integers(0, 7))
@@ -83,7 +83,7 @@ def test_a_damaged_frame_harms_only_itself_and_its_neighbour(datagrams: list[byt
     assert set(found) <= {spare, *datagrams}
 
 
-def test_a_bad_checksum_is_told_and_the_next_frame_is_good() -> None:
+def test_bad_checksum_is_reported_and_the_next_frame_is_valid() -> None:
     good = data(SERIAL["version 1"][0])
     bad = good[:-1] + b"\x00"
     datagrams, errors = FrameDecoder().feed(bad + good)
@@ -100,14 +100,14 @@ def test_a_bad_checksum_is_told_and_the_next_frame_is_good() -> None:
         (b"\x10\x01\x02\x00\x00\x10\x02\x00\x10\x03\x00\x00", "serial_header"),
     ],
 )
-def test_serial_rubbish_is_bounded_and_told(start: bytes, reason: str) -> None:
+def test_serial_garbage_is_bounded_and_reported(start: bytes, reason: str) -> None:
     decoder = FrameDecoder()
     found, errors = decoder.feed(start)
     assert (found, [error.reason for error in errors]) == ([], [reason])
     assert sum(map(len, decoder._parts)) <= jserial.MAX_BODY
 
 
-def test_serial_noise_raises_nothing() -> None:
+def test_serial_noise_never_raises() -> None:
     chance = random.Random(1)
     decoder = FrameDecoder()
     for _ in range(200):
@@ -115,7 +115,7 @@ def test_serial_noise_raises_nothing() -> None:
     assert decoder.feed(b"\x00\x00" + data(SERIAL["version 1"][0]))[0] == [data(SERIAL["version 1"][1])]
 
 
-def test_a_tcp_stream_of_another_implementation() -> None:
+def test_tcp_stream_of_another_implementation_is_decoded() -> None:
     stream = data("02 001000 01 02016400 0101c800 1112 0100 001100 01 02016400 0101c800 212223 0200")
     assert [datagram.hex() for datagram in StreamDecoder().feed(stream)[0]] == [
         "0200100001020164000101c80011120100",
@@ -128,7 +128,7 @@ RA = "06023412 02016400 0101c800 0200 0700 aabb"
 
 @pytest.mark.parametrize("compression", ["", "0000"], ids=["as Junior sends it", "as FKIE's sends it"])
 @given(st.data())
-def test_a_version_1_stream_in_both_forms(compression: str, draw: st.DataObject) -> None:
+def test_version_1_streams_are_decoded_in_both_forms(compression: str, draw: st.DataObject) -> None:
     stream = data("01" + 3 * f"{compression} 0012 {RA}")
     cuts = sorted(draw.draw(st.lists(st.integers(0, len(stream)), max_size=10)))
     decoder = StreamDecoder()
@@ -152,13 +152,13 @@ def test_a_version_1_stream_in_both_forms(compression: str, draw: st.DataObject)
         ("02001000010201640001 01c80011120100 02 001000", "stream_lost"),
     ],
 )
-def test_a_stream_without_boundaries_is_an_error(stream: str, reason: str) -> None:
+def test_desynchronised_stream_is_an_error(stream: str, reason: str) -> None:
     _, error = StreamDecoder().feed(data(stream))
     assert error is not None
     assert error.reason == reason
 
 
-def test_what_came_before_the_boundary_was_lost_is_good() -> None:
+def test_packets_before_a_desynchronisation_are_valid() -> None:
     packet = "001000 01 02016400 0101c800 1112 0100"
     datagrams, error = StreamDecoder().feed(data(f"02 {packet} {packet} 02 ffff"))
     assert (len(datagrams), error is None) == (2, False)

@@ -109,7 +109,7 @@ def world(seed: int, *ids: JausID, use: CompressionUse = "accept", **faults: flo
 
 @pytest.mark.parametrize("use", ["accept", "propose"])
 @pytest.mark.parametrize("seed", range(3))
-def test_of_all_that_was_sent_each_arrives_once(seed: int, use: CompressionUse) -> None:
+def test_each_sent_message_arrives_once(seed: int, use: CompressionUse) -> None:
     """Three hosts that have never heard of each other, messages of one and of several pieces, all at once."""
     network = world(seed, A, B, C, use=use)
     sent = []
@@ -128,7 +128,7 @@ def test_of_all_that_was_sent_each_arrives_once(seed: int, use: CompressionUse) 
         assert sum(host.node.counters["compression.received"] for host in network.hosts.values()) > 50
 
 
-def test_16_mb_pass_two_node_managers_and_a_bad_network() -> None:
+def test_16_mb_message_passes_two_node_managers_and_a_bad_network() -> None:
     network = world(1, A, B, loss=0.02, twice=0.02, delay=0.002)
     payload = network.chance.randbytes(16 << 20)
     ticket = network.send(A, B, payload)
@@ -137,7 +137,7 @@ def test_16_mb_pass_two_node_managers_and_a_bad_network() -> None:
     assert [packet.payload for packet in network.hosts[B].received] == [payload]
 
 
-def test_broadcasts_arrive_as_often_as_the_network_lets_them_and_never_come_back() -> None:
+def test_broadcasts_are_not_repeated_by_node_managers() -> None:
     network = world(2, A, B, C, loss=0.0, twice=0.3)
     for number in range(200):
         network.send(A, EVERYONE, b"\x02\x20" + bytes([number]), Ack.NONE)
@@ -149,7 +149,7 @@ def test_broadcasts_arrive_as_often_as_the_network_lets_them_and_never_come_back
     assert sum(host.node.counters["routed.multicast"] for host in network.hosts.values()) == 200
 
 
-def test_a_host_that_restarts_is_found_again() -> None:
+def test_restarted_host_is_found_again() -> None:
     """Its node manager and its component have forgotten everything, and its numbers begin where they began before."""
     network = world(3, A, B, loss=0.1)
     for life in range(3):

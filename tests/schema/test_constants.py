@@ -23,7 +23,7 @@ NAMES = {"PI": math.pi, "basic.PI": math.pi, "two": 2}
         ("18446744073709551615", 2**64 - 1),
     ],
 )
-def test_value(text, value):
+def test_constant_expressions_are_evaluated(text, value):
     assert evaluate(text, NAMES.__getitem__) == value
 
 
@@ -56,6 +56,6 @@ def lookup(name):
         "(" * 150,
     ],
 )
-def test_refused(text):
+def test_invalid_expressions_are_rejected(text):
     with pytest.raises(ExpressionError):
         evaluate(text, lookup)

@@ -321,7 +321,7 @@ def test_types_nested_too_deeply(jsidl):
     assert_matches(jsidl.error(), "refers to declared types too deeply")
 
 
-def test_error_in_a_type_that_nobody_uses(jsidl):
+def test_error_in_an_unused_type(jsidl):
     jsidl.service(types=f'<declared_record name="R" declared_type_ref="Gone"/>{HERE}')
     assert_matches(jsidl.error(), "no declared type 'Gone'")
 

@@ -330,7 +330,7 @@ def name_of(service):
 
 
 @pytest.mark.parametrize("service", [s for s in SERVICES if s.name not in OURS], ids=name_of)
-def test_equals_the_facts(service):
+def test_definitions_equal_the_facts(service):
     found = candidates(service.id, service.version)
     assert found, f"the facts have no {service.id} {service.version}"
     facts, entry = found[0]
@@ -367,6 +367,6 @@ def test_all_messages_of_the_facts_belong_to_a_service():
 
 
 @pytest.mark.parametrize("name", ["Events", "AccessControl"])
-def test_our_clients_mirror_their_services(name):
+def test_clients_mirror_their_services(name):
     service, client = (load_builtin().service(f"urn:jaus:jss:core:{end}", "1.1") for end in (name, f"{name}Client"))
     assert (client.inputs, client.outputs) == (service.outputs, service.inputs)

@@ -30,7 +30,7 @@ def extend(inner: st.SearchStrategy[tuple[str, str]]) -> st.SearchStrategy[tuple
 
 @settings(max_examples=200, deadline=None)
 @given(st.recursive(names(), extend, max_leaves=12), st.tuples(*[st.booleans()] * len(NAMES)))
-def test_guards_mean_what_python_means(pair: tuple[str, str], values: tuple[bool, ...]) -> None:
+def test_guards_evaluate_like_python(pair: tuple[str, str], values: tuple[bool, ...]) -> None:
     guard, python = pair
     v = dict(zip(NAMES, values, strict=True))
     run = compile_guard(parse(guard), lambda call: lambda given: given[call.name])
@@ -62,7 +62,7 @@ def test_operands_are_evaluated_lazily_from_the_left() -> None:
 @pytest.mark.parametrize(
     "text", ["", "a(", "a(msg", "a() &&", "&& a()", "a() b()", "(a()", "a())", "a(,)", "a() & b()", "1"]
 )
-def test_what_is_no_guard_is_refused_with_the_text(text: str) -> None:
+def test_invalid_guards_are_rejected_with_their_text(text: str) -> None:
     with pytest.raises(SchemaError, match="guard"):
         parse(text)
 

@@ -63,7 +63,7 @@ def test_transitions_on_outputs(jsidl, parameter, here):
     assert all("Out is an output: only another" in message for message in jsidl.lint("output-trigger"))
 
 
-def test_triggers_are_not_judged_when_an_ancestor_is_missing(jsidl):
+def test_triggers_are_not_checked_if_an_ancestor_is_missing(jsidl):
     gone = TRANSPORT.replace("Events", "Gone")
     jsidl.service(behavior=machine(transition("Timedout")), references=gone)
     assert jsidl.lint("dead-trigger") == []
@@ -174,7 +174,7 @@ def test_unreachable_states(jsidl):
     assert message.startswith("nothing leads to state A.E")
 
 
-def test_a_state_that_only_a_child_service_reaches(jsidl):
+def test_state_reached_only_by_a_derived_service_is_no_finding(jsidl):
     behavior = machine('<state name="B"/><state name="C"/>').replace('name="A"', 'name="A" initial_state="B"')
     jsidl.service(behavior=behavior)
     parent = '<references><inherits_from name="t" id="urn:test:Test" version="1.0"/></references>'

@@ -146,7 +146,7 @@ RULES = {
 
 
 @pytest.mark.parametrize("code", RULES)
-def test_wrong_is_found(jsidl, code):
+def test_mistakes_in_fields_are_found(jsidl, code):
     wrong, _, message = RULES[code]
     jsidl.service(body=wrong)
     found = jsidl.lint(code)
@@ -155,7 +155,7 @@ def test_wrong_is_found(jsidl, code):
 
 
 @pytest.mark.parametrize("code", RULES)
-def test_right_is_not(jsidl, code):
+def test_valid_fields_have_no_findings(jsidl, code):
     jsidl.service(body=RULES[code][1])
     assert jsidl.lint(code) == []
 
@@ -167,7 +167,7 @@ def test_scales_finer_than_floats(jsidl, kind):
     assert "steps of 'F' are finer than those of a float" in message
 
 
-def test_more_lists_in_lists_than_python_takes(jsidl):
+def test_too_many_nested_lists_are_found(jsidl):
     messages = [jsidl.message(nested(depth), name=f"M{depth}", code=f"00{depth}") for depth in (16, 17)]
     jsidl.service(messages="\n".join([messages[0], messages[1].replace(">\n", f">{HERE}\n", 1)]))
     assert jsidl.lint("no-code") == [

@@ -42,7 +42,7 @@ def test_input_and_output_must_not_differ_under_one_id(jsidl):
     assert message.startswith("message_id 1234 of Back also means Msg (")
 
 
-def test_a_child_must_not_change_an_inherited_message(jsidl):
+def test_derived_service_must_not_change_an_inherited_message(jsidl):
     jsidl.service(body=record())
     jsidl.service(name="Good", urn="urn:test:Good", references=inherits(), body=record(name="Q"))
     messages = marked(jsidl.message(record("byte")))

@@ -27,7 +27,7 @@ def test_all_dangling_references_are_found_in_one_run(jsidl):
     assert "no type set is called 'a' here" in found[2]
 
 
-def test_references_that_are_right(jsidl):
+def test_valid_references_have_no_findings(jsidl):
     jsidl.service(body=use("Pose"), types=type_record("Pose"))
     jsidl.service(
         name="Far",
@@ -39,7 +39,7 @@ def test_references_that_are_right(jsidl):
     assert jsidl.lint("dangling-set") == []
 
 
-def test_a_missing_set_is_one_finding_whatever_refers_to_it(jsidl):
+def test_missing_set_is_one_finding(jsidl):
     reference = f'<declared_type_set_ref name="far" id="urn:test:Gone" version="1.0"/>{HERE}'
     messages = "\n".join(jsidl.message(use("far.T"), name=f"M{n}", code=f"100{n}") for n in range(3))
     jsidl.service(messages=messages, types=reference)
@@ -76,19 +76,19 @@ def test_missing_parent(jsidl):
     assert message.startswith("inherits_from: no service urn:test:Gone 1.0 is loaded")
 
 
-def test_parents_that_are_built_in_or_beside(jsidl):
+def test_built_in_and_given_parents_are_found(jsidl):
     jsidl.service(references=parent("urn:jaus:jss:core:Events").replace("1.0", "1.*"))
     jsidl.service(name="Child", urn="urn:test:Child", references=parent("urn:test:Test"))
     assert jsidl.lint("missing-parent") == []
 
 
-def test_a_circle_of_parents(jsidl):
+def test_cyclic_parents_are_found(jsidl):
     jsidl.service(references=parent("urn:test:B", HERE))
     jsidl.service(name="B", urn="urn:test:B", references=parent("urn:test:Test", HERE))
     assert all("inherits from itself; cut the circle" in message for message in jsidl.lint("missing-parent"))
 
 
-def test_grammar_is_checked_to_the_end(jsidl):
+def test_all_grammar_mistakes_are_found(jsidl):
     unknown = f'<recrd name="R">{HERE}\n<what/></recrd>'
     body = f'{unknown}\n<record nam="R">{HERE}\n{BYTE}\n<fixed_field name="F"/>{HERE}</record>'
     jsidl.service(body=body)
@@ -111,7 +111,7 @@ def test_one_id_for_two_definitions(jsidl):
     assert message.startswith("urn:test:Test 1.0 is defined differently at")
 
 
-def test_the_same_definition_twice_is_no_mistake(jsidl):
+def test_identical_definitions_are_no_finding(jsidl):
     path = jsidl.service(types=type_record("T"))
     jsidl.file("copy.xml", path.read_text())
     assert jsidl.lint("duplicate-definition") == []

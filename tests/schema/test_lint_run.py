@@ -20,12 +20,12 @@ PECULIAR = {
 """What is wrong in the published definitions themselves: it is on the wire, so it stays."""
 
 
-def test_built_in_definitions_have_the_mistakes_of_the_published_ones_alone():
+def test_built_in_definitions_have_published_mistakes_only():
     found = [finding for finding in lint(builtin_paths()) if (Path(finding.file).name, finding.code) not in PECULIAR]
     assert [str(finding) for finding in found] == []
 
 
-def test_codes_are_unique_and_plain():
+def test_lint_codes_are_unique():
     codes = [rule.code for rule in (*RULES, REFUSED)]
     assert len(set(codes)) == len(codes)
     assert all(code.replace("-", "").isalpha() and code.islower() for code in codes)
@@ -52,7 +52,7 @@ def test_an_unreadable_file_does_not_hide_the_others(jsidl):
     assert (str(jsidl.paths[1]), "missing-count") in codes
 
 
-def test_a_mistake_inside_a_broken_part_is_still_found(jsidl):
+def test_mistake_inside_a_malformed_part_is_found(jsidl):
     jsidl.service(
         body='<record name="R" colour="red"><bit_field name="B" field_type_unsigned="unsigned byte">'
         '<sub_field name="S"><bit_range from_index="1" to_index="9"/></sub_field></bit_field></record>'
@@ -60,7 +60,7 @@ def test_a_mistake_inside_a_broken_part_is_still_found(jsidl):
     assert {finding.code for finding in lint(jsidl.paths) if finding.severity == "error"} == {"grammar", "bit-range"}
 
 
-def test_types_that_cannot_be_read_and_what_refers_to_them(jsidl):
+def test_unreadable_types_and_references_to_them_are_reported(jsidl):
     """A file that breaks the grammar is checked as far as it goes, whatever is missing."""
     jsidl.service(
         types='<declared_type_set_ref name="x"/>\n<record name="R"><value_set/></record>\n<record><oops/></record>',

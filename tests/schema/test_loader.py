@@ -27,20 +27,20 @@ def test_every_shipped_file_is_known() -> None:
 
 
 @pytest.mark.parametrize("path", builtin_paths(), ids=lambda path: f"{path.parent.name}-{path.stem}")
-def test_references_are_found_without_parsing(path: Path) -> None:
+def test_needed_sets_are_found_without_parsing(path: Path) -> None:
     names = ("inherits_from", "declared_type_set_ref", "declared_const_set_ref")
     root = etree.parse(path).getroot()
     parsed = {(e.get("id"), e.get("version")) for e in root.iter(*(f"{{*}}{name}" for name in names))}
     assert set(loader._keys(loader._REFERENCE, path.read_bytes())) == parsed
 
 
-def test_all_that_is_inherited_comes_along_and_nothing_else() -> None:
+def test_only_needed_services_and_ancestors_are_loaded() -> None:
     names = ("Transport", "Events", "AccessControl", "Management")
     found = load((f"{MOBILITY}PrimitiveDriver", None))
     assert keys(found) == {(f"{MOBILITY}PrimitiveDriver", "1.1"), *((f"{CORE}{name}", "1.1") for name in names)}
 
 
-def test_they_are_the_same_as_in_the_whole() -> None:
+def test_partially_loaded_services_equal_fully_loaded_ones() -> None:
     whole = load_builtin()
     assert load(*keys(whole)) == whole
     assert set(load((f"{MOBILITY}LocalPathSegmentDriver", "1.0")).services) <= set(whole.services)
@@ -53,5 +53,5 @@ def test_versions() -> None:
     assert {version for id, version in keys(load((liveness, "7.7"))) if id == liveness} == {"1.0", "1.1"}
 
 
-def test_what_is_not_shipped_is_left_out() -> None:
+def test_unknown_services_are_ignored() -> None:
     assert load(("urn:x:Unknown", None), ("urn:x:Unknown", "1.0")).services == ()

@@ -34,7 +34,7 @@ def test_document_type_is_refused(tmp_path: Path, text: str, encoding: str):
     assert (caught.value.file, caught.value.line) == (str(path), 2)
 
 
-def test_document_type_in_an_encoding_that_hides_it(tmp_path: Path):
+def test_document_type_in_another_encoding_is_refused(tmp_path: Path):
     path = tmp_path / "attack.xml"
     path.write_bytes(
         f'<?xml version="1.0" encoding="IBM037"?>{SERVICE.format("x")}'.replace("?>", "?><!DOCTYPE x>").encode("cp037")

@@ -101,7 +101,7 @@ def test_newest_matching_parent(jsidl):
     assert schema.service("urn:test:Parent").version == "2.0"
 
 
-def test_states_may_be_those_of_a_parent(jsidl):
+def test_states_of_a_parent_are_accepted(jsidl):
     jsidl.service(
         name="Parent",
         urn="urn:test:Parent",
@@ -116,13 +116,13 @@ def test_states_may_be_those_of_a_parent(jsidl):
     assert len(jsidl.load().services) == 2
 
 
-def test_same_definition_twice_is_one(jsidl):
+def test_identical_definitions_are_merged(jsidl):
     path = jsidl.service()
     copy = jsidl.file("copy.xml", path.read_text().replace("<description>d<", "<description>\n other words <"))
     assert len(load_files([path, copy]).services) == 1
 
 
-def test_parent_in_the_base(jsidl):
+def test_parent_is_found_in_the_base(jsidl):
     jsidl.service(name="Parent", urn="urn:test:Parent")
     jsidl.service(name="Other", urn="urn:test:Other")
     base = jsidl.load()
@@ -138,7 +138,7 @@ def test_parent_in_the_base(jsidl):
     assert (len(base.service("urn:test:Other").messages), len(schema.service("urn:test:Other").messages)) == (1, 0)
 
 
-def test_blanks_around_an_id_mean_nothing(jsidl):
+def test_blanks_around_an_id_are_ignored(jsidl):
     jsidl.service(urn="\n urn:test:Test ")
     assert jsidl.load().services[0].id == "urn:test:Test"
 

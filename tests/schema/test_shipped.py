@@ -61,7 +61,7 @@ def value_sets(service: m.Service) -> Iterator[tuple[str, m.ValueSet]]:
                 yield f"{node.name}.{holder.name}", values
 
 
-def test_the_services_of_the_first_system_are_there():
+def test_aeodrs_services_are_included():
     core = {"Transport", "Events", "AccessControl", "Management", "Time", "Liveness", "Discovery", "ListManager"}
     mobility = {"PrimitiveDriver", "VelocityStateSensor", "LocalPoseSensor"}
     found = {(service.id, service.version) for service in SERVICES}
@@ -92,7 +92,7 @@ def test_layout(path):
 
 
 @every_service
-def test_documented(service):
+def test_all_definitions_are_documented(service):
     assert service.doc
     assert service.assumptions
     assert [part.name for part in (*service.messages, *service.internal_events) if not part.doc] == []

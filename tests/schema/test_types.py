@@ -153,7 +153,7 @@ def test_composites(jsidl):
     assert body == m.Sequence(name="Seq", items=(items, variant), presence="u8")
 
 
-def test_variant_without_arms_has_empty_ones(jsidl):
+def test_variant_without_arms_has_empty_arms(jsidl):
     body = jsidl.body(f'<variant name="Var" optional="false"><vtag_field {U8} max_count="1"/></variant>')
     assert body.arms == (m.Record(name="Empty0", fields=()), m.Record(name="Empty1", fields=()))
 

@@ -75,13 +75,13 @@ def test_transitions(rig, row) -> None:
 @pytest.mark.parametrize(
     ("client", "authority", "after"), [(A, 99, 99), (A, 10, 10), (A, 9, 100), (A, 101, 100), (B, 50, 100)]
 )
-def test_set_authority_is_for_the_client_in_control_and_only_downwards(rig, client, authority, after) -> None:
+def test_controller_can_only_lower_its_authority(rig, client, authority, after) -> None:
     rig.ask(A, RequestControl(100))
     assert rig.tell(client, SetAuthority(authority)) == []
     assert rig.ask(A, QueryAuthority()) == ReportAuthority(after)
 
 
-def test_control_times_out_unless_it_is_requested_again(rig) -> None:
+def test_control_times_out_unless_renewed(rig) -> None:
     rig.ask(A, RequestControl(100))
     assert rig.run(4.9) == []
     assert rig.ask(A, RequestControl(100)) == ACCEPTED
@@ -91,21 +91,21 @@ def test_control_times_out_unless_it_is_requested_again(rig) -> None:
     assert rig.ask(A, QueryAuthority()) == ReportAuthority(10)
 
 
-def test_a_refused_request_does_not_renew_control(rig) -> None:
+def test_rejected_request_does_not_renew_control(rig) -> None:
     rig.ask(A, RequestControl(100))
     rig.run(3.0)
     assert rig.ask(B, RequestControl(50)) == TOO_LOW
     assert [when for when, *_ in rig.run(3.0)] == [5.0]
 
 
-def test_time_out_runs_for_the_client_that_took_over(rig) -> None:
+def test_timeout_restarts_for_a_new_controller(rig) -> None:
     rig.ask(A, RequestControl(100))
     rig.run(3.0)
     rig.tell(B, RequestControl(101))
     assert rig.run(10.0) == [(8.0, B, RELEASED)]
 
 
-def test_nothing_is_waited_for_when_nobody_is_in_control(rig) -> None:
+def test_no_timer_runs_without_a_controller(rig) -> None:
     rig.ask(A, RequestControl(100))
     assert rig.host.next_timeout() == 5.0
     rig.ask(A, ReleaseControl())
@@ -120,12 +120,12 @@ def test_zero_never_times_out(make) -> None:
 
 
 @pytest.mark.parametrize("options", [{"timeout": 256}, {"timeout": -1}, {"default_authority": 256}])
-def test_settings_that_do_not_fit_their_fields_are_refused(options) -> None:
+def test_settings_outside_of_their_fields_are_rejected(options) -> None:
     with pytest.raises(ConfigError, match=r"must be 0\.\.255"):
         AccessControl(**options)
 
 
-def test_a_client_that_dies_in_an_emergency_loses_control_after_it(make) -> None:
+def test_client_that_dies_in_an_emergency_loses_control_afterwards(make) -> None:
     rig = make(AccessControl(timeout=5), Management())
     rig.ask(A, RequestControl(100))
     rig.tell(A, Resume())
@@ -144,7 +144,7 @@ def test_services_share_one_access_control(robot) -> None:
     assert str(robot.host.controller) == A
 
 
-def test_a_client_that_cannot_be_reached_loses_control(robot, drive) -> None:
+def test_unreachable_client_loses_control(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.host.unreachable(robot.ID.parse(B), 0.0)
     assert str(robot.host.controller) == A

@@ -74,7 +74,7 @@ def step(rig, drive, random: Random) -> None:
 
 
 @pytest.mark.parametrize("seed", range(40))
-def test_nothing_is_a_bug_and_what_may_not_move_stands(make, drive, seed) -> None:
+def test_random_inputs_raise_nothing_and_move_nothing_without_control(make, drive, seed) -> None:
     random, vehicle = Random(seed), Vehicle(drive, name="test", origin=GlobalPose(60.0, 25.0, 10.0, 0.0))
     core = (Discovery(), Liveness(), Time(), Management(), AccessControl(timeout=2), Events(timeout=1))
     rig = make(*(kind(vehicle) for kind in KINDS), *core)

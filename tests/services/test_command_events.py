@@ -55,7 +55,7 @@ def rig(make):
     return rig
 
 
-def test_a_command_that_takes_no_time_is_done_at_once(robot, drive) -> None:
+def test_immediate_command_succeeds_at_once(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     confirmed, ended = robot.tell(A, command(Resume(), within=0))
     assert confirmed == (A, ConfirmEventRequest(7, 1, 0.0))
@@ -66,7 +66,7 @@ def test_a_command_that_takes_no_time_is_done_at_once(robot, drive) -> None:
     assert robot.run(4.0) == []
 
 
-def test_answers_of_the_command_itself_come_as_well(make) -> None:
+def test_answers_of_the_command_are_sent_as_well(make) -> None:
     rig = make(AccessControl(), Events())
     kinds = [type(message) for _, message in rig.tell(A, command(RequestControl(100)))]
     assert kinds == [ConfirmEventRequest, ConfirmControl, CommandEvent]
@@ -74,7 +74,7 @@ def test_answers_of_the_command_itself_come_as_well(make) -> None:
 
 
 @pytest.mark.parametrize("client", [A, B])
-def test_a_command_that_no_state_takes_is_unsuccessful(robot, drive, client) -> None:
+def test_ignored_command_is_unsuccessful(robot, drive, client) -> None:
     robot.tell(A, RequestControl(100))
     message = SetWrenchEffort(propulsive_linear_effort_x=50.0) if client == A else Resume()
     answers = [message for _, message in robot.tell(client, command(message))]
@@ -83,7 +83,7 @@ def test_a_command_that_no_state_takes_is_unsuccessful(robot, drive, client) -> 
     assert robot.host.status is ReportStatus.Status.STANDBY
 
 
-def test_a_command_that_fails_is_unsuccessful(make, caplog) -> None:
+def test_failed_command_is_unsuccessful(make, caplog) -> None:
     class Broken(Time):
         def set_time(self, msg) -> None:
             raise RuntimeError("cuckoo")
@@ -95,7 +95,7 @@ def test_a_command_that_fails_is_unsuccessful(make, caplog) -> None:
 
 
 @pytest.mark.parametrize("success", [True, False])
-def test_a_command_that_takes_time_ends_when_its_service_says_so(rig, success) -> None:
+def test_lasting_command_ends_when_its_service_reports_it(rig, success) -> None:
     assert rig.ask(A, command(SET_TIME)) == ConfirmEventRequest(7, 1, 0.0)
     assert rig.run(5.0) == []
     rig.host.service(Slow).ended(success)
@@ -104,14 +104,14 @@ def test_a_command_that_takes_time_ends_when_its_service_says_so(rig, success) -
     assert rig.run(60.0) == []
 
 
-def test_a_command_that_takes_too_long_is_unsuccessful_and_goes_on(rig) -> None:
+def test_command_above_its_duration_is_unsuccessful_and_continues(rig) -> None:
     rig.ask(A, command(SET_TIME, within=3))
     assert rig.run(60.0) == [(3.0, A, CommandEvent(1, UNSUCCESSFUL))]
     rig.host.service(Slow).ended(True)
     assert rig.sent() == []
 
 
-def test_the_same_command_again_is_carried_out_again_and_has_its_full_time(rig) -> None:
+def test_repeated_command_is_executed_again_with_its_full_duration(rig) -> None:
     rig.ask(A, command(SET_TIME, within=10))
     first = rig.host.service(Slow).ended
     rig.run(5.0)
@@ -121,7 +121,7 @@ def test_the_same_command_again_is_carried_out_again_and_has_its_full_time(rig) 
     assert rig.run(60.0) == [(15.0, A, CommandEvent(1, UNSUCCESSFUL))]
 
 
-def test_a_request_that_comes_again_does_not_begin_its_command_again(rig) -> None:
+def test_repeated_request_does_not_restart_its_command(rig) -> None:
     for _ in range(3):
         assert rig.ask(A, command(SET_TIME)) == ConfirmEventRequest(7, 1, 0.0)
         rig.run(1.0)
@@ -130,7 +130,7 @@ def test_a_request_that_comes_again_does_not_begin_its_command_again(rig) -> Non
     assert rig.sent() == [(A, CommandEvent(1, SUCCESSFUL))]
 
 
-def test_nor_after_its_command_has_ended(robot, drive) -> None:
+def test_repeated_request_does_not_restart_an_ended_command(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(A, Resume())
     before = len(drive.efforts)
@@ -146,7 +146,7 @@ def test_nor_after_its_command_has_ended(robot, drive) -> None:
     assert len(drive.efforts) == before + 2, "so late it is another one"
 
 
-def test_once_its_client_has_the_confirmation_an_equal_request_is_another_one(robot, drive) -> None:
+def test_equal_request_after_the_confirmation_is_a_new_one(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(A, Resume())
     before = len(drive.efforts)
@@ -159,7 +159,7 @@ def test_once_its_client_has_the_confirmation_an_equal_request_is_another_one(ro
         assert len(drive.efforts) == before + count
 
 
-def test_what_is_remembered_of_ended_commands_is_bounded(robot, drive) -> None:
+def test_remembered_completed_commands_are_bounded(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(A, Resume())
     for number in range(100):
@@ -177,7 +177,7 @@ def test_cancelling_ends_the_event_and_not_the_command(rig) -> None:
     assert rig.run(60.0) == []
 
 
-def test_command_events_count_as_events_but_report_nothing(rig) -> None:
+def test_command_events_count_as_events_without_reports(rig) -> None:
     rig.ask(A, command(SET_TIME))
     assert rig.ask(A, QueryEvents(AllEventsRec(0))).event_list == []
     rig.ask(A, CreateEvent(1, 1, 0.0, QueryStatus()))
@@ -198,11 +198,11 @@ def test_command_events_count_as_events_but_report_nothing(rig) -> None:
     ],
     ids=["query", "of no service here", "event", "command event", "unknown", "undecodable"],
 )
-def test_what_is_no_command_here_is_refused(rig, message) -> None:
+def test_unknown_command_is_rejected(rig, message) -> None:
     assert rig.ask(A, command(message)) == RejectEventRequest(7, 5)
 
 
-def test_a_client_that_cannot_be_reached_is_not_told(rig) -> None:
+def test_unreachable_client_is_not_notified(rig) -> None:
     rig.ask(A, command(SET_TIME))
     rig.host.unreachable(rig.ID.parse(A), rig.now)
     rig.sent()

@@ -115,7 +115,7 @@ def test_control_times_out_by_the_older_name_of_the_event(rig) -> None:
     assert rig.host.state == f"{FREE}.Standby"
 
 
-def test_a_dead_client_loses_control_after_the_emergency(rig) -> None:
+def test_client_that_dies_in_an_emergency_loses_control_afterwards(rig) -> None:
     rig.tell(A, RequestControl(100))
     rig.tell(B, SetEmergency(1))
     assert rig.run(60.0) == []
@@ -142,14 +142,14 @@ def test_initialization_comes_first(make) -> None:
     assert rig.host.state == f"{FREE}.Standby"
 
 
-def test_failure_is_told_to_the_client_in_control(rig) -> None:
+def test_failure_notifies_the_controller(rig) -> None:
     rig.tell(A, RequestControl(100))
     rig.host.fire("Failure")
     assert rig.sent() == [(A, RELEASED)]
     assert rig.host.state == f"{FREE}.Failure"
 
 
-def test_events_never_time_out_and_know_no_commands(rig) -> None:
+def test_events_do_not_time_out_and_have_no_command_events(rig) -> None:
     id = rig.ask(A, CreateEvent(7, 0, 1.0, QueryHeartbeatPulse())).event_id
     assert {type(message) for *_, message in rig.run(200.0)} == {Event}
     assert rig.ask(A, UpdateEvent(8, 1, 0.0, id, QueryStatus())) == ConfirmEventRequest(8, id, 0.0)
@@ -161,12 +161,12 @@ def test_events_never_time_out_and_know_no_commands(rig) -> None:
     assert rig.host.counters["unknown_message"] == 1
 
 
-def test_time_and_heartbeat_are_there(rig) -> None:
+def test_time_and_heartbeat_are_answered(rig) -> None:
     assert isinstance(rig.ask(A, QueryTime(presence_vector=3)), ReportTime)
     assert rig.ask(A, QueryHeartbeatPulse()).NAME == "ReportHeartbeatPulse"
 
 
-def test_who_leaves_says_so_and_ends_control_and_events(rig) -> None:
+def test_closing_component_notifies_clients(rig) -> None:
     rig.tell(A, RequestControl(100))
     rig.tell(A, Resume())
     first = rig.ask(A, CreateEvent(7, 0, 1.0, QueryHeartbeatPulse()))

@@ -61,7 +61,7 @@ def contents(sent):
     return [m.report_message if isinstance(m, Event) else m for *_, m in sent]
 
 
-def test_the_answer_is_sent_when_it_is_there(rig, clock):
+def test_deferred_answer_is_sent_when_set(rig, clock):
     prompted = []
     rig.host.on_timer_change = lambda: prompted.append(rig.host.next_timeout())
     assert rig.tell(A, QueryTime(3)) == []
@@ -73,13 +73,13 @@ def test_the_answer_is_sent_when_it_is_there(rig, clock):
     assert rig.host.next_timeout() is None
 
 
-def test_it_is_masked_as_the_query_says(rig, clock):
+def test_deferred_answer_is_masked_by_the_query(rig, clock):
     rig.tell(A, QueryTime(2))
     clock.strike()
     assert contents(rig.run(0.0)) == [ReportTime()]
 
 
-def test_an_answer_that_is_there_at_once(rig, clock):
+def test_result_set_at_once_is_sent(rig, clock):
     rig.tell(A, QueryTime(1))
     (later,) = clock.open
     clock.strike()
@@ -89,7 +89,7 @@ def test_an_answer_that_is_there_at_once(rig, clock):
     assert told == [ReportTime(time_stamp=NOON)]
 
 
-def test_who_asks_again_meanwhile_is_answered_once(rig, clock):
+def test_repeated_query_is_answered_once(rig, clock):
     for client in (A, A, B, A):
         rig.tell(client, QueryTime(1))
     rig.tell(A, QueryTime(0))
@@ -105,7 +105,7 @@ def test_who_asks_again_meanwhile_is_answered_once(rig, clock):
     assert contents(rig.run(0.0)) == [ReportTime(time_stamp=ONE)]
 
 
-def test_what_stays_out_is_answered_otherwise_and_what_comes_then_is_ignored(rig, clock):
+def test_fallback_is_sent_after_the_timeout_and_late_results_are_ignored(rig, clock):
     rig.tell(A, QueryTime(1))
     assert rig.run(REPLY_TIMEOUT - 0.1) == []
     assert [(to, message) for _, to, message in rig.run(0.2)] == [(A, STAYED_OUT)]
@@ -114,13 +114,13 @@ def test_what_stays_out_is_answered_otherwise_and_what_comes_then_is_ignored(rig
     assert rig.run(1.0) == []
 
 
-def test_one_that_has_nothing_to_say(rig, clock):
+def test_result_none_sends_nothing(rig, clock):
     rig.tell(A, QueryTime(1))
     clock.open[0].set_result(None)
     assert rig.run(1.0) == []
 
 
-def test_there_is_a_limit(rig, clock):
+def test_pending_replies_are_bounded(rig, clock):
     for number in range(MAX_DEFERRED_REPLIES):
         assert rig.tell(f"42.3.{number + 1}", QueryTime(1)) == []
     assert rig.run(0.0) == []
@@ -131,7 +131,7 @@ def test_there_is_a_limit(rig, clock):
     assert len(rig.run(0.0)) == MAX_DEFERRED_REPLIES
 
 
-def test_a_bug_in_what_is_told_is_contained(rig, clock):
+def test_exception_in_a_result_is_contained(rig, clock):
     rig.tell(A, QueryTime(1))
     clock.open[0].set_result(ReportTime(time_stamp="noon"))
     assert rig.run(0.0) == []
@@ -154,7 +154,7 @@ def test_a_result_that_is_not_the_report_is_recorded_and_not_sent(rig, clock, ca
     assert len(rig.run(0.0)) == 1, "it is answered again"
 
 
-def test_a_bug_of_one_who_waits_for_it_is_none_for_the_others(rig, clock):
+def test_exception_in_a_callback_does_not_affect_others(rig, clock):
     rig.tell(A, QueryTime(1))
     (later,) = clock.open
     rig.tell(B, QueryTime(1))
@@ -167,7 +167,7 @@ def test_a_bug_of_one_who_waits_for_it_is_none_for_the_others(rig, clock):
     assert rig.host.counters["action_failed"] == 1
 
 
-def test_a_bug_in_what_is_answered_otherwise_leaves_nothing_open(make, caplog):
+def test_exception_in_the_fallback_leaves_nothing_pending(make, caplog):
     class Poor(Time):
         def report_time(self):
             return self.host.defer(lambda: 1 / 0)
@@ -185,7 +185,7 @@ def test_a_bug_in_what_is_answered_otherwise_leaves_nothing_open(make, caplog):
 # --- events
 
 
-def test_periodic_events_carry_it_and_wait_for_it(rig, clock):
+def test_periodic_events_wait_for_deferred_replies(rig, clock):
     rig.tell(A, CreateEvent(1, PERIODIC, 10.0, QueryTime(1)))
     assert rig.run(0.55) == []
     assert len(clock.open) == 1
@@ -199,7 +199,7 @@ def test_periodic_events_carry_it_and_wait_for_it(rig, clock):
     assert contents([(event,)]) == [ReportTime(time_stamp=ONE)]
 
 
-def test_events_on_change_tell_only_of_changes(rig, clock):
+def test_events_on_change_report_deferred_changes_only(rig, clock):
     rig.tell(A, CreateEvent(1, EVERY_CHANGE, 0.0, QueryTime(1)))
     told = []
     for stamp in (NOON, NOON, ONE, ONE, NOON):
@@ -209,12 +209,12 @@ def test_events_on_change_tell_only_of_changes(rig, clock):
     assert contents(told) == [ReportTime(time_stamp=stamp) for stamp in (NOON, ONE, NOON)]
 
 
-def test_an_event_that_stays_out_tells_what_there_is_otherwise(rig):
+def test_overdue_event_reports_the_fallback(rig):
     rig.tell(A, CreateEvent(1, PERIODIC, 1.0, QueryTime(1)))
     assert contents(rig.run(REPLY_TIMEOUT + 0.5)) == [STAYED_OUT]
 
 
-def test_an_event_that_was_cancelled_or_changed_meanwhile_is_told_nothing(rig, clock):
+def test_cancelled_or_changed_event_gets_no_deferred_report(rig, clock):
     _, confirmed = only(rig.tell(A, CreateEvent(1, PERIODIC, 1.0, QueryTime(1))))
     rig.run(0.1)
     only(rig.tell(A, UpdateEvent(2, UpdateEvent.EventType.PERIODIC, 1.0, confirmed.event_id, QueryTime(3))))

@@ -37,28 +37,28 @@ def chosen(*services: Service) -> list[tuple[str, str]]:
     return [(each.id, each.version) for each in definitions_of(services, SCHEMA).values()]
 
 
-def test_ancestors_come_along_most_derived_first() -> None:
+def test_ancestors_are_included_most_derived_first() -> None:
     assert chosen(service("Old")) == [("Old", "1.0"), ("Middle", "1.0"), ("Base", "1.0")]
 
 
-def test_a_service_without_version_follows_those_that_inherit_from_it() -> None:
+def test_service_without_version_uses_that_of_derived_services() -> None:
     expected = [("Old", "1.0"), ("Middle", "1.0"), ("Base", "1.0")]
     assert chosen(service("Base"), service("Middle"), service("Old")) == expected
     assert chosen(service("Old"), service("Middle"), service("Base")) == expected
 
 
-def test_otherwise_the_newest_is_taken_unless_it_names_one() -> None:
+def test_newest_version_is_the_default() -> None:
     assert chosen(service("Middle")) == [("Middle", "1.1"), ("Base", "1.1")]
     assert chosen(service("Middle", "1.0")) == [("Middle", "1.0"), ("Base", "1.0")]
 
 
-def test_two_versions_of_one_service_do_not_fit_into_one_component() -> None:
+def test_two_versions_of_a_service_are_rejected() -> None:
     with pytest.raises(ConfigError, match=r"needs Middle 1\.[01], but another service of this component needs 1\.[01]"):
         chosen(service("Old"), service("New"))
     with pytest.raises(ConfigError, match="give each version a component of its own"):
         chosen(service("Old"), service("Middle", "1.1"))
 
 
-def test_a_parent_that_is_not_loaded_is_named() -> None:
+def test_missing_parent_is_named() -> None:
     with pytest.raises(ConfigError, match=r"Orphan: no definition of Nobody 1\.0"):
         chosen(service("Orphan"))

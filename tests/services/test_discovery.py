@@ -87,7 +87,7 @@ def test_configuration_of_subsystem_and_node(rig) -> None:
     assert found(3) == [(1, [ComponentRec(1, 0), ComponentRec(5, 0)])]
 
 
-def test_subsystem_list_points_here(rig) -> None:
+def test_subsystem_list_names_this_component(rig) -> None:
     assert rig.ask(A, QuerySubsystemList()) == ReportSubsystemList([SubsystemRec(101, 1, 1)])
 
 
@@ -141,7 +141,7 @@ def test_service_list_with_search_filter(rig) -> None:
     assert found(service_list(101, 1, 5, "core")) == {}
 
 
-def test_registration_replaces_and_foreign_subsystems_are_ignored(rig) -> None:
+def test_registration_replaces_entries_and_ignores_other_subsystems(rig) -> None:
     other = ServiceRec("urn:example:Other", 1, 0)
     rig.tell("101.1.5", RegisterServices([other]))
     rig.tell("102.1.5", RegisterServices([MANIPULATOR]))
@@ -150,7 +150,7 @@ def test_registration_replaces_and_foreign_subsystems_are_ignored(rig) -> None:
     assert len(rig.ask(A, QueryConfiguration(2)).node_list) == 2
 
 
-def test_nobody_can_register_for_the_component_itself(rig) -> None:
+def test_own_entry_cannot_be_replaced(rig) -> None:
     before = rig.ask(A, services((1, 1)))
     rig.tell("101.1.1", RegisterServices([MANIPULATOR]))
     assert rig.ask(A, services((1, 1))) == before
@@ -174,14 +174,14 @@ def flood(rig, components: int) -> None:
         rig.tell(f"101.{1 + number // 200}.{10 + number % 200}", RegisterServices(long))
 
 
-def test_one_component_cannot_register_more_than_its_share(rig) -> None:
+def test_services_of_a_component_are_bounded(rig) -> None:
     flood(rig, 1)
     uris = listed(rig.ask(A, services((1, 10))))[1, 10]
     assert len(uris) == MAX_REGISTRATION // 103
     assert rig.host.counters["registration_cut"] == 1
 
 
-def test_reports_fit_one_packet_whatever_others_register(rig) -> None:
+def test_reports_fit_one_packet(rig) -> None:
     own = listed(rig.ask(A, services((1, 1))))
     flood(rig, 300)
     report = rig.ask(A, services((255, 255)))
@@ -201,14 +201,14 @@ def test_reports_fit_one_packet_whatever_others_register(rig) -> None:
     assert len(event.encode()) <= MAX_PAYLOAD
 
 
-def test_a_robot_of_usual_size_is_reported_whole(rig, robot) -> None:
+def test_typical_robot_is_reported_completely(rig, robot) -> None:
     for component in range(20, 28):
         rig.tell(f"101.1.{component}", registration(robot.host))
     assert len(listed(rig.ask(A, services((1, 255))))) == 10
     assert rig.host.counters["report_cut"] == 0
 
 
-def test_the_own_services_are_reported_as_far_as_they_fit(rig) -> None:
+def test_own_services_are_reported_as_far_as_they_fit(rig) -> None:
     directory = rig.host.service(Discovery).directory
     directory.register(rig.ID, [OfferedService(f"{number:02}".ljust(255, "x"), 1, 0) for number in range(60)])
     report = rig.ask(A, services((255, 255)))
@@ -217,7 +217,7 @@ def test_the_own_services_are_reported_as_far_as_they_fit(rig) -> None:
 
 
 @pytest.mark.parametrize("sign", [RegisterServices([MANIPULATOR]), QueryIdentification(2), QuerySubsystemList()])
-def test_registrations_end_unless_the_component_is_heard(rig, sign) -> None:
+def test_registrations_expire_without_messages(rig, sign) -> None:
     rig.run(REGISTRATION_LIFETIME - 1)
     rig.tell("101.1.5", sign)
     rig.run(2)
@@ -227,7 +227,7 @@ def test_registrations_end_unless_the_component_is_heard(rig, sign) -> None:
     assert rig.ask(A, QueryConfiguration(2)).node_list[0].component_list == [ComponentRec(1, 0)]
 
 
-def test_what_ended_makes_room(rig) -> None:
+def test_expired_registrations_make_room(rig) -> None:
     flood(rig, MAX_COMPONENTS)
     rig.tell("101.99.1", RegisterServices([MANIPULATOR]))
     assert listed(rig.ask(A, services((99, 1)))) == {}
@@ -237,12 +237,12 @@ def test_what_ended_makes_room(rig) -> None:
 
 
 @pytest.mark.parametrize("name", ["Ωmega", "x" * 256])
-def test_a_name_that_does_not_fit_the_wire_is_refused(name) -> None:
+def test_name_that_cannot_be_encoded_is_rejected(name) -> None:
     with pytest.raises(ConfigError, match="Latin-1 text of up to 255 bytes"):
         Identity(name, 10001)
 
 
-def test_a_component_without_discovery_is_listed_with_what_it_registers(rig, make) -> None:
+def test_registered_component_without_discovery_is_listed(rig, make) -> None:
     other = make(Liveness())
     rig.tell("101.1.9", registration(other.host))
     assert listed(rig.ask(A, services((1, 9)))) == {
@@ -250,7 +250,7 @@ def test_a_component_without_discovery_is_listed_with_what_it_registers(rig, mak
     }
 
 
-def test_a_component_that_registers_nothing_or_cannot_be_reached_goes_off_the_list(rig) -> None:
+def test_empty_registration_or_unreachable_component_is_removed(rig) -> None:
     rig.tell("101.1.5", RegisterServices([]))
     assert set(listed(rig.ask(A, services((255, 255))))) == {(1, 1), (2, 1)}
     rig.host.unreachable(JausID.parse("101.2.1"), rig.now)

@@ -42,7 +42,7 @@ RING = ElementList((1, 2, 3), loop=True)
         (ElementList(), [(1, 0, 1)], ElementList((1,), loop=True)),
     ],
 )
-def test_fits(before, links, after) -> None:
+def test_valid_elements_are_linked(before, links, after) -> None:
     assert before.linked(records(*links)) == after
 
 
@@ -66,7 +66,7 @@ def test_fits(before, links, after) -> None:
         (ElementList(), [(1, 0, 2), (2, 1, 2)], Code.INVALID_NEXT_ELEMENT),
     ],
 )
-def test_does_not_fit(before, links, code) -> None:
+def test_inconsistent_elements_are_rejected(before, links, code) -> None:
     assert before.linked(records(*links)) is code
 
 
@@ -79,7 +79,7 @@ def test_deletion_links_the_neighbours() -> None:
 
 
 @given(st.lists(st.tuples(*[st.integers(0, 6)] * 3), max_size=5))
-def test_whatever_is_accepted_is_what_was_asked_for(links) -> None:
+def test_accepted_lists_match_the_request(links) -> None:
     asked = records(*links)
     changed = LIST.linked(asked)
     if isinstance(changed, Code):

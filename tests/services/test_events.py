@@ -73,7 +73,7 @@ def test_sequence_numbers_wrap_after_255(rig) -> None:
     assert [event.sequence_number for *_, event in rig.run(200.0)][254:258] == [254, 255, 0, 1]
 
 
-def test_rates_are_confirmed_as_they_are_kept(make) -> None:
+def test_confirmed_rates_are_kept(make) -> None:
     rig = make(Management(), Events(max_rate=50.0, timeout=0))
     confirmed = rig.ask(A, create(rate=1000.0))
     assert confirmed.confirmed_periodic_rate == pytest.approx(50.0, abs=STEP)
@@ -120,7 +120,7 @@ def test_creating_the_same_event_again_updates_it(rig) -> None:
     assert rig.ask(B, create(rate=2.0)).event_id not in (first.event_id, other.event_id)
 
 
-def test_a_request_that_comes_again_makes_no_second_event(robot) -> None:
+def test_repeated_request_makes_no_second_event(robot) -> None:
     for kind, query in ((PERIODIC, QueryStatus()), (ON_CHANGE, QueryLocalPose(X_AND_Y))):
         times = []
         for _ in range(3):
@@ -132,7 +132,7 @@ def test_a_request_that_comes_again_makes_no_second_event(robot) -> None:
     assert len(robot.ask(A, ALL).event_list) == 2
 
 
-def test_every_change_reports_at_once_and_then_what_is_new(robot, drive) -> None:
+def test_every_change_event_reports_at_once_and_then_changes(robot, drive) -> None:
     robot.ask(A, create(QueryLocalPose(X_AND_Y), kind=ON_CHANGE, rate=0.0))
     ((when, to, first),) = robot.run(1.0)
     assert (when, to) == (0.0, A)
@@ -145,7 +145,7 @@ def test_every_change_reports_at_once_and_then_what_is_new(robot, drive) -> None
     assert robot.run(1.0) == [], "yaw was not asked for"
 
 
-def test_every_change_is_bounded_by_the_rate_asked_for(robot, drive) -> None:
+def test_every_change_is_limited_to_the_requested_rate(robot, drive) -> None:
     def moving(seconds: float) -> int:
         count = 0
         for _ in range(int(seconds * 1000)):
@@ -162,7 +162,7 @@ def test_every_change_is_bounded_by_the_rate_asked_for(robot, drive) -> None:
     assert answer.confirmed_periodic_rate == pytest.approx(25.0, abs=STEP)
 
 
-def test_events_report_what_the_client_would_be_answered(robot) -> None:
+def test_events_report_the_answer_to_the_query(robot) -> None:
     robot.ask(A, create(QueryControl(), kind=ON_CHANGE))
     robot.ask(A, create(QueryStatus(), kind=ON_CHANGE))
     assert {type(event.report_message) for *_, event in robot.run(0.5)} == {ReportControl, ReportStatus}
@@ -195,7 +195,7 @@ def test_events_carry_masked_reports(robot) -> None:
     ],
     ids=["report", "command", "of no service here", "unknown", "undecodable", "rate 0"],
 )
-def test_what_cannot_be_set_up_is_rejected(rig, query, rate, code) -> None:
+def test_invalid_requests_are_rejected(rig, query, rate, code) -> None:
     assert refusal(rig.ask(A, create(query, rate))) == code
     id = rig.ask(A, create()).event_id
     assert refusal(rig.ask(A, update(id, query, rate))) == code
@@ -244,7 +244,7 @@ def test_events_expire_unless_they_are_renewed(make) -> None:
     assert rig.host.next_timeout() is None
 
 
-def test_a_cancelled_event_does_not_expire_any_more(make) -> None:
+def test_cancelled_event_does_not_expire(make) -> None:
     rig = make(Management(), Events(timeout=1))
     id = rig.ask(A, create()).event_id
     rig.ask(A, CancelEvent(9, id))
@@ -265,14 +265,14 @@ def test_the_number_of_events_is_bounded_per_client_and_per_component(make) -> N
     assert refusal(rig.ask(B, create(QueryControl()))) == 3
 
 
-def test_ids_are_used_again_last(rig) -> None:
+def test_ids_are_reused_last(rig) -> None:
     for _ in range(300):
         id = rig.ask(A, create()).event_id
         rig.ask(A, CancelEvent(1, id))
     assert id == 300 % 256
 
 
-def test_a_query_as_large_as_a_book_is_refused(make) -> None:
+def test_oversized_query_is_rejected(make) -> None:
     from jauspy.messages.core import QueriedComponentRec, QueriedNodeRec, QueryServices
     from jauspy.services.core import Discovery
 
@@ -284,18 +284,18 @@ def test_a_query_as_large_as_a_book_is_refused(make) -> None:
 @pytest.mark.parametrize(
     "options", [{"timeout": 256}, {"min_rate": 0.0}, {"max_rate": 2000.0}, {"max_change_rate": -1.0}]
 )
-def test_settings_that_make_no_sense_are_refused(options) -> None:
+def test_invalid_settings_are_rejected(options) -> None:
     with pytest.raises(ConfigError):
         Events(**options)
 
 
-def test_a_kind_of_event_that_does_not_exist_is_an_invalid_setup(rig) -> None:
+def test_unknown_kind_of_event_is_an_invalid_setup(rig) -> None:
     request = create().encode()
     ((_, answer),) = rig.tell(A, request[:3] + b"\x07" + request[4:])
     assert refusal(answer) == 4
 
 
-def test_a_kind_of_event_that_is_switched_off_is_refused_as_such(make) -> None:
+def test_disabled_kind_of_event_is_rejected_with_its_code(make) -> None:
     rig = make(Management(), Events(max_rate=0.0))
     assert refusal(rig.ask(A, create(QueryStatus()))) == 1
     assert isinstance(rig.ask(A, create(QueryStatus(), kind=ON_CHANGE)), ConfirmEventRequest)
@@ -305,7 +305,7 @@ def test_a_kind_of_event_that_is_switched_off_is_refused_as_such(make) -> None:
 
 
 @pytest.mark.parametrize("asked", [STEP, 0.1, 1.0, 7.0, 33.3, 49.99, 50.0, 51.0, 1092.0])
-def test_the_confirmed_rate_is_the_delivered_one_to_the_last_bit(make, asked) -> None:
+def test_delivered_rate_equals_the_confirmed_one(make, asked) -> None:
     rig = make(Management(), Events(min_rate=0.5, max_rate=50.0, timeout=0))
     confirmed = rig.ask(A, create(rate=asked)).confirmed_periodic_rate
     assert 0.5 - STEP / 2 <= confirmed <= 50.0
@@ -316,7 +316,7 @@ def test_the_confirmed_rate_is_the_delivered_one_to_the_last_bit(make, asked) ->
     assert (len(times) - 1) / (times[-1] - times[0]) == pytest.approx(confirmed, rel=1e-6)
 
 
-def test_a_first_change_is_reported_once_and_so_is_a_report_asked_for_once(make) -> None:
+def test_first_change_and_one_time_events_report_once(make) -> None:
     rig = make(Management(), AccessControl(timeout=0), Events(more_kinds=True))
     rig.ask(A, create(QueryControl(), kind=2, rate=0.0).encode(strict=False))
     rig.ask(A, create(QueryStatus(), kind=3).encode(strict=False))
@@ -331,7 +331,7 @@ def test_a_first_change_is_reported_once_and_so_is_a_report_asked_for_once(make)
     assert rig.host.next_timeout() is None
 
 
-def test_periodic_reports_are_dropped_before_what_is_told_once(make) -> None:
+def test_periodic_reports_are_dropped_before_single_notifications(make) -> None:
     rig = make(Management(), Liveness(), AccessControl(), Events(timeout=0), max_output=4)
     rig.ask(A, create(QueryHeartbeatPulse(), rate=50.0))
     rig.host.handle_timeout(0.0)
@@ -346,7 +346,7 @@ def test_periodic_reports_are_dropped_before_what_is_told_once(make) -> None:
     ]
 
 
-def test_events_of_a_client_that_cannot_be_reached_end(rig) -> None:
+def test_events_of_an_unreachable_client_end(rig) -> None:
     rig.ask(A, create(QueryStatus()))
     rig.ask(A, create(QueryControl(), kind=ON_CHANGE))
     kept = rig.ask(B, create(QueryStatus())).event_id
@@ -356,7 +356,7 @@ def test_events_of_a_client_that_cannot_be_reached_end(rig) -> None:
     assert [each.event_id for each in rig.ask(B, ALL).event_list] == [kept]
 
 
-def test_an_event_whose_report_has_a_bug_ends_and_says_so(make, caplog) -> None:
+def test_event_with_failing_report_ends_with_a_rejection(make, caplog) -> None:
     class Ill(Liveness):
         def report_heartbeat_pulse(self):
             raise RuntimeError("flat line")

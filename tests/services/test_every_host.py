@@ -62,7 +62,7 @@ def named(definition: model.Service) -> Iterator[tuple[str, str]]:
 
 
 @pytest.mark.parametrize("definition", SERVICES, ids=IDS)
-def test_it_starts_and_takes_every_message(make, definition) -> None:
+def test_host_of_every_service_starts_and_accepts_all_messages(make, definition) -> None:
     definitions = lineage(definition)
     rig = make(*(instance(Willing, each) for each in definitions), schema=SCHEMA)
     for each in definitions:
@@ -77,7 +77,7 @@ def test_it_starts_and_takes_every_message(make, definition) -> None:
 
 
 @pytest.mark.parametrize("definition", SERVICES, ids=IDS)
-def test_what_its_class_lacks_is_an_error_at_start_up(make, definition) -> None:
+def test_missing_methods_are_an_error_at_start_up(make, definition) -> None:
     own, *ancestors = lineage(definition)
     wanted = set(named(definition))
     services = [instance(Bare, own), *(instance(Willing, each) for each in ancestors)]
@@ -98,7 +98,7 @@ def test_what_its_class_lacks_is_an_error_at_start_up(make, definition) -> None:
 @pytest.mark.parametrize(
     "version", ["core-1.1", "mobility-1.1", "manipulator-2.0", "environmentSensing-2.0", "ugv-1.0"]
 )
-def test_the_services_of_a_whole_set_share_their_parents(make, version) -> None:
+def test_services_of_a_set_share_their_parents(make, version) -> None:
     name, _, number = version.partition("-")
     chosen = [each for each in SERVICES if each.id.split(":")[-2] == name and each.version == number]
     chosen = [each for each in chosen if not each.name.endswith("Client")]

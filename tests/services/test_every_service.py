@@ -258,7 +258,7 @@ def _predicate(call: behavior.Call) -> str:
 
 
 @pytest.mark.parametrize("definition", SERVICES, ids=IDS)
-def test_the_engine_does_what_the_definition_says(definition: model.Service) -> None:
+def test_engine_matches_a_simple_interpreter(definition: model.Service) -> None:
     """In every state that can be reached: every input, with all that the predicates may say about it."""
     pair = Pair(definition, "ReceiveFSM")
     inputs = pair.inputs()

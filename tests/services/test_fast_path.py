@@ -155,7 +155,7 @@ class Life:
 @pytest.mark.slow
 @settings(deadline=None, max_examples=100)
 @given(st.lists(steps, min_size=5, max_size=30), st.sampled_from(["stay", "failure"]))
-def test_events_are_the_same_with_and_without_it(script, failing) -> None:
+def test_events_are_equal_with_and_without_the_fast_path(script, failing) -> None:
     short, plain = Life(failing), Life(failing)
     beats = [("tell", CLIENTS[0], CreateEvent(1, kind, 5.0, QueryHeartbeatPulse())) for kind in (0, 1)]
     for step in (*beats, *script):
@@ -166,7 +166,7 @@ def test_events_are_the_same_with_and_without_it(script, failing) -> None:
         assert short.said == plain.said
 
 
-def test_most_queries_take_it(monkeypatch) -> None:
+def test_most_queries_use_the_fast_path(monkeypatch) -> None:
     life = Life("stay")
     monkeypatch.setattr(MachineInstance, "ask", lambda *_: pytest.fail("the whole way"))
     for query in (QueryStatus(), QueryLocalPose(0b11), QueryVelocityState(1), QueryTime(3)):

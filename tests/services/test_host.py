@@ -54,7 +54,7 @@ INPUTS = sorted({m.code for s in load_builtin().services for m in s.inputs})
         (b"\x06\x00\x99", "malformed_SetEmergency"),
     ],
 )
-def test_what_cannot_be_read_is_counted_by_reason_and_logged_once(robot, caplog, payload, reason) -> None:
+def test_malformed_messages_are_counted_by_reason_and_logged_once(robot, caplog, payload, reason) -> None:
     with caplog.at_level(logging.DEBUG, "jauspy.services"):
         for _ in range(3):
             assert robot.tell(A, payload) == []
@@ -82,7 +82,7 @@ def test_garbage_never_raises(robot, messages: list[tuple[int, bytes]]) -> None:
     assert len(robot.host.counters) < 50
 
 
-def test_what_no_state_wants_is_counted(robot) -> None:
+def test_ignored_messages_are_counted(robot) -> None:
     robot.tell(A, Resume())
     assert robot.host.counters["ignored"] == 1
 
@@ -110,7 +110,7 @@ def test_the_output_queue_drops_the_oldest_of_the_lowest_priority() -> None:
     assert box.drain() == []
 
 
-def test_a_component_that_is_not_emptied_stays_bounded(make) -> None:
+def test_undrained_output_is_bounded(make) -> None:
     rig = make(Liveness(), max_output=10)
     for _ in range(50):
         rig.host.receive(QueryHeartbeatPulse().encode(), SOURCE, 0.0)
@@ -129,7 +129,7 @@ def test_services_choose_priority_and_broadcast(make) -> None:
     assert sent[0].payload == ReportHeartbeatPulse().encode()
 
 
-def test_what_cannot_be_encoded_is_logged_as_a_bug_and_not_sent(make, caplog) -> None:
+def test_encode_error_is_logged_and_nothing_is_sent(make, caplog) -> None:
     rig = make(Liveness())
     rig.host.send(SOURCE, ReportWrenchEffort(propulsive_linear_effort_x=1000.0))
     assert rig.sent() == []
@@ -138,7 +138,7 @@ def test_what_cannot_be_encoded_is_logged_as_a_bug_and_not_sent(make, caplog) ->
     assert "1000.0 is outside -100.0..100.0" in caplog.text
 
 
-def test_an_event_that_nothing_has_is_an_error(make) -> None:
+def test_unknown_internal_event_is_an_error(make) -> None:
     rig = make(Management())
     with pytest.raises(ConfigError, match=r"101\.1\.1 has an internal event Initialised; there are .*Init"):
         rig.host.fire("Initialised")
@@ -147,7 +147,7 @@ def test_an_event_that_nothing_has_is_an_error(make) -> None:
 # --- late callers
 
 
-def test_control_that_ran_out_is_over_before_a_late_message_acts(robot, drive) -> None:
+def test_overdue_control_timeout_precedes_a_late_message(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(A, Resume())
     robot.now = 100.0  # nobody called `handle_timeout` meanwhile
@@ -156,7 +156,7 @@ def test_control_that_ran_out_is_over_before_a_late_message_acts(robot, drive) -
     assert drive.effort == (0.0, 0.0)
 
 
-def test_a_message_in_time_comes_before_what_is_due_at_the_same_moment(robot, drive) -> None:
+def test_message_precedes_a_timer_of_the_same_time(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(A, Resume())
     robot.now = 5.0
@@ -168,7 +168,7 @@ def test_a_message_in_time_comes_before_what_is_due_at_the_same_moment(robot, dr
 # --- bugs of actions
 
 
-def test_a_bug_is_logged_with_its_message_counted_and_contained(make, drive, caplog) -> None:
+def test_exception_is_logged_with_its_message_and_counted(make, drive, caplog) -> None:
     class Buggy(PrimitiveDriver):
         def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
             raise ZeroDivisionError("of mine")
@@ -188,7 +188,7 @@ def test_a_bug_is_logged_with_its_message_counted_and_contained(make, drive, cap
     assert isinstance(rig.ask(A, QueryWrenchEffort(0)), ReportWrenchEffort)
 
 
-def test_a_bug_in_a_timer_does_not_stop_the_others(make) -> None:
+def test_exception_in_a_timer_does_not_stop_others(make) -> None:
     rig, called = make(Liveness()), []
     rig.host.set_timer("broken", 1.0, lambda: 1 / 0)
     rig.host.set_timer("fine", 1.0, lambda: called.append("fine"))
@@ -197,7 +197,7 @@ def test_a_bug_in_a_timer_does_not_stop_the_others(make) -> None:
     assert rig.host.counters["action_failed"] == 1
 
 
-def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
+def test_cascading_internal_events_are_bounded(make) -> None:
     class Endless(Management):
         def initialize(self) -> None:
             for _ in range(3):
@@ -217,7 +217,7 @@ def test_internal_events_that_bring_up_more_are_bounded(make) -> None:
 # --- putting a component together
 
 
-def test_inherited_core_services_come_by_themselves(make, drive) -> None:
+def test_inherited_core_services_are_added(make, drive) -> None:
     rig = make(PrimitiveDriver(Vehicle(drive)))
     assert [type(s).__name__ for s in rig.host.services] == [
         "PrimitiveDriver",
@@ -246,7 +246,7 @@ def test_missing_actions_are_named(make) -> None:
     assert text.count("report_wrench_effort") == 2
 
 
-def test_a_service_without_definition_or_given_twice_is_refused(make) -> None:
+def test_service_without_definition_or_given_twice_is_rejected(make) -> None:
     class Nameless(Service):
         pass
 
@@ -266,7 +266,7 @@ def test_a_service_without_definition_or_given_twice_is_refused(make) -> None:
             make(*services)
 
 
-def test_read_takes_inputs_of_the_component_only(robot) -> None:
+def test_read_decodes_inputs_of_the_component_only(robot) -> None:
     assert robot.host.read(QueryStatus()) == QueryStatus()
     assert robot.host.read(QueryStatus().encode()) == QueryStatus()
     for other in (
@@ -279,7 +279,7 @@ def test_read_takes_inputs_of_the_component_only(robot) -> None:
         assert robot.host.read(other) is None
 
 
-def test_only_the_definitions_that_are_needed_are_read(monkeypatch, request) -> None:
+def test_only_needed_definitions_are_read(monkeypatch, request) -> None:
     read: list[Path] = []
 
     def count(paths: list[Path]) -> Schema:
@@ -308,7 +308,7 @@ class Fragile(Management):
         raise RuntimeError("no end")
 
 
-def test_a_bug_takes_the_component_to_failure_when_it_is_told_so(make, caplog) -> None:
+def test_exception_enters_failure_if_configured(make, caplog) -> None:
     rig = make(Fragile(), AccessControl(timeout=0), Liveness(), on_action_error="failure")
     rig.tell(A, RequestControl(100))
     rig.tell(A, Resume())
@@ -323,7 +323,7 @@ def test_a_bug_takes_the_component_to_failure_when_it_is_told_so(make, caplog) -
     assert rig.host.status is ReportStatus.Status.FAILURE
 
 
-def test_by_default_a_component_goes_on_after_a_bug(make) -> None:
+def test_component_continues_after_an_exception_by_default(make) -> None:
     rig = make(Fragile(), AccessControl(timeout=0))
     rig.tell(A, RequestControl(100))
     rig.tell(A, Resume())
@@ -331,7 +331,7 @@ def test_by_default_a_component_goes_on_after_a_bug(make) -> None:
     assert rig.host.status is ReportStatus.Status.READY
 
 
-def test_a_bug_that_is_met_again_and_again_does_not_fill_the_log(make, caplog) -> None:
+def test_repeated_exceptions_do_not_fill_the_log(make, caplog) -> None:
     rig = make(Fragile(), AccessControl(timeout=0))
     for _ in range(1000):
         rig.tell(B, QueryStatus())
@@ -343,7 +343,7 @@ def test_a_bug_that_is_met_again_and_again_does_not_fill_the_log(make, caplog) -
 # --- its end
 
 
-def test_a_component_that_is_closed_tells_its_clients_and_begins_anew(robot, drive) -> None:
+def test_closed_component_notifies_clients_and_restarts_fresh(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(A, Resume())
     robot.tell(A, SetWrenchEffort(propulsive_linear_effort_x=50.0))
@@ -359,7 +359,7 @@ def test_a_component_that_is_closed_tells_its_clients_and_begins_anew(robot, dri
     assert len(services.node_list[0].component_list[0].service_list) == len(robot.host.services)
 
 
-def test_closing_stops_what_moves_in_an_emergency_too(robot, drive) -> None:
+def test_close_stops_motion_in_an_emergency(robot, drive) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(B, SetEmergency(1))
     stops = drive.stops
@@ -369,7 +369,7 @@ def test_closing_stops_what_moves_in_an_emergency_too(robot, drive) -> None:
 
 
 @pytest.mark.parametrize("id", ["101.255.1", "65535.1.1", "101.1.0"])
-def test_an_id_that_no_component_can_have_is_not_asked_for(robot, id) -> None:
+def test_request_for_an_invalid_id_is_an_error(robot, id) -> None:
     with pytest.raises(ConfigError, match=f"{id} cannot be a component's id"):
         robot.host.ask_for_id(JausID.parse(id))
     assert robot.host.requested_id is None

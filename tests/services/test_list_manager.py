@@ -154,7 +154,7 @@ def test_set_query_delete(rig) -> None:
         (put(), Code.UNSPECIFIED_ERROR),
     ],
 )
-def test_what_does_not_fit_is_refused_and_changes_nothing(rig, message, code) -> None:
+def test_invalid_request_is_rejected_and_changes_nothing(rig, message, code) -> None:
     rig.tell(A, THREE)
     assert rig.ask(A, message) == RejectElementRequest(message.request_id_rec.request_id, code)
     assert order(rig) == [1, 2, 3]
@@ -180,7 +180,7 @@ def test_only_the_controlling_client_changes_the_list(rig, driver, message) -> N
     assert driver.begun == []
 
 
-def test_changes_are_taken_in_every_state_under_control(rig, driver) -> None:
+def test_changes_are_accepted_in_every_controlled_state(rig, driver) -> None:
     rig.tell(A, Standby())
     assert rig.ask(A, put((1, 0, 0))) == DONE
     rig.tell(B, SetEmergency(1))
@@ -190,7 +190,7 @@ def test_changes_are_taken_in_every_state_under_control(rig, driver) -> None:
     assert driver.begun == [], "nothing is carried out in Emergency"
 
 
-def test_elements_are_carried_out_in_order_until_the_list_ends(rig, driver) -> None:
+def test_elements_are_executed_in_order(rig, driver) -> None:
     rig.tell(A, THREE)
     assert active(rig) == 0
     rig.tell(A, execute(2))
@@ -207,7 +207,7 @@ def test_elements_are_carried_out_in_order_until_the_list_ends(rig, driver) -> N
     assert driver.ended == 1
 
 
-def test_a_command_event_tells_how_the_list_ended(rig, driver) -> None:
+def test_command_event_reports_the_end_of_the_list(rig, driver) -> None:
     rig.tell(A, put((1, 0, 2), (2, 1, 0)))
     assert len(rig.tell(A, CreateCommandEvent(5, 600, execute(1)))) == 1
     driver.elements.done()
@@ -240,7 +240,7 @@ def test_a_loop_starts_over_after_a_pause(rig, driver) -> None:
     assert driver.begun == [2, 1]
 
 
-def test_each_element_goes_to_the_driver_that_takes_it(rig, driver) -> None:
+def test_each_element_is_executed_by_a_matching_driver(rig, driver) -> None:
     other = rig.host.service(Global)
     there = ElementRec.ElementData(0, SetGlobalWaypoint(latitude=40.0, longitude=-75.0))
     assert rig.ask(A, put((1, 0, 2), (2, 1, 3, there), (3, 2, 0))) == DONE
@@ -253,7 +253,7 @@ def test_each_element_goes_to_the_driver_that_takes_it(rig, driver) -> None:
     assert (driver.begun, driver.ended, other.begun, other.ended) == ([1, 3], 1, [2], 1)
 
 
-def test_replacing_the_active_element_begins_it_anew_and_deleting_it_ends_the_execution(rig, driver) -> None:
+def test_replacing_the_active_element_restarts_it_and_deleting_it_ends_execution(rig, driver) -> None:
     rig.tell(A, THREE)
     rig.tell(A, execute(2))
     rig.tell(A, put((2, 1, 3, local(20.0))))
@@ -266,7 +266,7 @@ def test_replacing_the_active_element_begins_it_anew_and_deleting_it_ends_the_ex
     assert (driver.ended, active(rig), order(rig)) == (1, 0, [3])
 
 
-def test_a_change_between_two_elements_does_not_begin_what_is_gone(rig, driver) -> None:
+def test_change_between_elements_does_not_start_a_deleted_one(rig, driver) -> None:
     rig.tell(A, THREE)
     rig.tell(A, execute(1))
     driver.elements.done()
@@ -293,14 +293,14 @@ def test_preemption_ends_the_execution(rig, driver) -> None:
     assert (driver.ended, active(rig)) == (1, 0)
 
 
-def test_a_list_without_drivers_keeps_what_the_component_takes(make) -> None:
+def test_list_without_drivers_accepts_messages_of_the_component(make) -> None:
     rig = make(ListManager(), Management())
     rig.tell(A, RequestControl(100))
     assert rig.ask(A, put((1, 0, 0, ElementRec.ElementData(0, Resume())))) == DONE
     assert rig.ask(A, put((2, 1, 0))).response_code == Code.UNSUPPORTED_ELEMENT_TYPE
 
 
-def test_the_exchange_of_the_2015_interface_test(rig) -> None:
+def test_exchange_of_the_2015_interface_test_is_answered(rig) -> None:
     """Steps 54 to 61: one element with a waypoint, request 2Ch."""
     message = bytes.fromhex("1a04 2c 01 0100 0000 0000 00 0b00 0d04 00 ffffff0f ffffff0f")
     assert rig.ask(A, message).encode() == bytes.fromhex("1c042c")
@@ -309,7 +309,7 @@ def test_the_exchange_of_the_2015_interface_test(rig) -> None:
     assert rig.ask(A, bytes.fromhex("1e24")).encode()[:2] == bytes.fromhex("1e44")
 
 
-def test_the_list_of_the_2013_judge_is_refused_for_what_is_wrong_with_it(rig) -> None:
+def test_list_of_the_2013_judge_is_rejected_with_the_right_code(rig) -> None:
     """Its last element names a next one that is not there; uninitialised bytes stand for its message ids."""
     first, second, third, fourth = (
         bytes.fromhex("000003f9f20280ffffff7f0900"),

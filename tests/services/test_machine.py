@@ -127,21 +127,21 @@ def two_states(*, a=(), b=(), top=(), defaults=(), start="Top.A") -> model.Servi
     )
 
 
-def test_start_enters_from_the_outside_in_and_initial_states() -> None:
+def test_start_enters_outer_states_first() -> None:
     rig = Rig(two_states(start="Top"))
     rig.machine.start()
     assert rig.machine.state == "Top.A"
     assert rig.log == ["in_top", "in_a"]
 
 
-def test_simple_runs_actions_then_exit_then_entry_and_keeps_what_is_around() -> None:
+def test_simple_transition_runs_actions_exit_and_entry() -> None:
     rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a b"),)))
     assert rig.get("Go") is TriggerOutcome.TAKEN
     assert rig.log == ["a", "b", "out_a", "in_b"]
     assert rig.machine.state == "Top.B"
 
 
-def test_a_transition_to_an_active_state_leaves_and_enters_it() -> None:
+def test_transition_to_an_active_state_reenters_it() -> None:
     rig = Rig(two_states(a=(on("Go", "simple", "Top"), on("Back", "simple", "Top.A"))))
     rig.get("Go")
     assert rig.log == ["out_a", "out_top", "in_top", "in_a"]
@@ -149,7 +149,7 @@ def test_a_transition_to_an_active_state_leaves_and_enters_it() -> None:
     assert rig.log == ["out_a", "in_a"]
 
 
-def test_innermost_first_then_defaults_then_own_of_each_state_around() -> None:
+def test_transitions_are_searched_from_the_innermost_state() -> None:
     everything = {"a": (on("Ask", do="a"),), "defaults": (on("Ask", do="b"),), "top": (on("Ask", do="c"),)}
     for missing, expected in (((), "a"), (("a",), "b"), (("a", "defaults"), "c")):
         rig = Rig(two_states(**{k: v for k, v in everything.items() if k not in missing}))
@@ -157,7 +157,7 @@ def test_innermost_first_then_defaults_then_own_of_each_state_around() -> None:
         assert rig.log == [expected]
 
 
-def test_a_false_guard_passes_on_to_the_next() -> None:
+def test_false_guard_continues_with_the_next_transition() -> None:
     rig = Rig(two_states(a=(on("Ask", do="a", guard="isAllowed()"), on("Ask", do="b")), top=(on("Ask", do="c"),)))
     rig.get("Ask")
     rig.service.allowed = False
@@ -165,20 +165,20 @@ def test_a_false_guard_passes_on_to_the_next() -> None:
     assert rig.log == ["a", "b"]
 
 
-def test_simple_without_end_state_stays_as_in_jsidl_1_0() -> None:
+def test_simple_transition_without_end_state_keeps_the_state() -> None:
     rig = Rig(two_states(a=(on("Ask", "simple", do="a"),)))
     assert rig.get("Ask") is TriggerOutcome.TAKEN
     assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
 
 
-def test_internal_without_actions_ignores_the_event() -> None:
+def test_internal_transition_without_actions_ignores_the_trigger() -> None:
     rig = Rig(two_states(a=(on("Ask"),), top=(on("Ask", do="c"),)))
     assert rig.get("Ask") is TriggerOutcome.IGNORED
     assert rig.log == []
     assert rig.get("Other") is TriggerOutcome.IGNORED
 
 
-def test_receive_without_parameters_takes_every_message_last_of_all() -> None:
+def test_receive_without_parameters_matches_any_message_last() -> None:
     rest = model.Transition(trigger="Receive", kind="internal", actions=(model.Action("c"),))
     rig = Rig(two_states(a=(on("Ask", do="a"),), top=(rest,)))
     rig.get("Ask")
@@ -187,7 +187,7 @@ def test_receive_without_parameters_takes_every_message_last_of_all() -> None:
     assert rig.log == ["a", "c"]
 
 
-def test_internal_events_match_by_the_last_part_of_their_name() -> None:
+def test_internal_events_match_by_short_name() -> None:
     rig = Rig(two_states(a=(on("Timedout", "simple", "Top.B", event=True),)))
     rig.get("Timedout")
     assert rig.machine.state == "Top.B"
@@ -210,20 +210,20 @@ def test_pushing_the_active_state_does_not_stack() -> None:
     assert rig.machine.state == "Top.A"
 
 
-def test_endless_pushing_is_bounded() -> None:
+def test_push_depth_is_bounded() -> None:
     rig = Rig(two_states(a=(on("Go", "push", "Top.B"),), b=(on("Go", "push", "Top.A"),)))
     for _ in range(10 * MAX_PUSHED):
         rig.get("Go")
     assert len(rig.machine.pushed) == MAX_PUSHED
 
 
-def test_pop_of_nothing_stays() -> None:
+def test_pop_without_push_keeps_the_state() -> None:
     rig = Rig(two_states(a=(on("Back", "pop", do="a"),)))
     assert rig.get("Back") is TriggerOutcome.TAKEN
     assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
 
 
-def test_an_action_may_veto_the_change() -> None:
+def test_action_can_veto_the_change_of_state() -> None:
     rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="veto a"),)))
     rig.get("Go")
     assert (rig.machine.state, rig.log) == ("Top.A", ["a"])
@@ -251,7 +251,7 @@ def test_a_failing_predicate_makes_its_guard_false(guard: str) -> None:
     assert (rig.log, rig.counters["action_failed"]) == (["b"], 1)
 
 
-def test_asking_does_not_change_the_state() -> None:
+def test_ask_does_not_change_the_state() -> None:
     rig = Rig(two_states(a=(on("Go", "simple", "Top.B", do="a"), on("Ask", do="b"))))
     assert rig.machine.ask(Trigger(CODES["Go"])) is TriggerOutcome.IGNORED
     assert rig.machine.ask(Trigger(CODES["Ask"])) is TriggerOutcome.TAKEN
@@ -271,7 +271,7 @@ def child(*, start: str = "Top.A.Inner") -> model.Service:
     return definition("Child", top, start=start, parent="S")
 
 
-def test_states_of_parent_and_child_are_one_and_the_child_comes_first() -> None:
+def test_states_of_parent_and_child_are_merged_child_first() -> None:
     parent = two_states(a=(on("Ask", do="a"), on("Go", "simple", "Top.B")), b=(on("Back", "simple", "Top.A"),))
     rig = Rig(child(), parent)
     assert rig.machine.state == "Top.A.Inner"
@@ -283,7 +283,7 @@ def test_states_of_parent_and_child_are_one_and_the_child_comes_first() -> None:
     assert (rig.machine.state, rig.log) == ("Top.A.Inner", ["b", "out_b", "in_a", "b"])
 
 
-def test_the_deepest_start_wins_and_contradictions_are_refused() -> None:
+def test_deepest_start_is_used_and_contradictions_are_rejected() -> None:
     assert Rig(child(start="Top"), two_states(start="Top.A")).machine.state == "Top.A.Inner"
     with pytest.raises(ConfigError, match=r"Child starts ReceiveFSM in Top\.A\.Inner, but S in Top\.B"):
         Rig(child(), two_states(start="Top.B"))
@@ -294,7 +294,7 @@ def test_the_deepest_start_wins_and_contradictions_are_refused() -> None:
         Rig(two_states(start="Top"), other)
 
 
-def test_everything_missing_is_told_at_once_with_service_state_and_action() -> None:
+def test_all_missing_methods_are_reported_at_once() -> None:
     parent = two_states(
         a=(on("Go", "simple", "Top.Nowhere", do="doThis"), on("Ask", guard="isThere(msg)"), on("Nothing")),
         b=(on("Go", "push"),),
@@ -312,7 +312,7 @@ def test_everything_missing_is_told_at_once_with_service_state_and_action() -> N
         assert expected in text
 
 
-def test_what_every_service_has_is_no_action_unless_it_is_written() -> None:
+def test_inherited_hooks_are_no_actions() -> None:
     class Written(Actions):
         def leaving(self) -> None:
             self.log.append("leaving")
@@ -324,7 +324,7 @@ def test_what_every_service_has_is_no_action_unless_it_is_written() -> None:
         assert len(binder.problems) == problems
 
 
-def test_a_private_parent_does_not_lend_its_actions() -> None:
+def test_private_parent_provides_no_actions() -> None:
     class Private(Actions, private=True):
         pass
 
@@ -391,7 +391,7 @@ def test_an_unknown_parameter_is_refused() -> None:
 
 
 @pytest.mark.parametrize("answer", [REPORT, ReportTime, {"status": 1}, True])
-def test_a_report_that_is_not_the_message_is_a_bug(answer: object) -> None:
+def test_report_of_a_wrong_class_is_an_error(answer: object) -> None:
     service = Sends()
     service.answer = answer
     rig = Rig(sending("'ReportStatus'", "transportData"), S=service)
@@ -404,7 +404,7 @@ def test_a_coroutine_is_refused() -> None:
         Rig(sending("'ReportLater'", "transportData"), S=Sends())
 
 
-def test_a_default_transition_takes_what_no_other_of_its_state_takes() -> None:
+def test_default_transition_matches_the_remaining_triggers() -> None:
     rig = Rig(
         two_states(
             a=(on("", do="a", event=True), on("Go", do="b")),
@@ -415,7 +415,7 @@ def test_a_default_transition_takes_what_no_other_of_its_state_takes() -> None:
     assert rig.log == ["b", "a", "a", "a"]
 
 
-def test_default_transitions_of_the_machine_come_last_of_all() -> None:
+def test_default_transitions_of_the_machine_come_last() -> None:
     one = two_states(a=(on("Go", do="a"),), defaults=(on("Ask", do="b"),))
     machine = replace(one.behavior.machines[0], default_transitions=(on("", "simple", "Top.B", event=True),))
     rig = Rig(replace(one, behavior=replace(one.behavior, machines=(machine,))))
@@ -439,7 +439,7 @@ def test_default_transitions_of_the_machine_come_last_of_all() -> None:
     ],
     ids=["one action", "first wins", "guarded", "two actions", "ignored", "another message", "changes the state"],
 )
-def test_the_sole_action_is_one_action_on_which_nothing_has_a_say(transitions, found) -> None:
+def test_sole_action_requires_an_unconditional_internal_transition(transitions, found) -> None:
     rig = Rig(definition("S", state("Now", transitions=transitions), state("Next"), start="Now"))
     step = rig.machine.sole_action(CODES["Ask"])
     assert (step is not None) is found
@@ -448,7 +448,7 @@ def test_the_sole_action_is_one_action_on_which_nothing_has_a_say(transitions, f
         assert rig.log == ["a"]
 
 
-def test_each_state_has_its_own_sole_action() -> None:
+def test_sole_action_depends_on_the_state() -> None:
     now = state("Now", transitions=(on("Ask", do="a"), on("Go", "simple", "Next")))
     later = state("Next", transitions=(on("Ask", do="b"), on("Back", "simple", "Now")))
     rig = Rig(definition("S", now, later, start="Now"))

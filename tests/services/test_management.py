@@ -117,7 +117,7 @@ def test_transitions(rig, row) -> None:
         (HELD_EMERGENCY, "EMERGENCY"),
     ],
 )
-def test_status_is_reported_in_every_state_to_everybody_in_five_bytes(rig, state, status) -> None:
+def test_status_is_reported_in_every_state_to_all_clients(rig, state, status) -> None:
     for who, what in WAY_THERE[state]:
         rig.tell(who, what)
     answer = rig.ask(C, QueryStatus())
@@ -135,7 +135,7 @@ def test_status_is_reported_in_every_state_to_everybody_in_five_bytes(rig, state
         (HELD_EMERGENCY, [], HELD_EMERGENCY),
     ],
 )
-def test_failure(rig, before, answers, after) -> None:
+def test_failure_is_entered_and_kept(rig, before, answers, after) -> None:
     for who, what in WAY_THERE[before]:
         rig.tell(who, what)
     rig.host.fire("Failure")
@@ -147,14 +147,14 @@ def test_failure(rig, before, answers, after) -> None:
 
 
 @pytest.mark.parametrize("state", [HELD_STANDBY, HELD_READY])
-def test_time_out_gives_control_back(rig, state) -> None:
+def test_control_timeout_enters_standby(rig, state) -> None:
     for who, what in WAY_THERE[state]:
         rig.tell(who, what)
     assert rig.run(5.0) == [(5.0, A, RELEASED)]
     assert rig.host.state == FREE_STANDBY
 
 
-def test_an_emergency_lasts_until_everybody_who_set_it_has_cleared_it(rig) -> None:
+def test_emergency_lasts_until_all_clients_have_cleared_it(rig) -> None:
     for client in (B, C, B, B):
         rig.tell(client, STOP)
     rig.tell(B, CLEAR)
@@ -168,7 +168,7 @@ def test_an_emergency_lasts_until_everybody_who_set_it_has_cleared_it(rig) -> No
     assert rig.host.state == FREE_STANDBY
 
 
-def test_a_flood_of_emergencies_takes_no_memory(rig) -> None:
+def test_repeated_emergencies_take_no_memory(rig) -> None:
     clients = [f"{number}.1.1" for number in range(1, 3 * MAX_EMERGENCY_CLIENTS)]
     for client in clients:
         rig.tell(client, STOP)
@@ -179,7 +179,7 @@ def test_a_flood_of_emergencies_takes_no_memory(rig) -> None:
     assert rig.host.state == FREE_STANDBY
 
 
-def test_initialization_can_take_its_time(make) -> None:
+def test_initialization_may_be_lengthy(make) -> None:
     class Slow(Management):
         def initialize(self) -> None:
             self.host.set_timer("warm up", self.host.now + 2.0, lambda: self.host.fire("Initialized"))
@@ -194,7 +194,7 @@ def test_initialization_can_take_its_time(make) -> None:
     assert rig.ask(A, QueryControl()).authority_code == 0
 
 
-def test_an_emergency_during_initialization_starts_it_again_afterwards(make) -> None:
+def test_emergency_restarts_the_initialization_afterwards(make) -> None:
     class Slow(Management):
         def initialize(self) -> None:
             self.host.set_timer("warm up", self.host.now + 2.0, lambda: self.host.fire("Initialized"))
@@ -211,7 +211,7 @@ def test_an_emergency_during_initialization_starts_it_again_afterwards(make) -> 
     assert rig.host.status is ReportStatus.Status.STANDBY
 
 
-def test_an_emergency_is_one_whatever_its_code(make) -> None:
+def test_emergency_code_is_ignored(make) -> None:
     """Components of other stacks send code 0, which the value set does not have."""
     rig = make(Management())
     assert rig.tell(A, bytes.fromhex("06000000")) == []
@@ -221,7 +221,7 @@ def test_an_emergency_is_one_whatever_its_code(make) -> None:
     assert rig.host.state == FREE_STANDBY
 
 
-def test_an_emergency_that_is_cut_short_is_malformed(make) -> None:
+def test_truncated_emergency_is_malformed(make) -> None:
     rig = make(Management())
     rig.tell(A, bytes.fromhex("060001"))
     assert rig.host.state == FREE_STANDBY

@@ -86,7 +86,7 @@ def own(tmp_path: Path):
     return jauspy.load(file), load_files([file, *builtin_paths()])
 
 
-def test_it_runs_is_discovered_masked_and_subscribed_to(own, make) -> None:
+def test_user_defined_service_runs_and_can_be_subscribed(own, make) -> None:
     registry, schema = own
     report = registry.by_name("ReportBattery")
     query = registry.by_name("QueryBattery")
@@ -112,7 +112,7 @@ def test_it_runs_is_discovered_masked_and_subscribed_to(own, make) -> None:
     assert (content if isinstance(content, bytes) else content.encode()) == report(cycles=512).encode()
 
 
-def test_codes_for_experiments_can_be_subscribed_to_as_well(tmp_path: Path, make) -> None:
+def test_experimental_message_ids_can_be_subscribed(tmp_path: Path, make) -> None:
     """From D000h on, a code does not say what kind of message it is."""
     file = tmp_path / "Battery.xml"
     file.write_text(JSIDL.replace("2FF0", "D001").replace("4FF0", "D002"))
@@ -130,7 +130,7 @@ def test_codes_for_experiments_can_be_subscribed_to_as_well(tmp_path: Path, make
     assert isinstance(rig.ask("42.1.1", CreateEvent(1, 0, 1.0, report(charge=1).encode())), RejectEventRequest)
 
 
-def test_an_id_of_two_meanings_is_refused(tmp_path: Path, make) -> None:
+def test_ambiguous_id_is_rejected(tmp_path: Path, make) -> None:
     file = tmp_path / "battery.xml"
     file.write_text(JSIDL.replace("2FF0", "2202"))
     registry = jauspy.load(file)
@@ -153,7 +153,7 @@ def test_an_id_of_two_meanings_is_refused(tmp_path: Path, make) -> None:
         ('initial_state="Ready"', 'initial_state="Rady"', "44: .*no state 'Rady'.*Ready"),
     ],
 )
-def test_behaviour_that_cannot_run_is_told_with_file_and_line(tmp_path: Path, right: str, wrong: str, problem) -> None:
+def test_invalid_behaviour_is_reported_with_file_and_line(tmp_path: Path, right: str, wrong: str, problem) -> None:
     file = tmp_path / "battery.xml"
     assert JSIDL.count(right) == 1
     file.write_text(JSIDL.replace(right, wrong))

@@ -29,7 +29,7 @@ NAMES = ("velocity_x", "velocity_y", "velocity_z", "velocity_rms", "roll_rate", 
 
 
 @given(st.integers(0, 0xFFFF), st.sets(st.sampled_from(NAMES)))
-def test_a_report_has_what_is_asked_for_and_there(asked: int, missing: set[str]) -> None:
+def test_report_has_requested_and_available_fields(asked: int, missing: set[str]) -> None:
     report = ReportVelocityState(**{name: getattr(FULL, name) for name in NAMES if name not in missing})
     masked = apply_presence_vectors(report, QueryVelocityState(asked))
     for bit, name in enumerate(NAMES):
@@ -39,7 +39,7 @@ def test_a_report_has_what_is_asked_for_and_there(asked: int, missing: set[str])
     assert int.from_bytes(masked.encode()[2:4], "little") == asked & supported
 
 
-def test_the_report_of_the_service_itself_is_left_alone() -> None:
+def test_original_report_is_not_modified() -> None:
     report = ReportVelocityState(1.0)
     assert apply_presence_vectors(report, QueryVelocityState(0)) == ReportVelocityState()
     assert report == ReportVelocityState(1.0)
@@ -57,7 +57,7 @@ def test_vectors_named_after_a_part_mask_that_part() -> None:
     assert report.velocity_var.velocity_y == 2.0
 
 
-def test_a_part_of_several_records_is_empty_when_nothing_of_it_is_asked_for() -> None:
+def test_unrequested_part_is_empty() -> None:
     """QueryNavigation has one vector for the components of velocity and for what else there is of it."""
     report = made(TARGETS[ReportNavigation])
     nothing = apply_presence_vectors(report, QueryNavigation(0, 0, 0, 0))
@@ -69,7 +69,7 @@ def test_a_part_of_several_records_is_empty_when_nothing_of_it_is_asked_for() ->
 
 
 @pytest.mark.parametrize("status", list(ReportStatus.Status))
-def test_without_a_vector_nothing_is_masked(status) -> None:
+def test_report_without_presence_vector_is_complete(status) -> None:
     report = ReportStatus(status=status, reserved=0)
     assert apply_presence_vectors(report, QueryStatus()) is report
 
@@ -90,7 +90,7 @@ def made(target: Target) -> Message:
     ("query", "vector"),
     [pytest.param(kind, name, id=f"{kind.NAME}-{kind.VERSION}-{name}") for kind in TARGETS for name in vectors(kind)],
 )
-def test_no_vector_of_any_query_is_without_effect(query: type[Message], vector: str) -> None:
+def test_all_presence_vectors_have_an_effect(query: type[Message], vector: str) -> None:
     report, asked = made(TARGETS[query.REPORT]), made(TARGETS[query])
     for each in vectors(query):
         setattr(asked, each, ALL)
@@ -114,7 +114,7 @@ ABOUT_SENSORS = [
 
 
 @pytest.mark.parametrize("query", ABOUT_SENSORS, ids=lambda each: f"{each.NAME}-{each.VERSION}")
-def test_a_vector_for_a_sensor_is_for_its_record(query: type[Message]) -> None:
+def test_vector_of_a_sensor_applies_to_its_record(query: type[Message]) -> None:
     (wanted,), (told,) = records(query, "query_presence_vector"), records(query.REPORT)
     report, asked = made(TARGETS[query.REPORT]), made(TARGETS[query])
     one, *_ = getattr(report, told.name)

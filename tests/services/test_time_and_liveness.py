@@ -32,7 +32,7 @@ def test_time_by_presence_vector(robot) -> None:
     assert robot.ask(A, QueryTime(0)) == ReportTime()
 
 
-def test_only_the_client_in_control_sets_the_time(robot) -> None:
+def test_setting_the_time_requires_control(robot) -> None:
     wanted = SetTime(TimeStamp(0, 1, 2, 3, 31), DateStamp(31, 12, 30))
     robot.tell(A, wanted)
     assert robot.ask(A, QueryTime(3)) == NOW
@@ -62,7 +62,7 @@ def test_parts_of_the_time(robot, wanted, after) -> None:
     assert robot.host.counters["impossible_time"] == (wanted == SetTime(date_stamp=DateStamp(31, 2, 26)))
 
 
-def test_sensors_stamp_with_the_time_that_was_set(robot) -> None:
+def test_time_stamps_use_the_set_time(robot) -> None:
     wanted = TimeStamp(0, 1, 2, 3, 31)
     robot.tell(A, RequestControl(100))
     robot.tell(A, SetTime(wanted, DateStamp(31, 12, 30)))
@@ -74,12 +74,12 @@ def test_sensors_stamp_with_the_time_that_was_set(robot) -> None:
     assert velocity.report_velocity_state_ext_rec.time_seconds == since_1970
 
 
-def test_without_the_service_the_wall_clock_is_the_time(make) -> None:
+def test_wall_clock_is_used_without_the_service(make) -> None:
     rig = make(Liveness())
     assert rig.host.utc_time == rig.host.utc_now()
 
 
-def test_a_year_that_32_bits_of_seconds_do_not_reach_leaves_the_pose(robot) -> None:
+def test_year_beyond_32_bits_keeps_the_report(robot) -> None:
     robot.tell(A, RequestControl(100))
     robot.tell(A, SetTime(TimeStamp(0, 1, 2, 3, 31), DateStamp(31, 12, 107)))
     report = robot.ask(A, QueryLocalPoseExt(0xFFFF))

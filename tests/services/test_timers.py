@@ -21,7 +21,7 @@ def test_timers_fire_once_in_order() -> None:
     assert timers.next() == 3.0
 
 
-def test_setting_again_moves_and_cancel_removes() -> None:
+def test_set_moves_and_cancel_removes_a_timer() -> None:
     timers, fired = Timers(), []
     timers.set("a", 1.0, lambda: fired.append("early"))
     timers.set("a", 5.0, lambda: fired.append("late"))
@@ -36,7 +36,7 @@ def test_setting_again_moves_and_cancel_removes() -> None:
     assert timers.next() is None
 
 
-def test_what_is_due_may_cancel_or_move_what_is_due_as_well() -> None:
+def test_due_timer_can_cancel_or_move_another_due_one() -> None:
     timers, fired = Timers(), []
 
     def first() -> None:
@@ -52,7 +52,7 @@ def test_what_is_due_may_cancel_or_move_what_is_due_as_well() -> None:
     assert fired == ["moved"]
 
 
-def test_moving_a_timer_forever_takes_no_memory() -> None:
+def test_repeatedly_moved_timer_takes_no_memory() -> None:
     timers = Timers()
     for step in range(10_000):
         timers.set("watchdog", float(step), lambda: None)

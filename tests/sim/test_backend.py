@@ -13,14 +13,14 @@ from jauspy_sim import backend
 MODEL = robot_model(load("inc1"))
 
 
-def test_says_what_to_install_without_mujoco(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_missing_mujoco_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(backend, "find_spec", lambda name: None)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[sim\]'"):
         backend.MujocoBackend().open(MODEL, "demo")
 
 
 @pytest.mark.parametrize(("way", "package"), [("egl", "libegl1"), ("osmesa", "libosmesa6"), ("OSMesa", "libosmesa6")])
-def test_a_missing_gl_library_is_said_in_one_sentence(monkeypatch, way: str, package: str) -> None:
+def test_missing_gl_library_is_one_sentence(monkeypatch, way: str, package: str) -> None:
     monkeypatch.setenv("MUJOCO_GL", way)
     monkeypatch.setattr(backend, "_loads", lambda library: False)
     with pytest.raises(
@@ -29,7 +29,7 @@ def test_a_missing_gl_library_is_said_in_one_sentence(monkeypatch, way: str, pac
         backend.MujocoBackend().open(MODEL, "empty")
 
 
-def test_a_value_that_mujoco_does_not_know_is_said_in_one_sentence() -> None:
+def test_invalid_mujoco_gl_is_one_sentence() -> None:
     """In a process of its own: MuJoCo reads it once, when it is imported."""
     code = (
         "from jauspy.modules.robot_files import load, robot_model; from jauspy_sim.backend import MujocoBackend;"

@@ -20,7 +20,7 @@ from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy_sim import cameras
 from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
-from jauspy_sim.rays import MAX_RAYS, MAX_RAYS_OF_STILL, PLAIN_SKY, RayRenderer, Sky
+from jauspy_sim.rays import DEFAULT_SKY_COLOUR, MAX_RAYS, MAX_RAYS_OF_STILL, RayRenderer, SkyBox
 from jauspy_sim.robot import SimulatedRobot
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
@@ -61,7 +61,7 @@ def expected(robot, position, width, height):
     return width / 2.0 - focal * x / z, height / 2.0 + focal * y / z
 
 
-def test_a_thing_is_seen_where_it_is(robot, eye):
+def test_object_appears_at_its_position(robot, eye):
     image = eye.look(640, 480).image
     assert image.shape == (480, 640, 3)
     rows, columns = np.nonzero(red(image))
@@ -71,7 +71,7 @@ def test_a_thing_is_seen_where_it_is(robot, eye):
     assert rows.mean() == pytest.approx(row, abs=12.0)
 
 
-def test_distances_put_the_floor_and_the_things_where_they_are(robot, eye):
+def test_depths_match_floor_and_objects(robot, eye):
     frame = eye.measure(160, 120)
     assert frame.image.shape == (120, 160, 3)
     (thing,) = np.flatnonzero(robot.model.geom_matid == robot.model.mat("tin").id)
@@ -87,7 +87,7 @@ def test_distances_put_the_floor_and_the_things_where_they_are(robot, eye):
     assert np.isinf(frame.distances[0]).any(), "the sky is nowhere"
 
 
-def test_it_sees_what_the_last_step_left(robot, eye):
+def test_image_shows_the_state_after_the_last_step(robot, eye):
     before = eye.look(160, 120)
     robot.drive.set_effort(0.0, 0.5)
     robot.advance(1.0)
@@ -117,7 +117,7 @@ def test_rays_are_fewer_than_the_pixels_of_a_large_picture(robot, monkeypatch):
     assert MAX_RAYS < cast[2] <= MAX_RAYS_OF_STILL * 1.02
 
 
-def test_gl_that_does_not_work_gives_way_to_rays_and_says_why(robot, monkeypatch, caplog):
+def test_failing_gl_falls_back_to_ray_casting_with_a_warning(robot, monkeypatch, caplog):
     monkeypatch.setattr(cameras, "choose_gl", lambda: "no_such_way")
     eye = robot.cameras["arm"].open()
     assert "casts rays" in eye.description
@@ -129,13 +129,13 @@ def test_gl_that_does_not_work_gives_way_to_rays_and_says_why(robot, monkeypatch
 @pytest.mark.parametrize(
     ("set_to", "chosen"), [("disable", None), ("osmesa", "osmesa"), ("EGL", "egl"), ("glfw", None)]
 )
-def test_the_environment_decides_about_gl(monkeypatch, set_to, chosen):
+def test_mujoco_gl_selects_the_library(monkeypatch, set_to, chosen):
     monkeypatch.setenv("MUJOCO_GL", set_to)
     assert choose_gl() == chosen
 
 
 @pytest.mark.parametrize("way", sorted(GL_PACKAGES))
-def test_each_way_to_gl_paints(way):
+def test_each_gl_library_renders(way):
     """In a process of its own: one process has one way."""
     if not has_gl(way):
         pytest.skip(f"{GL_PACKAGES[way]} is not installed")
@@ -153,7 +153,7 @@ def test_each_way_to_gl_paints(way):
     assert run.stdout.startswith(f"True renders with {way.upper()}\n"), run.stdout
 
 
-def test_looking_does_not_change_where_the_robot_goes():
+def test_rendering_does_not_change_the_trajectory():
     def trajectory(*cameras):
         robot = SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=cameras), "demo")
         robot.drive.set_effort(0.4, 0.2)
@@ -164,7 +164,7 @@ def test_looking_does_not_change_where_the_robot_goes():
     assert trajectory() == trajectory(FRONT, ARM)
 
 
-def test_no_picture_is_taken_in_the_robots_process():
+def test_images_are_not_rendered_in_the_robot_process():
     """Importing and running the backend loads neither GL nor the packages of the extra `video`."""
     code = (
         "import sys; from jauspy.modules.robot_files import robot_model; from jauspy.modules.robot_files import load;"
@@ -191,7 +191,7 @@ def eyes(robot, name, monkeypatch):
 
 @pytest.mark.parametrize("world", ["demo", "empty", "rough"])
 @pytest.mark.parametrize("name", ["front", "arm"])
-def test_rays_and_gl_see_the_same(world, name, monkeypatch):
+def test_ray_casting_and_gl_agree(world, name, monkeypatch):
     """Sky, floor, lights, and the gripper, which is near; only edges and what is far differ."""
     model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT, ARM))
     robot = SimulatedRobot.open(model, world)
@@ -205,17 +205,17 @@ def test_rays_and_gl_see_the_same(world, name, monkeypatch):
 
 
 def test_the_sky_is_lighter_towards_the_horizon(robot):
-    sky = Sky(robot.model)
+    sky = SkyBox(robot.model)
     up, slanting, level, down = sky.colours(np.array([[0, 0, 1], [0.6, 0, 0.8], [0, 1, 0], [0, 0, -1]], float)).sum(1)
     assert up < slanting < level < down
 
 
-def test_a_world_without_a_sky_box_has_a_plain_one():
+def test_world_without_sky_box_has_the_default_sky():
     model = mujoco.MjModel.from_xml_string("<mujoco><worldbody><geom size='1'/></worldbody></mujoco>")
-    assert (Sky(model).colours(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])) == PLAIN_SKY).all()
+    assert (SkyBox(model).colours(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0]])) == DEFAULT_SKY_COLOUR).all()
 
 
-def test_the_floor_shows_its_pattern_by_rays_where_it_is_not_too_fine(monkeypatch):
+def test_ray_casting_shows_the_floor_pattern_unless_too_fine(monkeypatch):
     monkeypatch.setenv("MUJOCO_GL", "disable")
     robot = SimulatedRobot.open(dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT,)), "empty")
     eye = robot.cameras["front"].open()

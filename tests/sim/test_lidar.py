@@ -38,7 +38,7 @@ def test_measures_the_walls_of_the_yard() -> None:
     assert at(scan, -90) == math.inf, "there is no wall to the right"
 
 
-def test_does_not_see_its_own_robot() -> None:
+def test_own_robot_is_not_measured() -> None:
     assert set(scan_of(SimulatedRobot.open(EXACT, "empty")).ranges) == {math.inf}
 
 
@@ -55,7 +55,7 @@ def test_turns_with_the_robot() -> None:
     assert at(scan, 45) == pytest.approx((4.0 - y) / math.sin(beam), abs=0.02), f"from {x}, {y}"
 
 
-def test_noise_is_as_strong_as_told_and_the_same_for_the_same_seed() -> None:
+def test_noise_has_the_given_deviation_and_is_repeatable() -> None:
     first, again = (SimulatedRobot.open(INC1, "demo") for _ in range(2))
     other = SimulatedRobot.open(replace(INC1, lidars=(replace(LIDAR, seed=7),)), "demo")
     exact = scan_of(SimulatedRobot.open(EXACT, "demo")).ranges
@@ -66,7 +66,7 @@ def test_noise_is_as_strong_as_told_and_the_same_for_the_same_seed() -> None:
     assert math.sqrt(sum(e * e for e in errors) / len(errors)) == pytest.approx(LIDAR.noise, rel=0.3)
 
 
-def test_scans_do_not_depend_on_how_time_is_cut() -> None:
+def test_scans_do_not_depend_on_the_division_of_time() -> None:
     one, other = (SimulatedRobot.open(INC1, "demo") for _ in range(2))
     for robot in (one, other):
         robot.drive.set_effort(0.3, 0.2)

@@ -26,7 +26,7 @@ def demo() -> SimulatedRobot:
 
 @pytest.mark.parametrize("world", known_worlds())
 @pytest.mark.parametrize("robot", known())
-def test_any_robot_stands_in_any_world(robot: str, world: str) -> None:
+def test_all_robots_stand_in_all_worlds(robot: str, world: str) -> None:
     pose = SimulatedRobot.open(robot_model(load(robot)), world).drive.pose()
     assert max(map(abs, (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw))) < 1e-3
 
@@ -75,7 +75,7 @@ def test_pushes_a_carton(demo: SimulatedRobot) -> None:
     assert abs(demo.drive.pose().yaw) < 0.2
 
 
-def test_belts_do_not_travel(demo: SimulatedRobot) -> None:
+def test_belts_are_reset(demo: SimulatedRobot) -> None:
     demo.drive.set_effort(1.0, 0.3)
     demo.advance(1.0)
     for track in ("base_link_to_left_track", "base_link_to_right_track"):
@@ -84,7 +84,7 @@ def test_belts_do_not_travel(demo: SimulatedRobot) -> None:
         assert joint.qvel[0] < -0.3
 
 
-def test_leftover_time_is_carried(demo: SimulatedRobot) -> None:
+def test_remaining_time_is_carried_over(demo: SimulatedRobot) -> None:
     demo.advance(0.75 * TIMESTEP)
     assert demo.time == 0.0
     demo.advance(0.75 * TIMESTEP)

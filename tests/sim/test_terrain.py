@@ -14,7 +14,7 @@ from jauspy_sim.assembly import HEIGHT_FIELDS, RAY_MESHES, build
 from jauspy_sim.sensors import cast_rays
 
 
-def test_rays_meet_the_ray_mesh_where_they_would_meet_the_height_field() -> None:
+def test_ray_mesh_and_height_field_give_equal_distances() -> None:
     model = build(robot_model(load("inc1")), "rough")
     data = mujoco.MjData(model)
     mujoco.mj_forward(model, data)
@@ -34,7 +34,7 @@ def test_rays_meet_the_ray_mesh_where_they_would_meet_the_height_field() -> None
     assert met > 300
 
 
-def test_only_the_height_field_collides_and_is_drawn() -> None:
+def test_ray_mesh_neither_collides_nor_is_drawn() -> None:
     model = build(robot_model(load("inc1")), "rough")
     (twin,) = np.flatnonzero(model.geom_group == RAY_MESHES)
     (field,) = np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_HFIELD)

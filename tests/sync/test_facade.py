@@ -50,7 +50,7 @@ def listed(node_manager: LocalNode):
         portal.run(component.close())
 
 
-def test_values_of_wrong_types_are_one_sentence(listed, ocu):
+def test_wrong_types_cause_one_sentence(listed, ocu):
     client = ocu.discover(101).service("LocalWaypointListDriver")
     with pytest.raises(TypeError, match=r"^query\(\) takes a message, as in QueryStatus\(\), not the str 'x'$"):
         client.query("x")
@@ -60,7 +60,7 @@ def test_values_of_wrong_types_are_one_sentence(listed, ocu):
         client.waypoints[:] = [(1.0, 2.0)]
 
 
-def test_the_whole_story(robot, node_manager, ocu):
+def test_robot_is_discovered_controlled_and_driven(robot, node_manager, ocu):
     found = ocu.discover(subsystem=101)
     driver = found.service("mobility:PrimitiveDriver")
     with driver.control(authority=200) as control:
@@ -76,7 +76,7 @@ def test_the_whole_story(robot, node_manager, ocu):
     assert ocu.query(driver.id, QueryStatus(), expects=ReportStatus).status == Status.STANDBY
 
 
-def test_each_answer_to_a_wildcard_and_subscriptions(robot, ocu):
+def test_query_each_and_subscriptions_iterate(robot, ocu):
     answers = ocu.query_each("101.255.255", QueryStatus(), within=20.0)
     assert {str(source) for source, _ in islice(answers, len(MODULES))} == set(MODULES)
     sensor = ocu.discover(101).service("LocalPoseSensor")
@@ -87,7 +87,7 @@ def test_each_answer_to_a_wildcard_and_subscriptions(robot, ocu):
         assert poses.lost == 0
 
 
-def test_errors_are_those_of_the_asynchronous_one(robot, node_manager, ocu):
+def test_errors_equal_those_of_the_asynchronous_client(robot, node_manager, ocu):
     with pytest.raises(ResponseTimeout, match=r"9\.9\.9 was sent QueryStatus once"):
         ocu.query("9.9.9", QueryStatus(), timeout=0.05, retries=0)
     mine = ocu.discover(101).service("PrimitiveDriver").control(authority=200)
@@ -112,7 +112,7 @@ def test_an_error_in_the_block_leaves_standby(robot, ocu):
     assert driver.status() == Status.STANDBY
 
 
-def test_watching(node_manager, ocu):
+def test_watch_iterates(node_manager, ocu):
     news = ocu.watch(interval=0.1, silence=0.5)
     with OCU("43.1.1", node_manager.local):
         first = next(news)
@@ -153,7 +153,7 @@ def test_lists_are_mutable_sequences(ocu, listed):
         assert seen == [0, 1, 2, 3]
 
 
-async def test_inside_a_running_loop_as_in_a_notebook(node_manager):
+async def test_facade_works_inside_a_running_loop(node_manager):
     assert asyncio.get_running_loop().is_running()
     with OCU("42.1.1", node_manager.local) as ocu, OCU("43.1.1", node_manager.local) as other:
         until = time.monotonic() + 20
@@ -163,13 +163,13 @@ async def test_inside_a_running_loop_as_in_a_notebook(node_manager):
         assert other.id.subsystem == 43
 
 
-async def test_async_with_says_what_to_write():
+async def test_async_with_is_explained():
     with pytest.raises(TypeError, match="use `with` for this OCU; `async with` is for what"):
         async with OCU():
             pytest.fail("entered")
 
 
-def test_closed_it_says_so_and_may_be_opened_again(node_manager):
+def test_closed_ocu_is_an_error_and_can_be_reopened(node_manager):
     ocu = OCU("42.1.1", node_manager.local)
     with pytest.raises(TransportError, match="not open; use it inside `with`"):
         ocu.query("1.1.1", QueryStatus())
@@ -181,13 +181,13 @@ def test_closed_it_says_so_and_may_be_opened_again(node_manager):
     assert "jauspy" not in threads
 
 
-def test_what_cannot_be_opened_leaves_no_thread(tmp_path):
+def test_failed_open_leaves_no_thread(tmp_path):
     with pytest.raises(TransportError, match="no node manager"):
         OCU("42.1.1", f"local:{tmp_path}").open()
     assert "jauspy" not in [each.name for each in threading.enumerate()]
 
 
-def test_figures_may_be_looked_at_while_they_grow(ocu):
+def test_counters_can_be_read_while_they_change(ocu):
     counters = ocu._async._component._transport.counters
     done = threading.Event()
 
@@ -208,7 +208,7 @@ def test_figures_may_be_looked_at_while_they_grow(ocu):
         counting.join(20)
 
 
-def test_closing_inside_a_block_leaves_standby_and_does_not_hang(robot, node_manager):
+def test_close_inside_a_block_leaves_standby(robot, node_manager):
     with OCU("42.1.1", node_manager.local) as ocu:
         driver = ocu.discover(101).service("PrimitiveDriver")
         with driver.control() as control, driver.subscribe(QueryStatus()):
@@ -232,7 +232,7 @@ print(driver.status().name)
 """
 
 
-def test_a_program_that_ends_without_closing_leaves_standby(robot, node_manager, ocu):
+def test_program_end_without_close_leaves_standby(robot, node_manager, ocu):
     ocu.close()  # the program is 42.1.1
     command = [sys.executable, "-c", LEFT, node_manager.local]
     run = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
@@ -261,7 +261,7 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), ocu.is_open)
 """
 
 
-def test_a_forked_process_is_told_and_does_not_hang():
+def test_use_in_a_forked_process_is_an_error():
     run = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=30, check=False)
     assert run.stdout == "this is not open; use it inside `with`, and in the process that opened it\n3 True\n"
 

@@ -14,13 +14,13 @@ import jauspy.sync
 GENERATOR = Path(__file__).parents[2] / "tools" / "generate_sync.py"
 
 
-def test_the_committed_facade_is_what_the_generator_gives():
+def test_committed_facade_matches_the_generator():
     generator = runpy.run_path(str(GENERATOR))
     assert generator["generated"]() == generator["TARGET"].read_text()
 
 
 @pytest.mark.parametrize("name", jauspy.sync.__all__)
-def test_nothing_public_is_missing_and_nothing_is_left_to_await(name):
+def test_facade_is_complete_and_synchronous(name):
     asynchronous = getattr(jauspy.ocu, name)
     facade = getattr(jauspy.sync, name)
     public = {each for each in vars(asynchronous) if not each.startswith("_")} - {"on_sent"}

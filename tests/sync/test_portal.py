@@ -24,13 +24,13 @@ async def forever(log: list[str]) -> None:
         log.append("tidied up")
 
 
-def test_it_runs_in_another_thread():
+def test_coroutines_run_in_another_thread():
     with Portal("other") as portal:
         assert portal.run(here()) == "other"
     assert not portal.is_open
 
 
-def test_errors_come_back():
+def test_errors_are_raised_in_the_caller():
     async def fail() -> None:
         raise ValueError("a bug")
 
@@ -38,7 +38,7 @@ def test_errors_come_back():
         portal.run(fail())
 
 
-def test_closed_is_said_and_opened_again_is_fine():
+def test_closed_portal_is_an_error_and_can_be_reopened():
     portal = Portal()
     with pytest.raises(TransportError, match="not open"):
         portal.run(here())
@@ -62,7 +62,7 @@ def test_ctrl_c_waits_for_the_clean_up():
         assert portal.run(here()) == "jauspy"
 
 
-def test_ctrl_c_before_it_could_begin(monkeypatch):
+def test_ctrl_c_before_the_start_is_raised(monkeypatch):
     """The coroutine is cancelled in the same turn of the loop in which it was to start."""
     with Portal() as portal:
         loop_is_busy, go_on = threading.Event(), threading.Event()
@@ -88,7 +88,7 @@ def test_ctrl_c_before_it_could_begin(monkeypatch):
         assert portal.run(here()) == "jauspy"
 
 
-def test_closing_ends_what_another_thread_waits_for():
+def test_close_ends_calls_of_other_threads():
     log: list[str] = []
     portal = Portal()
     portal.open()
@@ -109,7 +109,7 @@ def test_closing_ends_what_another_thread_waits_for():
     assert (log, str(problems[0])) == (["begun", "tidied up"], "this was closed while it waited")
 
 
-def test_from_its_own_loop_it_says_so_instead_of_hanging():
+def test_call_from_its_own_loop_is_an_error():
     with Portal() as portal:
 
         async def again() -> str:

@@ -30,7 +30,7 @@ async def silence(poses: Subscription[Any]) -> None:
 
 @pytest.mark.parametrize("connect", ["local:{root}", "udp://127.0.0.1:{port}"], ids=["local", "udp"])
 @pytest.mark.slow
-async def test_a_killed_node_manager_comes_back_and_a_subscription_goes_on(
+async def test_subscription_survives_a_killed_node_manager(
     root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]], connect: str
 ) -> None:
     node = ("node-manager", "--address", "127.0.0.1", "--port", str(free_port), "--local-root", str(root))
@@ -53,7 +53,7 @@ async def test_a_killed_node_manager_comes_back_and_a_subscription_goes_on(
 
 
 @pytest.mark.slow
-async def test_a_robot_outlives_the_other_robot_that_started_the_node_manager(
+async def test_robot_survives_the_owner_of_the_node_manager(
     root: Path, free_port: int, start: Callable[..., subprocess.Popen[str]]
 ) -> None:
     second_robot = root / "second.toml"

@@ -37,7 +37,7 @@ INC1 = load("inc1")
 
 
 @pytest.mark.timeout(300)
-def test_drives_looks_reaches_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
+def test_demo_drives_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
     folder = tmp_path / "out"
     arguments = ("demo", "--port", str(free_port), "--output", str(folder), "--size", "320x240", "--plain")
     command = [sys.executable, "-m", "jauspy.cli.main", *arguments]
@@ -79,7 +79,7 @@ def with_environment(name: str, value: str) -> list[psutil.Process]:
 
 
 @pytest.mark.slow
-async def test_the_can_is_really_lifted(root: Path, tmp_path: Path) -> None:
+async def test_can_is_lifted_in_the_simulation(root: Path, tmp_path: Path) -> None:
     """The stages after the drive; the robot is put before the table, not quite where the plan has it."""
     model, state = robot_model(INC1), DemoState()
     runner = RobotRunner(INC1, lambda me: LocalTransport(me, root), backend="sim")

@@ -120,7 +120,7 @@ async def test_an_ocu_finds_and_drives_both_parts(folders: dict[str, Path]) -> N
 
 
 @pytest.mark.slow
-def test_an_ocu_sees_what_both_parts_see(
+def test_ocu_receives_data_of_both_parts(
     folders: dict[str, Path], hosts: dict[str, str], root: Path, start: Callable[..., object]
 ) -> None:
     """Video is no JAUS: from behind the gateway it needs a way out by IP, which is opened here."""
@@ -183,7 +183,7 @@ def component(folder: Path, id: JausID) -> Iterator[Callable[[Packet | None], Pa
 
 
 @pytest.mark.slow
-def test_a_broadcast_arrives_once_on_the_other_side_and_goes_round_no_loop(folders: dict[str, Path]) -> None:
+def test_broadcast_crosses_once_without_loop(folders: dict[str, Path]) -> None:
     """Both ways; heard by a component of this test's own on each side."""
     ids = JausID.parse("42.1.9"), JausID.parse("101.2.9")
     with component(folders["ocu"], ids[0]) as outside, component(folders["behind"], ids[1]) as inside:
@@ -201,7 +201,7 @@ def test_a_broadcast_arrives_once_on_the_other_side_and_goes_round_no_loop(folde
 
 
 @pytest.mark.slow
-async def test_what_a_rule_keeps_in_the_vehicle_is_counted(folders: dict[str, Path]) -> None:
+async def test_packets_refused_by_a_rule_are_counted(folders: dict[str, Path]) -> None:
     ocu, module = JausID.parse("42.1.9"), JausID.parse("101.2.9")
     with component(folders["ocu"], ocu) as outside, component(folders["behind"], module) as inside:
         outside(Packet(ocu, module, b"\x00\x7f", 1))

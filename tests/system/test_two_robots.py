@@ -53,7 +53,7 @@ async def x_of(sensor: ServiceClient) -> float:
 
 
 @pytest.mark.slow
-async def test_on_two_loopback_addresses(root: Path, free_port: int) -> None:
+async def test_two_robots_on_loopback_addresses(root: Path, free_port: int) -> None:
     async with AsyncExitStack() as stack:
         for number, subsystem in enumerate(EFFORTS, 1):
             folder = root / str(subsystem)
@@ -67,7 +67,7 @@ async def test_on_two_loopback_addresses(root: Path, free_port: int) -> None:
         await drive_both(await stack.enter_async_context(OCU(connect=f"local:{root / '101'}")))
 
 
-async def test_on_two_hosts(cable: tuple[str, str], root: Path, start: Callable[..., object]) -> None:
+async def test_two_robots_on_two_hosts(cable: tuple[str, str], root: Path, start: Callable[..., object]) -> None:
     """Each in a network namespace with `jauspy up`; the OCU is on the first, by its local socket."""
     for namespace, subsystem in zip(cable, EFFORTS, strict=True):
         robot = root / f"{subsystem}.toml"

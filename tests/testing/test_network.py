@@ -39,7 +39,7 @@ async def test_a_good_network_delivers_all_in_order():
 
 
 @pytest.mark.parametrize("seed", [1, 2])
-async def test_loss_is_the_same_each_time(seed):
+async def test_loss_is_repeatable(seed):
     found = []
     for _ in range(2):
         async with VirtualNetwork(loss=0.3, seed=seed) as network:
@@ -55,7 +55,7 @@ async def test_duplicates_and_delay():
     assert found[0][0] == pytest.approx(0.5, abs=1e-6)
 
 
-async def test_reordering_lets_later_ones_overtake():
+async def test_reordering_lets_later_datagrams_overtake():
     async with VirtualNetwork(reordering=0.2) as network:
         order = [index for _, index in await arrivals(network, 100)]
     assert order != sorted(order)
@@ -70,7 +70,7 @@ async def test_jitter():
     assert 0.08 < max(late) < 0.101
 
 
-async def test_a_cut_cable_and_a_kind_that_is_lost():
+async def test_disconnect_and_lose_drop_packets():
     async with VirtualNetwork() as network, network.component("101.1.1", [Liveness()]), network.ocu() as ocu:
         network.disconnect("101.1.1")
         with pytest.raises(ResponseTimeout):
@@ -85,7 +85,7 @@ async def test_a_cut_cable_and_a_kind_that_is_lost():
         assert len(network.sent(QueryHeartbeatPulse)) == before + 5
 
 
-async def test_components_live_on_virtual_time():
+async def test_components_use_virtual_time():
     started = time.monotonic()
     async with (
         VirtualNetwork() as network,
@@ -100,7 +100,7 @@ async def test_components_live_on_virtual_time():
     assert time.monotonic() - started < 60
 
 
-async def test_the_loop_is_as_before_afterwards():
+async def test_event_loop_is_restored():
     loop = asyncio.get_running_loop()
     with VirtualClock() as clock:
         with pytest.raises(ConfigError, match="uses a virtual clock already"), VirtualClock():
@@ -130,12 +130,12 @@ async def test_threads_can_still_wake_the_loop():
         assert await asyncio.to_thread(lambda: 7) == 7
 
 
-async def test_waiting_in_vain_says_for_what():
+async def test_until_error_names_the_condition():
     with VirtualClock(), pytest.raises(AssertionError, match=r"waited 5 s in vain for the condition at .*test_network"):
         await until(lambda: False, within=5)
 
 
-async def test_a_local_node_may_go_and_come_back():
+async def test_local_node_can_be_restarted():
     with LocalNode() as node:
         async with node.component("101.1.1", [Liveness()]), node.ocu() as ocu:
             await ocu.query("101.1.1", PULSE)

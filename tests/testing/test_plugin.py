@@ -41,7 +41,7 @@ def test_an_ocu_reaches_a_component(run, mode, place):
     run(TALK.replace("PLACE", place), *mode).assert_outcomes(passed=1)
 
 
-def test_an_hour_takes_no_time(run):
+def test_virtual_hour_takes_no_time(run):
     source = """
 import asyncio, time
 
@@ -54,7 +54,7 @@ async def test_it(virtual_network):
     run(source, *AUTO).assert_outcomes(passed=1)
 
 
-def test_real_and_virtual_time_do_not_mix(run):
+def test_mixing_real_and_virtual_time_is_an_error(run):
     source = """
 async def test_it(virtual_network, node_manager, ocu):
     pass
@@ -64,7 +64,7 @@ async def test_it(virtual_network, node_manager, ocu):
     result.stdout.fnmatch_lines(["*either node_manager, on real time, or virtual_network*"])
 
 
-def test_a_task_that_is_left_fails_the_test(run):
+def test_leftover_task_fails_the_test(run):
     source = """
 import asyncio
 
@@ -76,7 +76,7 @@ async def test_it(virtual_network):
     result.stdout.fnmatch_lines(["*still running at the end of the test: *forgotten*"])
 
 
-def test_an_error_that_nobody_saw_fails_the_test(run):
+def test_unhandled_error_fails_the_test(run):
     source = """
 import asyncio
 
@@ -89,7 +89,7 @@ async def test_it(virtual_network):
     result.stdout.fnmatch_lines(["*an error that nobody saw*ZeroDivisionError*"])
 
 
-def test_an_error_of_a_task_that_nobody_waited_for_fails_the_test(run):
+def test_error_of_an_unawaited_task_fails_the_test(run):
     source = """
 import asyncio
 
@@ -115,7 +115,7 @@ def test_it(node_manager):
     run(source, *STRICT, "-p", "no:asyncio").assert_outcomes(passed=1)
 
 
-def test_without_pytest_asyncio_the_fixture_says_what_it_needs(run, pytester):
+def test_missing_pytest_asyncio_is_explained(run, pytester):
     pytester.makeconftest("""
 from jauspy.testing import plugin
 
@@ -130,7 +130,7 @@ ocu = plugin._asynchronous(ocu)
     result.stdout.fnmatch_lines(["*pip install pytest-asyncio*"])
 
 
-def test_the_plugin_loads_nothing_of_jauspy_that_is_not_used():
+def test_plugin_imports_no_unused_modules():
     code = "import sys, jauspy.testing.plugin; print(*[name for name in sys.modules if name.startswith('jauspy')])"
     run = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
     assert set(run.stdout.split()) == {"jauspy", "jauspy.testing", "jauspy.testing.plugin"}

@@ -137,7 +137,7 @@ async def test_datagrams_arrive_unchanged_both_ways(make: Make) -> None:
     await closed(a, b)
 
 
-async def test_the_largest_packet_passes(make: Make) -> None:
+async def test_largest_packet_is_delivered(make: Make) -> None:
     a, b = await opened(make, A, B)
     packet = Packet(A, B, bytes(MAX_PAYLOAD), 1)
     a.transport.send(judp.pack(packet))
@@ -187,7 +187,7 @@ async def test_opens_again_after_close(make: Make) -> None:
     await closed(a, b)
 
 
-async def test_nonsense_is_dropped(make: Make) -> None:
+async def test_malformed_datagrams_are_dropped(make: Make) -> None:
     a, b = await opened(make, A, B)
     for datagram in (b"", b"\x02", b"garbage" * 10, bytes(70000)):
         a.transport.send(datagram)
@@ -198,7 +198,7 @@ async def test_nonsense_is_dropped(make: Make) -> None:
 
 
 @pytest.mark.parametrize("make", ["local", "loopback"], indirect=True)
-async def test_an_id_is_taken_once(make: Make) -> None:
+async def test_id_in_use_is_an_error(make: Make) -> None:
     (a,) = await opened(make, A)
     with pytest.raises(TransportError, match=r"101\.1\.1"):
         await make(A).open()

@@ -21,14 +21,14 @@ def manager(root: Path) -> NodeManager:
     return NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
 
 
-async def test_without_a_node_manager_it_says_what_to_do(root: Path) -> None:
+async def test_missing_node_manager_error_says_what_to_do(root: Path) -> None:
     transport = LocalTransport(A, root, timeout=0.1)
     with pytest.raises(TransportError, match=f"jauspy node-manager --local-root {root}', or name the directory"):
         await transport.open()
     assert list(root.iterdir()) == []
 
 
-async def test_an_id_that_is_in_use_says_so(root: Path) -> None:
+async def test_id_in_use_is_an_error(root: Path) -> None:
     async with manager(root):
         first = LocalTransport(A, root)
         await first.open()
@@ -37,14 +37,14 @@ async def test_an_id_that_is_in_use_says_so(root: Path) -> None:
         await first.close()
 
 
-async def test_a_socket_of_another_kind_in_the_node_managers_place(root: Path) -> None:
+async def test_socket_of_another_kind_is_an_error(root: Path) -> None:
     with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as other:
         other.bind(str(root / junior.SOCKET_NAME))
         with pytest.raises(TransportError, match="JuniorRTE is a socket of another kind"):
             await LocalTransport(A, root, timeout=0.05).open()
 
 
-async def test_waits_for_a_node_manager_that_is_late(root: Path) -> None:
+async def test_open_waits_for_a_late_node_manager(root: Path) -> None:
     transport = LocalTransport(A, root, timeout=None)
     await transport.open()
     assert not transport.connected
@@ -89,19 +89,19 @@ async def test_takes_over_the_socket_of_a_dead_component(root: Path) -> None:
         await transport.close()
 
 
-async def test_leaves_a_file_alone_that_is_no_socket(root: Path) -> None:
+async def test_other_files_are_not_removed(root: Path) -> None:
     (root / str(int(A))).write_text("mine")
     with pytest.raises(TransportError, match="is not a socket"):
         await LocalTransport(A, root).open()
     assert (root / str(int(A))).read_text() == "mine"
 
 
-async def test_a_path_that_is_too_long_is_one_sentence(root: Path) -> None:
+async def test_too_long_path_is_one_sentence(root: Path) -> None:
     with pytest.raises(TransportError, match="longer than 107 bytes"):
         await LocalTransport(A, root / ("x" * 120)).open()
 
 
-async def test_speaks_as_a_junior_component_does(root: Path) -> None:
+async def test_bytes_match_those_of_a_junior_component(root: Path) -> None:
     """A node manager that only this test knows: it sees a Connect, answers it, and sees the Cancel."""
     loop = asyncio.get_running_loop()
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as node:
@@ -118,7 +118,7 @@ async def test_speaks_as_a_junior_component_does(root: Path) -> None:
             data, _ = await loop.sock_recvfrom(node, 100)
 
 
-async def test_what_the_node_manager_has_not_taken_is_counted(root: Path) -> None:
+async def test_unsent_datagrams_are_counted(root: Path) -> None:
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as node:
         node.bind(str(root / junior.SOCKET_NAME))
         node.setblocking(False)
@@ -136,9 +136,7 @@ async def test_what_the_node_manager_has_not_taken_is_counted(root: Path) -> Non
         assert transport.waiting == 0
 
 
-async def test_a_failed_send_is_enough_to_look_for_the_node_manager_again(
-    root: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
+async def test_failed_send_triggers_a_reconnect(root: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """It does not wait for its next keep-alive, which here never comes."""
     monkeypatch.setattr(local, "KEEP_ALIVE_INTERVAL", 3600.0)
     transport = LocalTransport(A, root)

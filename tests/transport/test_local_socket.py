@@ -34,7 +34,7 @@ def without_rights(root: Path) -> Iterator[None]:
         os.seteuid(0)
 
 
-def test_alive_dead_and_neither(root: Path) -> None:
+def test_liveness_of_sockets_is_detected(root: Path) -> None:
     path = root / "x"
     states = []
     with listening(path):
@@ -45,14 +45,14 @@ def test_alive_dead_and_neither(root: Path) -> None:
     assert states == [(True, False), (False, True), (False, True)]
 
 
-def test_what_cannot_be_found_out_is_neither_alive_nor_dead(root: Path) -> None:
+def test_unknown_liveness_is_neither_alive_nor_dead(root: Path) -> None:
     file = root / "file"
     file.touch()
     for path in (file / "JuniorRTE", root / ("x" * 200)):
         assert (local_socket.is_alive(path), local_socket.is_dead(path)) == (False, False)
 
 
-def test_a_socket_that_this_user_may_not_use_is_neither_and_is_said_so(root: Path) -> None:
+def test_forbidden_socket_is_neither_alive_nor_dead_and_is_reported(root: Path) -> None:
     path = root / "x"
     with listening(path):
         path.chmod(0)
@@ -63,21 +63,21 @@ def test_a_socket_that_this_user_may_not_use_is_neither_and_is_said_so(root: Pat
     assert path.is_socket()
 
 
-def test_a_file_instead_of_a_directory(root: Path) -> None:
+def test_file_in_place_of_a_directory_is_an_error(root: Path) -> None:
     file = root / "file"
     file.touch()
     with pytest.raises(TransportError, match=rf"^{file} is not a directory; choose another"):
         local_socket.bind(file / "JuniorRTE", owner="a node manager")
 
 
-def test_a_socket_of_another_kind_is_left_alone(root: Path) -> None:
+def test_socket_of_another_kind_is_not_removed(root: Path) -> None:
     path = root / "x"
     with listening(path, socket.SOCK_STREAM), pytest.raises(TransportError, match="is a socket of another kind"):
         local_socket.bind(path, owner="a node manager")
     assert path.is_socket()
 
 
-def test_whoever_is_there_already_is_named_with_what_to_do(root: Path) -> None:
+def test_socket_in_use_error_names_the_owner_and_remedy(root: Path) -> None:
     path = root / "x"
     with listening(path):
         with pytest.raises(TransportError) as caught:
@@ -109,7 +109,7 @@ def test_only_dead_sockets_are_cleaned_up(root: Path) -> None:
         assert sorted(root.iterdir()) == [alive, file]
 
 
-def test_without_a_file_to_spare_nobody_is_taken_for_dead(tmp_path: Path) -> None:
+def test_missing_descriptors_mark_no_component_as_dead(tmp_path: Path) -> None:
     """A probe needs a socket of its own; a process that has no more must not drop its components for it."""
     path = tmp_path / "living"
     soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)

@@ -68,11 +68,13 @@ def machine(monkeypatch: pytest.MonkeyPatch) -> Machine:
         (["lo", ALL_INTERFACES, "10.0.0.1"], ("127.0.0.1", "10.0.0.1", "10.0.0.2")),
     ],
 )
-def test_interfaces_are_chosen_by_address_name_or_all(machine: Machine, chosen: list[str], found: tuple[str]) -> None:
+def test_interfaces_are_selected_by_address_name_or_all(machine: Machine, chosen: list[str], found: tuple[str]) -> None:
     assert multicast.addresses(chosen) == found
 
 
-def test_joins_where_it_can_and_warns_once_of_the_rest(machine: Machine, caplog: pytest.LogCaptureFixture) -> None:
+def test_present_interfaces_are_joined_and_others_warned_once(
+    machine: Machine, caplog: pytest.LogCaptureFixture
+) -> None:
     joining = machine.join("10.0.0.1", "10.0.0.9")
     joining.refresh()
     assert (machine.members, joining.joined) == ({"10.0.0.1"}, 1)
@@ -80,7 +82,7 @@ def test_joins_where_it_can_and_warns_once_of_the_rest(machine: Machine, caplog:
     assert "no multicasts on interface 10.0.0.9: No such device" in warning
 
 
-def test_joins_later_and_says_so(machine: Machine, caplog: pytest.LogCaptureFixture) -> None:
+def test_late_interface_is_joined_and_logged(machine: Machine, caplog: pytest.LogCaptureFixture) -> None:
     machine.down.add(multicast.ANY)
     joining = machine.join(multicast.ANY)
     assert joining.joined == 0
@@ -91,9 +93,7 @@ def test_joins_later_and_says_so(machine: Machine, caplog: pytest.LogCaptureFixt
     assert caplog.messages[1:] == [f"joined {GROUP} on {multicast.ANY}"]
 
 
-def test_joins_again_on_an_interface_that_went_and_came_back(
-    machine: Machine, caplog: pytest.LogCaptureFixture
-) -> None:
+def test_returning_interface_is_joined_again(machine: Machine, caplog: pytest.LogCaptureFixture) -> None:
     joining = machine.join("10.0.0.1")
     machine.down.add("10.0.0.1")
     machine.members.clear()
@@ -105,7 +105,7 @@ def test_joins_again_on_an_interface_that_went_and_came_back(
     assert [record.levelno for record in caplog.records] == [logging.WARNING, logging.WARNING]
 
 
-def test_joins_what_comes_and_leaves_what_goes(machine: Machine) -> None:
+def test_memberships_follow_interfaces(machine: Machine) -> None:
     joining = machine.join(ALL_INTERFACES)
     assert joining.current == ("10.0.0.1", "10.0.0.2")
     machine.interfaces["wlan0"] = ["10.1.0.1"]
@@ -134,7 +134,7 @@ def test_two_addresses_of_one_interface_are_both_joined() -> None:
         ("eth1", ()),
     ],
 )
-def test_interfaces_with_ipv6_by_name_or_any_address(
+def test_ipv6_interfaces_are_selected_by_name_or_address(
     monkeypatch: pytest.MonkeyPatch, chosen: str, found: tuple[str, ...]
 ) -> None:
     four, six = socket.AF_INET, socket.AF_INET6

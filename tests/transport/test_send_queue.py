@@ -26,7 +26,7 @@ def drained(outbox: SendQueue) -> list[bytes]:
     return out
 
 
-def test_most_urgent_first_and_in_order() -> None:
+def test_most_urgent_datagrams_are_sent_first_in_order() -> None:
     outbox = SendQueue()
     sent = [datagram(p, n) for n in range(2) for p in Priority]
     for data in (*sent, junior.accept(A)):
@@ -34,7 +34,7 @@ def test_most_urgent_first_and_in_order() -> None:
     assert drained(outbox) == [sent[3], sent[7], junior.accept(A), sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
 
 
-def test_the_oldest_of_the_lowest_priority_goes_first() -> None:
+def test_oldest_of_the_lowest_priority_is_dropped() -> None:
     outbox = SendQueue(limit=3)
     low, high = [datagram(Priority.LOW, n) for n in range(3)], datagram(Priority.HIGH, 9)
     assert [outbox.push(data) for data in (*low, high)] == [0, 0, 0, 1]
@@ -53,7 +53,7 @@ def test_bytes_are_bounded_too() -> None:
     assert drained(outbox) == large[dropped:]
 
 
-def test_what_is_no_packet_has_a_place_too() -> None:
+def test_control_messages_are_queued_as_most_urgent() -> None:
     outbox = SendQueue()
     for data in (b"", b"\x02", b"\x02\x40"):
         outbox.push(data)
@@ -61,7 +61,7 @@ def test_what_is_no_packet_has_a_place_too() -> None:
 
 
 @pytest.mark.parametrize("way", ["one by one", "at once"])
-def test_the_least_urgent_have_a_share(way: str) -> None:
+def test_least_urgent_datagrams_have_a_share(way: str) -> None:
     """Though there is always something more urgent."""
     outbox, sent = SendQueue(), []
     low = [datagram(Priority.LOW, n) for n in range(10)]
@@ -117,3 +117,14 @@ def test_one_datagram_may_take_the_room_of_many() -> None:
         queue.push(datagram(Priority.LOW, number))
     other.push(judp.pack(Packet(A, A, bytes(40_000), 1)))
     assert (len(other), memory.bytes <= 100_000) == (1, True)
+
+
+def test_a_source_that_floods_a_queue_loses_its_own() -> None:
+    outbox, operator = SendQueue(limit=100), JausID(42, 1, 1)
+    wanted = judp.pack(Packet(operator, A, b"\x02\x00", 1))
+    for number in range(100):
+        outbox.push(datagram(Priority.STANDARD, number))
+    outbox.push(wanted)
+    dropped = sum(outbox.push(datagram(Priority.STANDARD, number)) for number in range(1000))
+    assert dropped == 1000
+    assert wanted in drained(outbox)

@@ -40,7 +40,7 @@ def sockets() -> Iterator[list[socket.socket]]:
         sock.close()
 
 
-async def test_answers_go_where_a_peer_was_heard_and_all_else_to_the_node_manager(
+async def test_answers_use_learned_addresses_and_others_the_node_manager(
     sockets: list[socket.socket],
 ) -> None:
     near, far = sockets
@@ -60,7 +60,7 @@ async def test_answers_go_where_a_peer_was_heard_and_all_else_to_the_node_manage
     await transport.close()
 
 
-async def test_hears_the_group_and_not_itself(free_port: int) -> None:
+async def test_group_is_received_without_own_datagrams(free_port: int) -> None:
     group = (GROUP, free_port)
     ours, theirs = (UdpTransport(id, group=group, bind=("127.0.0.1", 0), interface="127.0.0.1") for id in (US, PEER))
     arrived: asyncio.Queue[bytes] = asyncio.Queue()
@@ -81,7 +81,7 @@ async def test_hears_the_group_and_not_itself(free_port: int) -> None:
     await theirs.close()
 
 
-async def test_joins_a_network_that_comes_up_later(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_late_network_is_joined(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(multicast, "WATCH_INTERVAL", 0.01)
     attempts: list[OSError | None] = []
 
@@ -104,7 +104,7 @@ async def test_joins_a_network_that_comes_up_later(monkeypatch: pytest.MonkeyPat
     assert len(attempts) == count
 
 
-async def test_goes_on_when_somebody_has_the_group_s_port(free_port: int) -> None:
+async def test_port_in_use_disables_multicast_only(free_port: int) -> None:
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as greedy:
         greedy.bind(("", free_port))
         transport = UdpTransport(US, group=(GROUP, free_port))
@@ -113,17 +113,17 @@ async def test_goes_on_when_somebody_has_the_group_s_port(free_port: int) -> Non
         await transport.close()
 
 
-async def test_needs_somebody_to_send_to() -> None:
+async def test_transport_without_peer_and_group_is_an_error() -> None:
     with pytest.raises(TransportError, match="node manager or a multicast group"):
         await UdpTransport(US).open()
 
 
-async def test_an_address_that_is_not_ours() -> None:
+async def test_foreign_address_is_an_error() -> None:
     with pytest.raises(TransportError, match=r"cannot use UDP 192\.0\.2\.77:0"):
         await UdpTransport(US, peer=("127.0.0.1", 3794), bind=("192.0.2.77", 0)).open()
 
 
-async def test_a_burst_is_kept_while_its_reader_is_busy(sockets: list[socket.socket]) -> None:
+async def test_burst_is_buffered_while_the_reader_is_busy(sockets: list[socket.socket]) -> None:
     """As much as in a socket that asked the kernel for a large buffer; the usual one holds some 270 messages."""
     sender, other = sockets
     other.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, multicast.RECEIVE_BUFFER)

@@ -74,14 +74,14 @@ async def images(receiver, count, decoder=None):
     return found
 
 
-async def test_it_starts_when_it_is_first_wanted(camera):
+async def test_process_starts_at_first_use(camera):
     assert camera.pid is None
     camera.watch(("127.0.0.1", 2000), playing=False)
     await until(lambda: camera.description, TIMEOUT)
     assert camera.counters["started"] == 1
 
 
-async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
+async def test_fallback_to_ray_casting_is_logged_once(monkeypatch, caplog):
     sim = pytest.importorskip("jauspy_sim.robot", reason="MuJoCo is not installed")
     monkeypatch.setenv("MUJOCO_GL", "disable")
     monkeypatch.setattr(worker_process, "RESTART_DELAYS", (0.01, 0.02))
@@ -99,7 +99,7 @@ async def test_rays_instead_of_gl_are_said_once(monkeypatch, caplog):
     assert [record.levelname for record in said] == ["WARNING"]
 
 
-async def test_its_process_leaves_the_processor_to_the_robots(camera):
+async def test_camera_process_has_lower_priority(camera):
     camera.watch(("127.0.0.1", 2000), playing=False)
     await until(lambda: camera.description, TIMEOUT)
     nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
@@ -133,7 +133,7 @@ async def test_the_size_changes_while_it_runs(camera, receiver):
     assert not receiver.counters.get("lost")
 
 
-async def test_pause_play_and_leave(camera, receiver):
+async def test_streams_can_be_paused_played_and_left(camera, receiver):
     with RtpReceiver() as other:
         camera.watch(at(receiver))
         camera.watch(at(other))
@@ -165,7 +165,7 @@ async def test_still_images_of_any_size(camera, format, size):
 
 
 @pytest.mark.parametrize(("size", "smooth"), [((640, 480), True), ((1408, 1152), False)], ids=str)
-async def test_the_edges_of_stills_are_smooth_unless_they_are_large(camera, size, smooth):
+async def test_small_stills_are_anti_aliased(camera, size, smooth):
     taken = asyncio.get_running_loop().create_future()
     camera.take(StillSettings(*size, StillFormat.PNG), taken.set_result)
     content = (await asyncio.wait_for(taken, TIMEOUT)).content
@@ -185,7 +185,7 @@ async def test_too_many_stills_and_receivers_are_refused(camera):
         camera.watch(("127.0.0.1", 4000))
 
 
-async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver, caplog):
+async def test_dead_process_is_restarted(camera, receiver, caplog):
     camera.settings = dataclasses.replace(SMALL, width=160, height=120)
     camera.watch(at(receiver))
     await images(receiver, 2)
@@ -203,7 +203,7 @@ async def test_a_process_that_dies_is_started_again_and_goes_on(camera, receiver
     assert "its process ended (-9); it starts again in 0.5 s" in caplog.text
 
 
-async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
+async def test_hanging_process_is_ended(camera, monkeypatch):
     monkeypatch.setattr(worker_process, "MAX_UNREAD", 1000)
     camera.watch(("127.0.0.1", 2000))
     await until(lambda: camera.description, TIMEOUT)
@@ -216,7 +216,7 @@ async def test_a_process_that_hangs_is_ended(camera, monkeypatch):
     await until(lambda: camera.pid not in {hanging, None}, TIMEOUT)
 
 
-async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypatch):
+async def test_process_without_still_is_ended(camera, monkeypatch):
     camera.watch(("127.0.0.1", 2000))
     await until(lambda: camera.description, TIMEOUT)
     hanging = camera.pid
@@ -233,7 +233,7 @@ async def test_a_process_that_does_not_take_a_picture_is_ended(camera, monkeypat
     assert (await asyncio.wait_for(taken, TIMEOUT)).content
 
 
-async def test_a_process_that_is_still_starting_does_not_hang(camera, monkeypatch):
+async def test_starting_process_is_not_ended(camera, monkeypatch):
     monkeypatch.setattr(camera_process, "STILL_TIMEOUT", 0.01)
     taken = asyncio.get_running_loop().create_future()
     camera.take(TINY, taken.set_result)
@@ -243,7 +243,7 @@ async def test_a_process_that_is_still_starting_does_not_hang(camera, monkeypatc
     assert camera.counters["hung"] == 0
 
 
-async def test_it_ends_with_the_robots_process(tmp_path):
+async def test_process_ends_with_the_robot_process(tmp_path):
     program = tmp_path / "robot.py"
     program.write_text(
         """

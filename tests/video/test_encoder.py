@@ -19,7 +19,7 @@ def kinds(nals):
     return [h264_payload.nal_type(unit) for unit in nals]
 
 
-def test_every_idr_comes_with_its_parameter_sets(scene):
+def test_idr_pictures_include_parameter_sets(scene):
     encoder = H264Encoder(VideoSettings(gop=5))
     pictures = [kinds(encoder.encode(scene(number))) for number in range(11)]
     for number, found in enumerate(pictures):
@@ -30,14 +30,14 @@ def test_every_idr_comes_with_its_parameter_sets(scene):
             assert set(found) == {1}
 
 
-def test_an_idr_is_had_for_the_asking(scene):
+def test_idr_can_be_requested(scene):
     encoder = H264Encoder()
     wanted = [2, 3, 7]
     found = [h264_payload.IDR in kinds(encoder.encode(scene(number), idr=number in wanted)) for number in range(9)]
     assert [number for number, idr in enumerate(found) if idr] == [0, *wanted]
 
 
-def test_pictures_come_out_at_once_and_as_they_went_in(scene):
+def test_pictures_are_encoded_without_delay(scene):
     encoder, decoder = H264Encoder(), H264Decoder()
     for number in range(8):
         image = decoder.decode(Picture(number, tuple(encoder.encode(scene(number))), whole=True))
@@ -61,7 +61,7 @@ def test_the_size_changes_with_the_next_picture(scene):
         assert decoder.decode(Picture(0, tuple(nals), whole=True)).shape == (height, width, 3)
 
 
-def test_the_bit_rate_is_kept_and_changes_at_once(scene):
+def test_bit_rate_is_kept_and_changes_at_once(scene):
     encoder = H264Encoder(VideoSettings(bit_rate=2_000_000, rate=15))
     measured = []
     for bit_rate in (2_000_000, 500_000):
@@ -72,7 +72,7 @@ def test_the_bit_rate_is_kept_and_changes_at_once(scene):
     assert 350_000 < measured[1] < 650_000
 
 
-def test_a_picture_of_another_size_is_an_error(scene):
+def test_picture_of_another_size_is_an_error(scene):
     with pytest.raises(ConfigError, match="320x240 for 640x480"):
         H264Encoder().encode(scene(0, 320, 240))
 
@@ -81,12 +81,12 @@ def test_a_picture_of_another_size_is_an_error(scene):
     ("wrong", "said"),
     [({"rate": 0}, "rate = 0 is not in 1..60"), ({"width": 641}, "must be even"), ({"bit_rate": 1}, "bit_rate = 1")],
 )
-def test_settings_that_cannot_be_say_so(wrong, said):
+def test_invalid_settings_are_rejected(wrong, said):
     with pytest.raises(ConfigError, match=said):
         VideoSettings(**wrong)
 
 
-def test_what_is_no_h264_is_counted():
+def test_undecodable_data_is_counted():
     decoder = H264Decoder()
     assert decoder.decode(Picture(0, (b"\x65\xff\xff\xff", b"\x41nonsense"), whole=True)) is None
     assert decoder.counters["undecodable"] == 1
@@ -108,7 +108,7 @@ def test_profile_and_level_are_those_of_the_stream(scene, profile, number, prese
         assert [read(image) for image in images] == [[0], [1], [2]]
 
 
-def test_constrained_baseline_says_that_it_is(scene):
+def test_constrained_baseline_is_signalled(scene):
     sps = H264Encoder().encode(scene(0))[0]
     assert sps[2] & 0b0100_0000
 
@@ -117,7 +117,7 @@ def gradual():
     return H264Encoder(VideoSettings(gop=20, coding=H264Settings(gradual=True)))
 
 
-def test_gradual_refreshes_come_without_large_pictures(scene):
+def test_gradual_refresh_has_no_large_pictures(scene):
     """Only the first one is whole, and any that is asked for."""
     encoder = gradual()
     pictures = [encoder.encode(scene(number), idr=number == 30) for number in range(45)]
@@ -126,7 +126,7 @@ def test_gradual_refreshes_come_without_large_pictures(scene):
     assert max(sizes[10:30]) < 0.5 * sizes[0]
 
 
-def test_gradual_refreshes_mend_what_was_lost(scene):
+def test_gradual_refresh_repairs_losses(scene):
     encoder, decoder = gradual(), H264Decoder()
     seen = []
     for number in range(70):

@@ -45,7 +45,7 @@ def show(sender: RtpSender, settings: VideoSettings, scene, ending: threading.Ev
 
 @pytest.mark.parametrize("player", PLAYERS, ids=lambda player: player.__name__)
 @pytest.mark.parametrize("settings", STREAMS.values(), ids=STREAMS)
-def test_every_picture_arrives_without_an_error(player, settings, scene, tmp_path):
+def test_all_pictures_arrive_without_errors(player, settings, scene, tmp_path):
     with RtpReceiver() as free:
         port = free.port
     command, complaints = player(tmp_path, port, settings), tmp_path / "complaints"

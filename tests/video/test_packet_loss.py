@@ -135,7 +135,7 @@ def free_port() -> int:
 
 
 @pytest.mark.parametrize("player", [None, ffmpeg, gstreamer], ids=["jauspy", "ffmpeg", "gstreamer"])
-def test_recovers_with_the_next_whole_picture(player, film, tmp_path):
+def test_decoding_recovers_with_the_next_idr(player, film, tmp_path):
     port = free_port()
     relay = Relay(port, seed=7)
     with relay.running():

@@ -30,7 +30,7 @@ def feed(receiver: Depacketiser, arrived: list[RtpPacket]) -> list:
     return [picture for packet in arrived for picture in receiver.feed(packet)]
 
 
-def test_parameter_sets_travel_together_and_a_large_unit_in_parts():
+def test_parameter_sets_are_aggregated_and_large_units_fragmented():
     made = packetise([SPS, PPS, IDR], 1000)
     assert made[0] == bytes([0x60 | STAP_A]) + b"\x00\x04" + SPS + b"\x00\x04" + PPS
     assert [part[0] & 0x1F for part in made[1:]] == [FU_A] * 11
@@ -40,7 +40,7 @@ def test_parameter_sets_travel_together_and_a_large_unit_in_parts():
 
 
 @given(units, st.integers(16, 200))
-def test_what_is_packed_comes_out_again(nals, limit):
+def test_packetised_pictures_are_reassembled(nals, limit):
     made = packetise(nals, limit)
     assert max(map(len, made)) <= limit
     receiver = Depacketiser()
@@ -50,7 +50,7 @@ def test_what_is_packed_comes_out_again(nals, limit):
 
 
 @given(units)
-def test_a_byte_stream_is_split_where_it_was_joined(nals):
+def test_byte_stream_is_split_at_start_codes(nals):
     plain = [unit.replace(b"\x00", b"\x03") for unit in nals]  # an encoder never leaves start codes inside
     assert h264_payload.split_nals(h264_payload.join_nals(plain)) == plain
 
@@ -67,7 +67,7 @@ def test_time_stamps_tick_90_000_times_a_second():
     assert (second - first) & 0xFFFFFFFF == 45_000
 
 
-def test_numbers_go_on_over_the_end_of_their_range():
+def test_sequence_numbers_wrap():
     receiver = Depacketiser()
     for number in (0xFFFE, 0xFFFF, 0, 1):
         (picture,) = receiver.feed(RtpPacket(number, number, 1, SLICE, marker=True))
@@ -76,7 +76,7 @@ def test_numbers_go_on_over_the_end_of_their_range():
 
 
 @pytest.mark.parametrize("gone", range(9))
-def test_a_lost_packet_damages_the_picture_it_belonged_to_and_no_other(gone):
+def test_lost_packet_damages_one_picture_only(gone):
     stream, receiver = RtpStream("test"), Depacketiser()
     packed = [packets(stream, [SPS, PPS, IDR], now) for now in (0.0, 1.0, 2.0)]
     del packed[1][gone]
@@ -89,7 +89,7 @@ def test_a_lost_packet_damages_the_picture_it_belonged_to_and_no_other(gone):
     assert after is (gone != len(packed[1]))  # without the marker one cannot know whose packet it was
 
 
-def test_late_packets_and_repeated_ones_are_counted_and_left_out():
+def test_late_and_repeated_packets_are_counted_and_skipped():
     receiver = Depacketiser()
     one, two, three = (RtpPacket(n, 5, 1, SLICE, marker=n == 2) for n in range(3))
     assert feed(receiver, [one, one, three, two]) != []
@@ -97,14 +97,14 @@ def test_late_packets_and_repeated_ones_are_counted_and_left_out():
     assert receiver.counters["lost"] == 1
 
 
-def test_a_long_gap_is_not_taken_for_lateness():
+def test_long_gap_does_not_count_as_late():
     receiver = Depacketiser()
     feed(receiver, [RtpPacket(0, 1, 1, SLICE, marker=True)])
     (picture,) = receiver.feed(RtpPacket(0x9000, 2, 1, SLICE, marker=True))
     assert not picture.whole
 
 
-def test_another_source_begins_anew():
+def test_new_source_resets_the_state():
     receiver = Depacketiser()
     assert len(feed(receiver, [RtpPacket(n, 1, n, SLICE, marker=True) for n in (7, 3)])) == 2
     assert receiver.counters["sources"] == 2
@@ -121,13 +121,13 @@ def test_another_source_begins_anew():
     ],
     ids=["reserved", "FU-B", "too short", "empty unit", "no fragment"],
 )
-def test_payloads_that_make_no_sense_are_counted(payload):
+def test_malformed_payloads_are_counted(payload):
     receiver = Depacketiser()
     assert [picture.nals for picture in receiver.feed(RtpPacket(0, 1, 1, payload, marker=True))] == []
     assert receiver.counters["malformed"] == 1
 
 
-def test_a_picture_without_end_is_given_up():
+def test_oversized_picture_is_dropped():
     receiver = Depacketiser()
     part = bytes([FU_A, 0x05]) + bytes(60_000)
     receiver.feed(RtpPacket(0, 1, 1, bytes([FU_A, 0x85, 1])))
@@ -138,7 +138,7 @@ def test_a_picture_without_end_is_given_up():
 
 
 @given(st.binary(max_size=60))
-def test_no_datagram_breaks_the_receiver(data):
+def test_arbitrary_datagrams_do_not_break_the_receiver(data):
     receiver = Depacketiser()
     try:
         packet = RtpPacket.decode(data)
@@ -147,7 +147,7 @@ def test_no_datagram_breaks_the_receiver(data):
     receiver.feed(packet)
 
 
-def test_extension_contributors_and_padding_are_left_out():
+def test_header_extensions_and_padding_are_skipped():
     head = bytes([0x80 | 0x20 | 0x10 | 1, 96]) + bytes(10)
     data = head + bytes(4) + b"\xbe\xde\x00\x01" + bytes(4) + SLICE + b"\x00\x00\x03"
     assert RtpPacket.decode(data).payload == SLICE

@@ -68,7 +68,7 @@ def at(receiver):
     return ("127.0.0.1", receiver.port)
 
 
-def test_two_receivers_share_an_encoder_and_the_second_begins_with_an_idr(scene, sender, receivers):
+def test_receivers_share_an_encoder_and_start_with_an_idr(scene, sender, receivers):
     show, (one, two) = Show(scene, sender), receivers
     sender.add(at(one))
     show.go_on(3)
@@ -80,7 +80,7 @@ def test_two_receivers_share_an_encoder_and_the_second_begins_with_an_idr(scene,
     assert [picture.is_idr for picture in first] == [True, False, False, True, False, False]
 
 
-def test_who_pauses_gets_nothing_then_goes_on_with_an_idr_and_no_gap(scene, sender, receivers):
+def test_paused_receiver_continues_with_an_idr_without_gap(scene, sender, receivers):
     show, (one, two) = Show(scene, sender), receivers
     sender.add(at(one))
     sender.add(at(two))
@@ -94,7 +94,7 @@ def test_who_pauses_gets_nothing_then_goes_on_with_an_idr_and_no_gap(scene, send
     assert not two.counters.get("lost")
 
 
-def test_who_leaves_gets_nothing_and_nobody_is_left(scene, sender, receivers):
+def test_removed_receiver_gets_nothing(scene, sender, receivers):
     show, (one, two) = Show(scene, sender), receivers
     sender.add(at(one))
     sender.add(at(two))
@@ -108,7 +108,7 @@ def test_who_leaves_gets_nothing_and_nobody_is_left(scene, sender, receivers):
     assert not sender.playing
 
 
-def test_a_receiver_that_lost_something_asks_for_a_whole_picture(scene, sender, receivers):
+def test_receiver_requests_an_idr_after_a_loss(scene, sender, receivers):
     show, (receiver, _) = Show(scene, sender), receivers
     sender.add(at(receiver))
     show.go_on(2)
@@ -121,7 +121,7 @@ def test_a_receiver_that_lost_something_asks_for_a_whole_picture(scene, sender, 
     assert sum(picture.is_idr for picture in take(receiver, RATE)) == 1
 
 
-def test_wishes_for_whole_pictures_do_not_come_faster_than_they_may(sender, receivers):
+def test_idr_requests_are_rate_limited(sender, receivers):
     receiver, _ = receivers
     sender.add(at(receiver))
     sender.send([b"\x67\x01", b"\x65\x01"], 10.0, 1e9)
@@ -130,7 +130,7 @@ def test_wishes_for_whole_pictures_do_not_come_faster_than_they_may(sender, rece
     assert sender.needs_idr(10.0 + MIN_IDR_INTERVAL)
 
 
-def test_a_report_says_which_time_a_stamp_means(sender):
+def test_sender_report_maps_time_stamps(sender):
     sender._sockets.clear()
     report = rtp.sender_report(7, "front", utc=1.5, timestamp=90, packets=3, octets=400)
     first = struct.unpack_from("!BBHIIIIII", report)
@@ -142,7 +142,7 @@ def test_a_report_says_which_time_a_stamp_means(sender):
     assert not rtp.requests_picture(report + rtp.picture_loss_indication(1, 7)[:8])
 
 
-def test_there_is_a_limit_to_receivers_and_names_are_not_looked_up(sender):
+def test_receivers_are_bounded_and_addresses_numeric(sender):
     for port in range(2000, 2000 + 2 * MAX_RECEIVERS, 2):
         sender.add(("127.0.0.1", port))
     sender.add(("127.0.0.1", 2000))
@@ -154,7 +154,7 @@ def test_there_is_a_limit_to_receivers_and_names_are_not_looked_up(sender):
         RtpSender().add(("127.0.0.1", 0))
 
 
-def test_nobody_listening_is_no_error(scene, sender, receivers):
+def test_missing_listener_is_no_error(scene, sender, receivers):
     receiver, other = receivers
     sender.add(at(other))
     other.close()
@@ -163,12 +163,12 @@ def test_nobody_listening_is_no_error(scene, sender, receivers):
     assert len(take(receiver, 5)) == 5
 
 
-def test_a_taken_port_says_so(receivers):
+def test_port_in_use_is_an_error(receivers):
     with pytest.raises(TransportError, match=f"cannot listen at 127.0.0.1 port {receivers[0].port}"):
         RtpReceiver(port=receivers[0].port)
 
 
-def test_with_lost_packets_the_picture_is_right_again_from_the_next_idr_on(scene):
+def test_picture_is_correct_after_the_next_idr(scene):
     """2 % of the packets are lost; pictures from a whole IDR up to the next loss are what was sent."""
     from jauspy.video.h264_payload import Depacketiser, packetise
     from jauspy.video.rtp import RtpPacket
@@ -197,7 +197,7 @@ def test_with_lost_packets_the_picture_is_right_again_from_the_next_idr_on(scene
     assert checked > 30
 
 
-def test_a_recording_holds_every_picture_at_its_time(scene, sender, receivers, tmp_path):
+def test_recording_has_all_pictures_at_their_times(scene, sender, receivers, tmp_path):
     import av
 
     receiver, _ = receivers
@@ -214,7 +214,7 @@ def test_a_recording_holds_every_picture_at_its_time(scene, sender, receivers, t
     assert [round(frame.time * RATE) for frame in frames] == list(range(20))
 
 
-def test_a_recording_ends_where_the_size_changes(scene, sender, receivers, tmp_path):
+def test_recording_ends_when_the_size_changes(scene, sender, receivers, tmp_path):
     receiver, _ = receivers
     show = Show(scene, sender)
     sender.add(at(receiver))
@@ -228,7 +228,7 @@ def test_a_recording_ends_where_the_size_changes(scene, sender, receivers, tmp_p
         assert recorder.pictures == 2
 
 
-def test_a_recording_goes_on_when_the_camera_begins_anew(scene, sender, tmp_path):
+def test_recording_continues_after_a_camera_restart(scene, sender, tmp_path):
     """Another process, with another source and another clock, is no gap of hours."""
     import av
 
@@ -252,7 +252,7 @@ def test_a_recording_goes_on_when_the_camera_begins_anew(scene, sender, tmp_path
     assert times == pytest.approx(expected, abs=0.001)
 
 
-def test_a_film_that_cannot_be_written_says_so(tmp_path):
+def test_unwritable_recording_is_an_error(tmp_path):
     with pytest.raises(ConfigError, match=r"cannot record to .*film\.xyz"):
         Recorder(tmp_path / "film.xyz")
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import logging
 import os
+import select
 import sys
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
@@ -103,7 +104,36 @@ def print_counters(counters: Mapping[str, int], title: str = "counters:") -> Non
     counted = {name: count for name, count in sorted(counters.items()) if count}
     width = max(map(len, counted), default=0)
     lines = [f"  {name:<{width}}  {count}" for name, count in counted.items()] or ["  nothing was received or sent"]
-    print_lines(title, *lines, file=sys.stderr)
+    print_if_read(title, *lines, file=sys.stderr)
+
+
+def print_if_read(*lines: str, file: TextIO | None = None) -> None:
+    """As `print_lines`, for a service, which neither ends nor waits because nobody reads or the disk is full."""
+    stream = file or sys.stdout
+    if not _has_room(stream):
+        return
+    try:
+        print_lines(*lines, file=stream)
+    except BrokenPipeError:
+        raise
+    except OSError:
+        _discard(stream)
+
+
+def _has_room(stream: TextIO) -> bool:
+    """False when writing would block; a pipe with room takes at least 4096 bytes."""
+    try:
+        return bool(select.select([], [stream], [], 0)[1])
+    except (OSError, ValueError):  # not a file of the system
+        return True
+
+
+class _NonBlockingHandler(logging.StreamHandler[TextIO]):
+    """Drops lines when nobody reads them."""
+
+    def emit(self, record: logging.LogRecord) -> None:
+        if _has_room(self.stream):
+            super().emit(record)
 
 
 class LogFormatter(logging.Formatter):
@@ -123,7 +153,7 @@ class LogFormatter(logging.Formatter):
 
 def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> None:
     """Log to stderr from `level` on, as text if `formatter` is None."""
-    handler = logging.StreamHandler()
+    handler = _NonBlockingHandler()
     handler.setFormatter(formatter or LogFormatter())
     handler.addFilter(LIMIT)  # for lines of other packages
     logging.basicConfig(level=level, handlers=[handler])
@@ -132,7 +162,11 @@ def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> Non
 
 def discard_stdout() -> None:
     """Redirect stdout to /dev/null, so that the interpreter does not fail again when it flushes stdout at exit."""
-    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    _discard(sys.stdout)
+
+
+def _discard(stream: TextIO) -> None:
+    os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
 
 
 def is_terminal() -> bool:

@@ -9,7 +9,7 @@ import typer
 from rich.text import Text
 
 from jauspy.cli import client, console
-from jauspy.cli.options import Connect, Json
+from jauspy.cli.options import Connect, Json, OperatorKey
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
@@ -41,16 +41,18 @@ def estop(
     own_id: Annotated[
         str, typer.Option("--id", metavar="ID", help="This client's JAUS id; --release needs that which stopped.")
     ] = ESTOP_ID,
+    operator_key: OperatorKey = None,
     timeout: Annotated[
         float, typer.Option("--timeout", min=0.1, metavar="SECONDS", help="How long components have to obey.")
     ] = 2.0,
     as_json: Json = False,
 ) -> None:
-    """Stop robots: set the emergency of every component that is reached, whoever controls it.
+    """Stop all robots, one robot or one component, and tell which obeyed.
 
-    The message is sent at once, without discovery, and again until all that answer have obeyed. Lists the status of
-    each component that answers. The exit status is 0 if at least one answered, and all that answered obeyed. A client
-    that was in control still is after --release, and what it had commanded does not go on.
+    Sets the emergency of every component that is reached, whoever controls it. The message is sent at once, without
+    discovery, and again until all that answer have obeyed. Lists the status of each component that answers. The exit
+    status is 0 if at least one answered, and all that answered obeyed. A client that was in control still is after
+    --release, and what it had commanded does not go on. Robots that require operators release with a key only.
 
     Examples:
       jauspy estop
@@ -58,7 +60,7 @@ def estop(
       jauspy estop 101 --release
     """
     to = destination(target)
-    found = run(_estop(OCU(own_id, connect), to, release=release, max_wait=timeout)) or {}
+    found = run(_estop(OCU(own_id, connect, operator=operator_key), to, release=release, max_wait=timeout)) or {}
     for id, report in sorted(found.items(), key=lambda item: int(item[0])):
         obeyed = _obeys(report, release=release)
         if as_json:
@@ -102,6 +104,9 @@ async def _estop(ocu: OCU, to: JausID, *, release: bool, max_wait: float) -> Rep
             before = set(found)
             async for id, report in ocu.query_each(to, QueryStatus(), within=min(ROUND, left)):
                 found[id] = report
+            for id, report in found.items():
+                if release and to.is_wildcard and not _obeys(report, release=release):
+                    await ocu.send(id, message)  # a message to a wildcard cannot be sealed by an operator
             obey = all(_obeys(report, release=release) for report in found.values())
             settled = settled + 1 if found and obey and found.keys() == before else 0
     return found

@@ -44,6 +44,10 @@ VERBS: Final = {
     ),
     "still": ("jauspy.cli.still:still", "Take a picture with a camera and save it."),
     "decode": ("jauspy.cli.decode:decode", "Print the JAUS messages in a capture file or in hex text."),
+    "audit": (
+        "jauspy.cli.operators:audit",
+        "Verify an audit log: name the first line that was changed or removed, or cut off at the end.",
+    ),
     "conformance": ("jauspy.cli.conformance:conformance", "Test a robot or component of any vendor, step by step."),
 }
 KEY_VERBS: Final = {

@@ -167,7 +167,8 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
         if read is not None:
             loop.add_signal_handler(signal.SIGHUP, reload, manager, read, services)
         where = ", ".join(f"{each.address}:{manager.port_of(each.name)}" for each in config.all_networks)
-        console.print_lines(f"node manager ready: UDP {where}, local sockets in {config.local_root}")
+        ready = f"node manager ready: UDP {where}, local sockets in {config.local_root}"
+        console.print_if_read(ready)
         try:
             await manager.run()
         finally:

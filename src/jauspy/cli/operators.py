@@ -67,6 +67,41 @@ def show(
     console.print_lines(_line(name or file.stem, role, load_key(file)))
 
 
+def audit(
+    *,
+    path: Annotated[Path, typer.Argument(metavar="PATH", help="The file that audit_log of a robot names.")],
+    head: Annotated[
+        list[str] | None,
+        typer.Option("--head", metavar="NUMBER:HASH", help="A head that was noted earlier; may be repeated."),
+    ] = None,
+    operators: Annotated[
+        Path | None,
+        typer.Option("--operators", metavar="FILE", help="The operators file, to verify the signatures of commands."),
+    ] = None,
+) -> None:
+    """Verify an audit log: name the first line that was changed or removed, or cut off at the end.
+
+    The head that is printed is worth noting elsewhere. With it (--head), nobody can change or cut off the lines up to
+    there unnoticed, not even who can write to the robot's disk. The exit status is 1 if something is wrong.
+
+    Example:
+      jauspy audit robot.audit --operators operators.toml
+    """
+    from jauspy.modules import audit as log, operators as file
+
+    anchors = [log.Head.parse(each) for each in head or ()]
+    report = log.verify(path, anchors, file.load(operators) if operators is not None else ())
+    commands = ", ".join(f"{number} of {name}" for name, number in report.commands.most_common())
+    console.print_lines(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
+    if operators is not None:
+        console.print_lines(f"signatures: {report.verified} verified")
+    if report.not_recorded:
+        console.print_lines(f"not recorded: {report.not_recorded}, since they were too many or the disk too slow")
+    console.print_lines(f"head: {report.head}")
+    if report.problem:
+        raise ConfigError(f"{path}: {report.problem}")
+
+
 def _line(name: str, role: str, key: OperatorKey) -> str:
     return f'{_check_word(name, "NAME")} = {{ role = "{_check_word(role, "--role")}", key = "{key.public}" }}'
 

@@ -158,6 +158,7 @@ def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
         f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}{world}",
         *(f"  {each.id}  {module.type}" for each, module in pairs),
         f"  node manager: {where}",
+        *([f"  audit log: {runner.audit.path}, head {runner.audit.head}"] if runner.audit else []),
         *[f"see it:    jauspy ls{connect}"] * discoverable,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
         *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
@@ -165,6 +166,12 @@ def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
         "stop it:   Ctrl-C",
     ]
     console.print_lines(*lines)
+
+
+def note_audit_log(runner: RobotRunner) -> None:
+    """Tell the head of the audit log; with it, who noted it can tell whether lines are cut off later."""
+    if runner.audit is not None:
+        console.note(f"audit log {runner.audit.path}: head {runner.audit.head}")
 
 
 def _warnings(config: RobotConfig) -> list[str]:
@@ -310,6 +317,7 @@ async def run_robot(
             if supervisor is not None:
                 supervisor.print_counters()
 
+        stack.callback(note_audit_log, runner)
         await stack.enter_async_context(runner)
         note_at_end("stopping the modules, the cameras and the robot")
         asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, print_all_counters)

@@ -113,12 +113,12 @@ def pcd(cloud: Cloud) -> bytes:
 
 
 def ply(cloud: Cloud) -> bytes:
-    """Binary little-endian PLY; colours are bytes."""
+    """Binary little-endian PLY; colours are bytes. Line breaks and other controls in the frame's name are escaped."""
     colours = ["red", "green", "blue"] if cloud.values == XYZ_RGB else []
     header = (
         "ply",
         "format binary_little_endian 1.0",
-        f"comment frame {cloud.frame}",
+        f"comment frame {cloud.frame.encode('unicode_escape').decode()}",
         f"element vertex {len(cloud)}",
         *(f"property float {name}" for name in "xyz"),
         *(f"property uchar {name}" for name in colours),

@@ -89,8 +89,10 @@ class CloudSubscriber(_Socket):
                 cloud = decode(self._socket.recv())
             except self._timeout:
                 return None
-            except DecodeError:
+            except (DecodeError, RuntimeError):  # pynng raises RuntimeError for an empty message
                 self.counters["malformed"] += 1
+                if time.monotonic() >= until:
+                    return None
             else:
                 self._count(cloud)
                 return cloud

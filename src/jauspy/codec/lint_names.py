@@ -13,7 +13,7 @@ from jauspy.errors import SchemaError
 from jauspy.schema.document import location
 from jauspy.schema.lint import LintContext, LintRule, Problem
 from jauspy.schema.lint.fields import unbounded_list
-from jauspy.schema.lint.messages import placed
+from jauspy.schema.lint.messages import problem_of
 from jauspy.schema.loader import load_own
 
 _CONTAINERS: Final = ("record", "sequence", "variant", "bit_field")
@@ -55,7 +55,7 @@ def without_code(context: LintContext) -> Iterator[Problem]:
     try:
         build(schema, "checked")
     except SchemaError as error:
-        yield placed(error)
+        yield problem_of(error)
 
 
 RULES: Final = (

@@ -112,11 +112,12 @@ def parse_urdf(text: str) -> RobotDescription:
 def _check(description: RobotDescription, links: list[str], joints: list[Joint]) -> None:
     if len(description.joints) != len(joints):
         raise ConfigError(f"the URDF of {description.name} gives a joint's name twice")
+    known = set(links)
     for joint in joints:
         for link in (joint.parent, joint.child):
-            if link not in links:
+            if link not in known:
                 raise ConfigError(f"joint {joint.name!r} names the link {link!r}, which the URDF does not have")
-    roots = set(links) - {joint.child for joint in joints}
+    roots = known - {joint.child for joint in joints}
     if len(roots) != 1:
         raise ConfigError(f"the URDF of {description.name} must have one root link; it has: {', '.join(sorted(roots))}")
 

@@ -20,6 +20,8 @@ Array: TypeAlias = NDArray[np.float64]
 
 MAX_RANGE: Final = 15.0
 """Metres of a ray that are mapped; beyond, a small tilt of the robot has too much effect."""
+MAX_RAYS: Final = 4096
+"""Rays of a scan that are used, evenly spread; at `MAX_RANGE` their ends are closer than the cells of a usual map."""
 MIN_DISTANCE: Final = 0.1
 MIN_TURN: Final = math.radians(5.0)
 """Metres and radians of motion after which a scan is added."""
@@ -75,7 +77,9 @@ class Mapper:
     ) -> tuple[Points, NDArray[np.bool_]]:
         """Ends of the rays in the robot's frame, shape (n, 2), and which are echoes, shape (n,)."""
         at, far = np.asarray(angles), np.asarray(ranges)
-        used = far > 0.0
+        used = np.flatnonzero((far > 0.0) & np.isfinite(at))
+        if len(used) > MAX_RAYS:
+            used = used[np.linspace(0, len(used) - 1, MAX_RAYS).astype(np.intp)]
         at, far = at[used], far[used]
         echoes = far <= self._max_range
         far = np.minimum(far, self._max_range)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import secrets
 import stat
-import tomllib
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Annotated, Final
@@ -17,6 +16,7 @@ from jauspy.modules.config import Name, RobotConfig
 from jauspy.protocol.seal import Operator, PublicKey
 from jauspy.services.core import CommandSeal
 from jauspy.services.core.command_seal import CommandRecord
+from jauspy.user_files import read_toml
 
 DEFAULT_ROLES: Final[Mapping[str, int]] = {"observer": 0, "operator": 127, "supervisor": 255}
 """The highest authority that an operator of each role may use; 0 may not command."""
@@ -42,11 +42,9 @@ def load(path: str | Path) -> list[Operator]:
     try:
         if path.stat().st_mode & stat.S_IWOTH:
             raise ConfigError(f"{path}: all users may change it; do: chmod o-w {path}")
-        config = _OperatorsConfig.model_validate(tomllib.loads(path.read_text(encoding="utf-8")))
+        config = _OperatorsConfig.model_validate(read_toml(path))
     except OSError as error:
         raise ConfigError(f"operators: {path}: cannot be read: {error.strerror}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ConfigError(f"{path}: is not TOML: {error}") from error
     except ValidationError as error:
         problems = "\n".join(f"  {explain(each, _OperatorsConfig)}" for each in error.errors(include_url=False))
         raise ConfigError(f"{path}: is not a file of operators:\n{problems}") from error

@@ -6,12 +6,14 @@ import asyncio
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AsyncExitStack, suppress
 from datetime import UTC, datetime
+from pathlib import Path
 from types import TracebackType
 from typing import Final, Self
 
 from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.modules.audit import AuditLog
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.hosts import Announcement, host_of
 from jauspy.modules.operators import command_seals
@@ -68,7 +70,13 @@ class RobotRunner:
         self._realtime: RealTime | None = None
         self._components: tuple[Component, ...] = ()
         self._videos: Mapping[str, CameraProcess] = {}
+        self._audit: AuditLog | None = None
         self._stack = AsyncExitStack()
+
+    @property
+    def audit(self) -> AuditLog | None:
+        """The audit log, if the robot has one and was opened."""
+        return self._audit
 
     @property
     def components(self) -> tuple[Component, ...]:
@@ -103,6 +111,8 @@ class RobotRunner:
             counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
         for camera, video in self._videos.items():
             counts |= {f"camera.{camera}.{name}": n for name, n in video.counters.items()}
+        if self._audit is not None:
+            counts |= {f"audit.{name}": n for name, n in dict(self._audit.counters).items()}
         return counts
 
     async def open(self) -> None:
@@ -115,7 +125,10 @@ class RobotRunner:
             stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
             videos = await self._open_cameras(stack, realtime)
             components = []
-            seals = command_seals(self.config, None)
+            audit = None
+            if self.config.audit_log is not None:
+                audit = stack.enter_context(AuditLog(Path(self.config.audit_log), self.config.name))
+            seals = command_seals(self.config, audit.record if audit else None)
             modules = self.config.modules
             hosts = [_host(self.config, each, model, realtime, videos, more=seals()) for each in modules]
             _share_discovery(hosts)
@@ -130,6 +143,7 @@ class RobotRunner:
                 )
                 components.append(await stack.enter_async_context(component))
             self._realtime, self._components, self._videos = realtime, tuple(components), videos
+            self._audit = audit
             self._stack = stack.pop_all()
 
     async def close(self) -> None:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import tomllib
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -19,6 +18,7 @@ from jauspy.geometry.vectors import dot
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.description import RobotModel
+from jauspy.user_files import read_toml
 
 SUFFIX: Final = ".toml"
 _FOLDER: Final = files("jauspy") / "robots"
@@ -56,14 +56,8 @@ def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
 
 def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     """Return the keys of a file and of those that it extends; paths are relative to the file that sets them."""
-    try:
-        data = tomllib.loads(source.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigError(f"{source}: cannot be read: {error.strerror}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ConfigError(f"{source}: is not TOML: {error}") from error
     with as_file(source) as file:
-        folder = file.parent
+        data, folder = read_toml(file), file.parent
     for key in FILES:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])

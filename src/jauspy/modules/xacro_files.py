@@ -11,10 +11,12 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
-from importlib.util import find_spec, module_from_spec
+from importlib.util import module_from_spec
 from itertools import count, pairwise
 from pathlib import Path
 from typing import Any, Final, NoReturn
+
+import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.printable import printable
@@ -77,8 +79,7 @@ def expand(path: str) -> str:
 
 def _copy_of_xacro() -> Any:
     """The module for one file, with evaluation as described here. What others import as `xacro` stays as it is."""
-    spec = find_spec("xacro")
-    assert spec is not None
+    spec = xacro.__spec__
     assert spec.loader is not None
     module: Any = module_from_spec(spec)
     spec.loader.exec_module(module)

@@ -16,6 +16,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort, UdpPort
+from jauspy.user_files import read_file
 
 AddressEntries = dict[JausID, tuple[NetworkPort, ...]]
 _Pairs = Iterator[tuple[JausID, NetworkPort]]
@@ -38,9 +39,13 @@ def load_address_book(path: Path) -> AddressEntries:
     if reader is None:
         raise ConfigError(f"address book {path}: use one of {', '.join(readers)}")
     try:
-        return _collect(reader(path.read_bytes()))
-    except OSError as error:
-        raise ConfigError(f"address book {path}: {error.strerror}") from error
+        data = read_file(path)
+    except ConfigError as error:
+        raise ConfigError(f"address book {error}") from None
+    try:
+        return _collect(reader(data))
+    except RecursionError:
+        raise ConfigError(f"address book {path}: is nested too deeply") from None
     except (tomllib.TOMLDecodeError, UnicodeDecodeError, etree.XMLSyntaxError, yaml.YAMLError) as error:
         raise ConfigError(f"address book {path}: {error}") from error
     except ConfigError as error:
@@ -76,11 +81,9 @@ def parse_address(text: str) -> NetworkPort:
 
 
 def _collect(pairs: Iterable[tuple[JausID, NetworkPort]]) -> AddressEntries:
-    found: dict[JausID, list[NetworkPort]] = {}
+    found: dict[JausID, dict[NetworkPort, None]] = {}
     for id, port in pairs:
-        known = found.setdefault(id, [])
-        if port not in known:
-            known.append(port)
+        found.setdefault(id, {})[port] = None
     return {id: tuple(ports) for id, ports in found.items()}
 
 
@@ -110,9 +113,18 @@ def _xml(data: bytes) -> _Pairs:
             yield JausID.from_int(int(number)), parse_address(str(value))
 
 
+class _YamlLoader(yaml.SafeLoader):
+    """Refuses aliases: with them, a small file has texts of gigabytes."""
+
+    def compose_node(self, parent: yaml.Node | None, index: Any) -> yaml.Node | None:
+        if self.check_event(yaml.AliasEvent):
+            raise yaml.YAMLError("write out what the alias stands for; aliases are not read")
+        return super().compose_node(parent, index)
+
+
 def _yaml(data: bytes) -> _Pairs:
     """`addrbook: {udp: {"10.0.0.5:3794": 101.1.255}}`: one id or a list of ids by address."""
-    content = yaml.safe_load(data)
+    content = yaml.load(data, _YamlLoader)  # noqa: S506 - a safe loader
     book = _unwrap(content.get("addrbook")) if isinstance(content, dict) else None
     if not isinstance(book, dict):
         raise ConfigError("it has no key 'addrbook'")

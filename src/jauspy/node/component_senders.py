@@ -14,6 +14,7 @@ from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.routing import Router
+from jauspy.transport import local
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import QueueMemory, SendQueue
 
@@ -142,8 +143,9 @@ class ComponentSender:
         self._connect().send(datagram)
 
     def _lost(self, error: OSError) -> None:
-        self._counters.drop("component_gone" if error.errno in _NOT_LISTENING else "local_send", error)
-        if error.errno in _NOT_LISTENING:
+        no_component = error.errno in (*_NOT_LISTENING, errno.ELOOP)
+        self._counters.drop("component_gone" if no_component else "local_send", error)
+        if no_component:
             if self._queue:
                 self._queue.pop()  # which was counted just now
             self.close()
@@ -153,7 +155,7 @@ class ComponentSender:
         sock = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
         try:
             sock.setblocking(False)
-            sock.connect(self._path)
+            local.connect(sock, self._path)
         except OSError:
             sock.close()
             raise

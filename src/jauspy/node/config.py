@@ -30,6 +30,7 @@ from jauspy.protocol.sources import SourceLimits
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
+from jauspy.user_files import read_file
 
 _RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))?")
 
@@ -357,9 +358,11 @@ def load_key(path: Path | None) -> Authenticator | None:
         return None
     try:
         mode = path.stat().st_mode
-        key = path.read_bytes().strip()
+        key = read_file(path).strip()
     except OSError as error:
         raise ConfigError(f"key_file {path}: {error.strerror}") from error
+    except ConfigError as error:
+        raise ConfigError(f"key_file {error}") from None
     if mode & stat.S_IROTH:
         raise ConfigError(f"key_file {path}: all users may read it; do: chmod o-rwx {path}")
     if len(key) < authentication.MIN_KEY_LENGTH:

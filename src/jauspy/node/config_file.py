@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import textwrap
-import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final
@@ -15,6 +14,7 @@ from pydantic.fields import FieldInfo
 from jauspy.config_errors import explain, models_in
 from jauspy.errors import ConfigError
 from jauspy.node.config import NodeConfig
+from jauspy.user_files import read_toml
 
 _WIDTH: Final = 100
 
@@ -27,12 +27,7 @@ def load(path: Path | None, overrides: Mapping[str, Any] | None = None) -> NodeC
     given = {key: value for key, value in (overrides or {}).items() if value is not None}
     if path is None:
         return NodeConfig.make(**given)
-    try:
-        data = tomllib.loads(path.read_text(encoding="utf-8"))
-    except OSError as error:
-        raise ConfigError(f"{path}: cannot be read: {error.strerror}") from error
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ConfigError(f"{path}: is not TOML: {error}") from error
+    data = read_toml(path)
     try:
         return NodeConfig.model_validate(data | given)
     except ValidationError as error:

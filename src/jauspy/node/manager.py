@@ -68,7 +68,10 @@ class NodeManager:
             max_sockets=descriptors.max_component_sockets(),
             networks=[network.name for network in self.config.all_networks],
             gateway=make_gateway(self.config),
-            sources=SourceChecks(source_limits(self.config)),
+            sources=SourceChecks(
+                source_limits(self.config),
+                authenticated=[each.name for each in self.config.all_networks if each.key_file],
+            ),
             changed=self._invalidate,
         )
         self._cache = RoutingCache(self._router, self._sender_for)
@@ -147,6 +150,7 @@ class NodeManager:
         """Open all sockets; raises `TransportError` or `ConfigError`, and then none stays open."""
         self._loop = asyncio.get_running_loop()
         config = self.config
+        local.check_directory(config.local_root)
         self._local = local.bind(self.path, owner="a node manager", mode=config.local_mode)
         try:
             self._component_sockets.open()
@@ -246,9 +250,13 @@ class NodeManager:
     def _from_component(self, datagram: bytes, sender: str | bytes | None) -> None:
         port = self._local_ports.get(sender)
         if port is None:
+            path = _path(sender)
+            if path.endswith(f"/{junior.SOCKET_NAME}"):
+                self._router.counters.drop("node_manager", f"{path} is not the socket of a component")
+                return
             if len(self._local_ports) > MAX_SENDERS:
                 self._local_ports.clear()
-            port = self._local_ports[sender] = LocalPort(_path(sender))
+            port = self._local_ports[sender] = LocalPort(path)
         self._receive(datagram, port)
 
     def _from_network(self, data: bytes, port: UdpPort) -> None:

@@ -16,7 +16,7 @@ BRAKE_TIME: Final = 0.1
 ROTOR_ACCELERATION: Final = 50.0
 """Acceleration of a joint that moves only its own rotor with full effort, rad/s^2 or m/s^2.
 
-A braking gain of effort / (MAX_UNLOADED_ACCELERATION * dt) stops within one step at the soonest, so it does not
+A braking gain of effort / (ROTOR_ACCELERATION * dt) stops within one step at the soonest, so it does not
 oscillate.
 """
 

@@ -66,10 +66,12 @@ class LearnedAddresses:
         while self._learned_ports and next(iter(self._learned_ports.values()))[1] <= than:
             self.remove(next(iter(self._learned_ports)))
 
-    def remove_port(self, port: NetworkPort) -> None:
-        """Remove the ids of a port."""
-        for id in [id for id, (known, _) in self._learned_ports.items() if known == port]:
+    def remove_port(self, port: NetworkPort) -> list[int]:
+        """Remove the ids of a port; returns them."""
+        ids = [id for id, (known, _) in self._learned_ports.items() if known == port]
+        for id in ids:
             self.remove(id)
+        return ids
 
 
 class AddressBook:
@@ -120,9 +122,9 @@ class AddressBook:
         self._learned.set(id, port, now)
         return known is None or known[0] != port or now - known[1] >= self._lifetime
 
-    def forget(self, port: NetworkPort) -> None:
-        """Remove what was learned from this address, as when a connection was closed."""
-        self._learned.remove_port(port)
+    def forget(self, port: NetworkPort) -> list[int]:
+        """Remove what was learned from this address, as when a connection was closed; returns the ids."""
+        return self._learned.remove_port(port)
 
     def static_matching(self, destination: int) -> list[NetworkPort]:
         """The static addresses that a broadcast may be for, each once."""

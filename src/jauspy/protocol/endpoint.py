@@ -114,6 +114,8 @@ class Endpoint:
     def _receive_packet(self, packet: Packet, now: float) -> None:
         if not addressing.reaches(int(packet.destination), int(self.id)):
             self.counters.drop("not_for_us", packet.destination)
+        elif packet.ack is Ack.REQUIRED and packet.source.is_wildcard:
+            self.counters.drop("wildcard_source", f"{packet.source}: an ACK would go to all")
         elif packet.ack is Ack.ACK:
             known = self._transfers.acknowledge(int(packet.source), packet.sequence, now)
             self.counters["received.ack" if known else "received.ack_unexpected"] += 1

@@ -125,6 +125,13 @@ def _convert(packet: LegacyPacket) -> tuple[RawPacket, bytes, LegacyVersion | No
     )
 
 
+def sequence_number(raw: RawPacket, datagram: bytes) -> int | None:
+    """The source's own number of a packet that `packets` returned; None if it has none, like an ACK."""
+    if raw.ack & Ack.NAK or datagram[0] != header.VERSION:
+        return None
+    return int.from_bytes(datagram[raw.end - 2 : raw.end], "little")
+
+
 def first_header(datagram: bytes) -> RawPacket:
     """The header of a datagram that `packets` returned."""
     return next(packets(datagram))[0]

@@ -19,6 +19,8 @@ PROBE_INTERVAL: Final = 1.0
 PENDING_TIMEOUT: Final = 3.0
 """Seconds that a message may wait for its destination."""
 MAX_PENDING_DESTINATIONS: Final = 256
+MAX_RELAYED_DESTINATIONS: Final = 128
+"""Of these, for messages of networks that a gateway relays, so that no host uses up the room of the components."""
 MAX_PENDING_PER_DESTINATION: Final = 32
 """Messages that wait for one destination; the oldest is dropped first."""
 MAX_PENDING_BYTES: Final = 1 << 20
@@ -28,6 +30,7 @@ MAX_PENDING_BYTES: Final = 1 << 20
 @dataclass(slots=True)
 class _Pending:
     next_probe: float
+    relayed: bool
     messages: deque[tuple[float, bytes]] = field(default_factory=deque)
 
 
@@ -47,14 +50,17 @@ class PendingDestinations:
         """The number of waiting messages."""
         return sum(len(pending.messages) for pending in self._pending.values())
 
-    def add(self, destination: int, datagram: bytes, now: float) -> bytes | None:
-        """Take a message for an unknown destination; returned if it is to be multicast at once as a probe."""
+    def add(self, destination: int, datagram: bytes, now: float, *, relayed: bool = False) -> bytes | None:
+        """Take a message for an unknown destination; returned if it is to be multicast at once as a probe.
+
+        `relayed`: it came from a network.
+        """
         pending = self._pending.get(destination)
         if pending is None:
-            if len(self._pending) >= MAX_PENDING_DESTINATIONS:
+            if self._is_full(relayed=relayed):
                 self._counters.drop("too_many_unknown_destinations", destination)
                 return None
-            self._pending[destination] = _Pending(now + PROBE_INTERVAL)
+            self._pending[destination] = _Pending(now + PROBE_INTERVAL, relayed)
             return datagram
         if not pending.messages and now >= pending.next_probe:
             pending.next_probe = now + PROBE_INTERVAL
@@ -68,6 +74,11 @@ class PendingDestinations:
         pending.messages.append((now, datagram))
         self._bytes += len(datagram)
         return None
+
+    def _is_full(self, *, relayed: bool) -> bool:
+        if len(self._pending) >= MAX_PENDING_DESTINATIONS:
+            return True
+        return relayed and sum(each.relayed for each in self._pending.values()) >= MAX_RELAYED_DESTINATIONS
 
     def pop(self, destination: int, now: float) -> list[bytes]:
         """Remove and return all messages for a destination whose address is now known."""

@@ -22,13 +22,15 @@ from jauspy.protocol.compression import Compression, is_compressed
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
 from jauspy.protocol.gateway import Gateway
-from jauspy.protocol.header import Broadcast, RawPacket
+from jauspy.protocol.header import Ack, Broadcast, RawPacket
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.registrar import DuplicateIdLog, Registrar
-from jauspy.protocol.sources import SourceChecks
+from jauspy.protocol.sources import SourceChecks, TokenBuckets
 
 _LOGGER = get_logger(__name__)
 
+VAGUE_RATE: Final = 100.0
+"""Messages per second, and at once, that are multicast for ids with zeros: no address can be learned for them."""
 RECEIVED_COUNTERS: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in PORT_KINDS.items()}
 
 CompressionUse: TypeAlias = Literal["off", "accept", "propose"]
@@ -85,6 +87,7 @@ class Router:
         if compression != "off":
             self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
         self._duplicate_ids = DuplicateIdLog(_LOGGER)
+        self._vague = TokenBuckets(VAGUE_RATE, VAGUE_RATE)
         self._registrar = Registrar(
             local_root,
             self.components,
@@ -143,7 +146,8 @@ class Router:
         """Nobody listens on `port` any more: remove its components, and the addresses learned from it."""
         self._registrar.remove_dead(port)
         if isinstance(port, UdpPort):
-            self.address_book.forget(port)
+            for id in self.address_book.forget(port):
+                self._changed(id)
 
     def disconnected(self, port: NetworkPort) -> None:
         """A connection has ended: remove the addresses learned from it."""
@@ -192,6 +196,8 @@ class Router:
                 self._duplicate_ids.warn_duplicate(raw.source, own)
             elif self.sources.are_limited and not self.sources.within_rate(raw.source, raw.priority, now):
                 self.counters.drop("rate", JausID.from_int(raw.source))
+            elif raw.ack == Ack.REQUIRED and addressing.is_wildcard(raw.source):
+                self.counters.drop("wildcard_source", f"{JausID.from_int(raw.source)}: an ACK would go to all")
             elif self._registrar.register(raw.source, own, now):
                 self._route_from_component(raw, datagram, now)
 
@@ -210,8 +216,7 @@ class Router:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
         else:
             self._egress.deliver_broadcast(destination, datagram, exclude=raw.source)
-            if (probe := self._pending.add(destination, datagram, now)) is not None:
-                self._probe(probe, self._probe_networks(raw, now), now)
+            self._search(raw, datagram, self._probe_networks(raw, now), now)
 
     # --- from networks -------------------------------------------------------------------------------------------
 
@@ -234,17 +239,23 @@ class Router:
             if legacy_version is not None:
                 self._egress.peer_versions.learn(raw.source, legacy_version)
             if not verified:
-                self._learn(raw.source, port, now)
+                self._learn(raw.source, port, now, judp.sequence_number(raw, datagram))
             self._route_from_network(raw, datagram, port.network, now)
 
     def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, *, verified: bool) -> str | None:
         """Why a packet from this address is not accepted, as a counter's name; None if it is."""
         source = raw.source
+        if not verified and addressing.is_wildcard(source):
+            return "wildcard_source"
         if self._registrar.is_in_use(source) or (not verified and self._is_own(source)):
             self._duplicate_ids.warn_duplicate(source, port)
             return "hijack"
-        if not verified and not addressing.is_incomplete(source) and not self.sources.check_address(source, port, now):
-            return "address_mismatch"
+        if not verified and not addressing.is_incomplete(source):
+            sequence = judp.sequence_number(raw, datagram)
+            if not self.sources.check_address(source, port, now, sequence):
+                if self.sources.has_new_claim(source, now):
+                    self._changed(source)
+                return "address_mismatch"
         if self.sources.are_limited and not self.sources.within_rate(source, raw.priority, now):
             return "rate"
         if self.gateway is not None and (why := self.gateway.refusal(raw, datagram, port.network, now)) is not None:
@@ -263,8 +274,7 @@ class Router:
         elif self.gateway is None or not (onward := self.gateway.onward(raw, network)):
             self.counters.drop("not_here", JausID.from_int(destination))
         elif (address := self.address_book.find(destination, now)) is None:
-            if (probe := self._pending.add(destination, datagram, now)) is not None:
-                self._probe(probe, onward, now)
+            self._search(raw, datagram, onward, now, relayed=True)
         elif address.network in onward:
             self._egress.forward(address, destination, datagram, now)
             self.counters["relayed"] += 1
@@ -289,6 +299,18 @@ class Router:
 
     # --- addresses -----------------------------------------------------------------------------------------------
 
+    def _search(
+        self, raw: RawPacket, datagram: bytes, networks: Sequence[str], now: float, *, relayed: bool = False
+    ) -> None:
+        """Handle a message for an unknown destination; one with zeros in its id can only be multicast."""
+        if addressing.is_incomplete(raw.destination):
+            if self._vague.take(None, now):
+                self._probe(datagram, networks, now)
+            else:
+                self.counters.drop("unknown_destination", "too many messages for ids with zeros")
+        elif (probe := self._pending.add(raw.destination, datagram, now, relayed=relayed)) is not None:
+            self._probe(probe, networks, now)
+
     def _probe(self, datagram: bytes, networks: Sequence[str], now: float) -> None:
         self._egress.multicast(judp.with_ack_required(datagram), networks, now)
 
@@ -301,10 +323,10 @@ class Router:
             return self.gateway.onward(raw, home.network)
         return self.gateway.reach(raw.source, raw.destination)
 
-    def _learn(self, id: int, port: NetworkPort, now: float) -> None:
+    def _learn(self, id: int, port: NetworkPort, now: float, sequence: int | None) -> None:
         if addressing.is_incomplete(id):
             return
-        self.sources.heard(id, port, now)
+        self.sources.heard(id, port, now, sequence)
         if self.address_book.learn(id, port, now):
             self._changed(id)
             for datagram in self._pending.pop(id, now):

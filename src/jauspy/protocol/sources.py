@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Hashable
+from collections.abc import Collection, Hashable
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple, TypeVar
 
 from jauspy.protocol.address_book import LearnedAddresses
 from jauspy.protocol.addressing import NetworkPort
 from jauspy.protocol.header import Priority
 
 MAX_TOKEN_BUCKETS: Final = 4096
+
+_V = TypeVar("_V")
 
 
 class TokenBuckets:
@@ -42,10 +44,128 @@ class TokenBuckets:
 
 
 MOVE_TIMEOUT: Final = 30.0
-"""Seconds without a packet after which an id may have another host."""
-VERIFIED_INTERVAL: Final = 1.0
+"""Seconds without a packet after which an id may have any host. For as long, a wrong claim prevents others."""
+VERIFIED_INTERVAL: Final = 0.25
 """Seconds for which a checked address needs no further check."""
+FOLLOW_SILENCE: Final = 0.25
+"""Seconds of silence of the old way after a claim; a reliable message is resent for longer."""
+NEXT_CLAIM: Final = 0.5
+"""Seconds without a claim after the old way was heard: meanwhile its packets need no check."""
+CLAIM_LIFETIME: Final = 2.0
+"""Seconds between two packets of a claim."""
+MAX_CLAIMS: Final = 1024
+MAX_SEQUENCES: Final = 4096
+MIN_SEQUENCE_WINDOW: Final = 64
+"""Sequence numbers by which the new way may be ahead of the last known one, and twice what the id sends meanwhile."""
+MAX_SEQUENCE_WINDOW: Final = 4096
+UNKNOWN_RATE: Final = 100.0
+"""Messages per second that an id is assumed to send until two of its numbers are known."""
+_HALF: Final = 1 << 15
+_FULL: Final = 1 << 16
 _URGENT: Final = 1 << 32
+
+
+class _Sequence(NamedTuple):
+    number: int
+    at: float
+    rate: float
+    """Numbers per second."""
+
+
+@dataclass(slots=True)
+class _Claim:
+    port: NetworkPort
+    since: float
+    last: float
+
+
+class AddressChanges:
+    """Lets an id that was heard lately have another host, as when a gateway fails and another one takes over (ADR 85).
+
+    The first packet by a new way is a claim. It is accepted when the old way has been silent from then on, and the new
+    way either is authenticated or goes on with the sequence numbers of the id. Ids are 32-bit numbers.
+    """
+
+    def __init__(self) -> None:
+        self._sequences: OrderedDict[int, _Sequence] = OrderedDict()
+        self._claims: OrderedDict[int, _Claim] = OrderedDict()
+        self._barred: OrderedDict[int, float] = OrderedDict()
+        self._former: OrderedDict[int, tuple[NetworkPort, float]] = OrderedDict()
+
+    def is_claimed(self, id: int) -> bool:
+        """True while a new way of this id is watched, so that each packet of the old one counts."""
+        return id in self._claims
+
+    def has_new_claim(self, id: int, now: float) -> bool:
+        """True for a claim of this moment."""
+        claim = self._claims.get(id)
+        return claim is not None and claim.since == now
+
+    def heard(self, id: int, port: NetworkPort, sequence: int | None, now: float) -> None:
+        """Note a packet that was accepted; one of the old way ends a claim."""
+        claim = self._claims.get(id)
+        if claim is not None and not is_same_host(claim.port, port):
+            del self._claims[id]
+            _put(self._barred, id, now + NEXT_CLAIM, MAX_CLAIMS)
+        if sequence is None:
+            return
+        known = self._sequences.get(id)
+        rate = UNKNOWN_RATE
+        if known is not None:
+            steps, seconds = (sequence - known.number) % _FULL, now - known.at
+            rate = steps / seconds if steps < _HALF and seconds >= VERIFIED_INTERVAL else known.rate
+        _put(self._sequences, id, _Sequence(sequence, now, rate), MAX_SEQUENCES)
+
+    def allows(
+        self, id: int, port: NetworkPort, holder: NetworkPort, sequence: int | None, now: float, *, authenticated: bool
+    ) -> bool:
+        """True when the id may have `port` from now on, although it was heard from `holder` lately."""
+        former, until = self._former.get(id, (None, 0.0))
+        if former is not None and now < until and is_same_host(former, port):
+            del self._former[id]
+            _put(self._barred, id, now + MOVE_TIMEOUT, MAX_CLAIMS)
+            self._claims.pop(id, None)
+            return True
+        if now < self._barred.get(id, now) or not (authenticated or self._continues(id, sequence, now)):
+            return False
+        claim = self._claims.get(id)
+        if claim is None or not is_same_host(claim.port, port) or now - claim.last > CLAIM_LIFETIME:
+            _put(self._claims, id, _Claim(port, now, now), MAX_CLAIMS)
+            return False
+        claim.last = now
+        if now - claim.since < FOLLOW_SILENCE:
+            return False
+        del self._claims[id]
+        if not authenticated:
+            _put(self._former, id, (holder, now + MOVE_TIMEOUT), MAX_CLAIMS)
+        return True
+
+    def _continues(self, id: int, sequence: int | None, now: float) -> bool:
+        """True when a number follows the known ones. A wrong one bars the id, so that nobody can try many."""
+        known = self._sequences.get(id)
+        if sequence is None or known is None:
+            return False
+        window = min(MIN_SEQUENCE_WINDOW + 2 * known.rate * (now - known.at), MAX_SEQUENCE_WINDOW)
+        ahead = (sequence - known.number + _HALF) % _FULL - _HALF
+        if 0 < ahead <= window:
+            return True
+        if -window <= ahead <= 0:
+            return False  # a copy of what was received by the old way
+        _put(self._barred, id, now + MOVE_TIMEOUT, MAX_CLAIMS)
+        self._claims.pop(id, None)
+        return False
+
+
+def is_same_host(one: NetworkPort, other: NetworkPort) -> bool:
+    """True for two ports of one host on one network."""
+    return one.host == other.host and one.network == other.network
+
+
+def _put(table: OrderedDict[int, _V], id: int, value: _V, limit: int) -> None:
+    table[id] = value
+    table.move_to_end(id)
+    if len(table) > limit:
+        table.popitem(last=False)
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +178,12 @@ class SourceLimits:
 
 
 class SourceChecks:
-    """Checks packets by their source id, a 32-bit number."""
+    """Checks packets by their source id, a 32-bit number; those of `authenticated` networks have a signature."""
 
-    def __init__(self, limits: SourceLimits | None = None) -> None:
+    def __init__(self, limits: SourceLimits | None = None, *, authenticated: Collection[str] = ()) -> None:
         self._addresses = LearnedAddresses()
+        self._changes = AddressChanges()
+        self._authenticated = frozenset(authenticated)
         self.set_limits(limits or SourceLimits())
 
     def set_limits(self, limits: SourceLimits) -> None:
@@ -80,7 +202,9 @@ class SourceChecks:
     def is_verified(self, id: int, port: NetworkPort, now: float) -> bool:
         """True when this id had exactly this address a moment ago, so that there is nothing to check or learn."""
         known = self._addresses.get(id)
-        return known is not None and known[0] == port and now - known[1] < VERIFIED_INTERVAL
+        if known is None or known[0] != port or now - known[1] >= VERIFIED_INTERVAL:
+            return False
+        return not self._changes.is_claimed(id)
 
     def forget(self, port: NetworkPort) -> None:
         """Remove the ids of an address, as when a connection was closed; they may have another from now on."""
@@ -91,11 +215,22 @@ class SourceChecks:
         known = self._addresses.get(id) if self._limits.check_address else None
         return known[0] if known is not None and now - known[1] < MOVE_TIMEOUT else None
 
-    def check_address(self, id: int, port: NetworkPort, now: float) -> bool:
-        """False when this id was lately heard from another host or network; another port is accepted."""
-        holder = self.holder(id, now)
-        return holder is None or (holder.host == port.host and holder.network == port.network)
+    def check_address(self, id: int, port: NetworkPort, now: float, sequence: int | None = None) -> bool:
+        """False when this id was lately heard from another host or network, and may not change; another port may.
 
-    def heard(self, id: int, port: NetworkPort, now: float) -> None:
+        `sequence` is the number of the packet, if it has one.
+        """
+        holder = self.holder(id, now)
+        if holder is None or is_same_host(holder, port):
+            return True
+        authenticated = port.network in self._authenticated
+        return self._changes.allows(id, port, holder, sequence, now, authenticated=authenticated)
+
+    def has_new_claim(self, id: int, now: float) -> bool:
+        """True when another host has claimed this id at this moment: each packet is to be checked for a while."""
+        return self._changes.has_new_claim(id, now)
+
+    def heard(self, id: int, port: NetworkPort, now: float, sequence: int | None = None) -> None:
         """Note a packet that was accepted."""
+        self._changes.heard(id, port, sequence, now)
         self._addresses.set(id, port, now)

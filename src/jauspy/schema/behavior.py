@@ -1,7 +1,7 @@
 """Readers of protocol behaviour: state machines, and the guards of their transitions.
 
-Guards are predicate calls joined by `&&`, `||`, `!` and parentheses. `parse` makes a tree of one, `compile_guard` turns
-the tree into one callable over whatever the predicates take.
+Guards are predicate calls joined by `&&`, `||`, `!` and parentheses. `parse` returns the tree of a guard,
+`compile_guard` one callable with the arguments of the predicates.
 """
 
 from __future__ import annotations
@@ -216,7 +216,7 @@ class _Reader:
         return taken
 
     def error(self, expected: str) -> SchemaError:
-        """What was expected where."""
+        """The error for an unexpected token."""
         found = self.upcoming or self.text[self._at :].strip() or "the end"
         return SchemaError(f"guard {self.text!r}: expected {expected}, found {found!r}")
 

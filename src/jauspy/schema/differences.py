@@ -1,6 +1,6 @@
-"""What differs between two definitions: on the wire, in units, in names, in behaviour.
+"""Differences between two definitions: on the wire, in units, in names, in behaviour.
 
-Services are matched by URN and version, messages by id, then by name, fields by name, then by place.
+Services are matched by URN and version, messages by id, then by name, fields by name, then by position.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class Change:
     """A difference and the field path where it is; the path is empty for a whole message or machine.
 
     `wire`: bytes, numbers or allowed values differ. `units`: the same numbers in other units. `name`: the same bytes
-    are called differently. `behavior`: what a service does differs.
+    have another name. `behavior`: the behaviour of a service differs.
     """
 
     kind: Literal["wire", "units", "name", "behavior"]
@@ -37,7 +37,7 @@ Changes = Iterator[Change]
 
 
 def compare_bodies(one: m.Composite | None, other: m.Composite | None) -> Changes:
-    """From `one` to `other`; the name of a body's outermost composite says nothing and is ignored."""
+    """Compare two bodies; the name of the outermost composite is ignored."""
     if one is None or other is None:
         if one is not other:
             yield Change("wire", "", "has fields now" if one is None else "has no fields any more")
@@ -46,7 +46,7 @@ def compare_bodies(one: m.Composite | None, other: m.Composite | None) -> Change
 
 
 def _compare(one: m.Node, other: m.Node, path: str) -> Changes:
-    """A field or composite, and all that is in it; on the wire a record and a sequence are the same."""
+    """Compare a field or composite with all its parts; on the wire a record equals a sequence."""
     form, its_form = (m.Record if isinstance(node, m.Sequence) else type(node) for node in (one, other))
     if form is not its_form:
         yield Change("wire", path, f"{_kind(one)} -> {_kind(other)}")
@@ -57,7 +57,7 @@ def _compare(one: m.Node, other: m.Node, path: str) -> Changes:
 
 
 def _facts(node: m.Node) -> dict[str, object]:
-    """What of a composite or bit field matters on the wire beside its parts."""
+    """The properties of a composite or bit field, besides its parts, that matter on the wire."""
     match node:
         case m.Record() | m.Sequence():
             return {"presence vector": node.presence}
@@ -102,7 +102,7 @@ def _or_none(value: object) -> object:
 
 
 def _members(one: m.Record | m.Sequence, other: m.Record | m.Sequence, path: str) -> Changes:
-    """Members are matched by name, then by place when what is there is the same under another name."""
+    """Match members by name, then by position if the content is the same under another name."""
     old, new = {node.name: node for node in _inside(one)}, {node.name: node for node in _inside(other)}
     renamed = {
         a.name: b.name
@@ -130,7 +130,7 @@ def _members(one: m.Record | m.Sequence, other: m.Record | m.Sequence, path: str
 
 
 def _arms(one: m.Variant, other: m.Variant, path: str) -> Changes:
-    """Arms are matched by their tag, which is all the wire knows."""
+    """Match arms by their tags, which are on the wire."""
     for number, (a, b) in enumerate(zip(one.arms, other.arms, strict=False)):
         if a.name != b.name:
             same = shape(a) == shape(b)
@@ -224,7 +224,7 @@ _COMPARE_INSIDE: Mapping[type[m.Node], Callable[[Any, Any, str], Changes]] = {
     m.Array: _element,
     m.Variant: _arms,
 }
-"""What compares two nodes of one kind; others are compared as a whole."""
+"""Functions that compare two nodes, by kind; other nodes are compared as a whole."""
 
 
 def _count(count: m.Count) -> str:
@@ -262,15 +262,15 @@ def _brief(node: m.Node) -> str:
 
 
 _BLANKS = re.compile(r"(?<=[(!])\s+|\s+(?=[(),])")
-"""Blanks in a guard that mean nothing."""
+"""Insignificant blanks in a guard."""
 
 TransitionKey: TypeAlias = tuple[str, str]
-"""What a transition waits for, and its guard."""
+"""Trigger and guard of a transition."""
 
 
 @dataclass(slots=True)
 class _StateEffects:
-    """What one state does, without the local names of where that is inherited from."""
+    """The effects of a state, without the local names of services that it is inherited from."""
 
     initial: str | None
     entry: tuple[str, ...]
@@ -279,14 +279,14 @@ class _StateEffects:
 
 
 def compare_behavior(one: Behavior | None, other: Behavior | None) -> Iterator[Change]:
-    """States and transitions that came, went or changed."""
+    """Added, removed and changed states and transitions."""
     old, new = _states(one), _states(other)
-    gone, come = old.keys() - new.keys(), new.keys() - old.keys()
-    for path in sorted(gone):
-        if path.rpartition(".")[0] not in gone:
+    removed, added = old.keys() - new.keys(), new.keys() - old.keys()
+    for path in sorted(removed):
+        if path.rpartition(".")[0] not in removed:
             yield Change("behavior", path, f"{_what(path)} removed")
-    for path in sorted(come):
-        if path.rpartition(".")[0] not in come:
+    for path in sorted(added):
+        if path.rpartition(".")[0] not in added:
             yield Change("behavior", path, f"{_what(path)} added")
         for rule, effects in new[path].rules.items():
             yield from (Change("behavior", path, f"{_named(rule)}: {effect} added") for effect in effects)
@@ -316,14 +316,14 @@ def _compare_states(one: _StateEffects, other: _StateEffects, path: str) -> Iter
             )
     for rule in dict.fromkeys((*one.rules, *other.rules)):
         old, new = one.rules.get(rule, []), other.rules.get(rule, [])
-        gone = [effect for effect in old if effect not in new]
-        come = [effect for effect in new if effect not in old]
-        if len(gone) == len(come):
-            pairs = zip(gone, come, strict=True)
+        removed = [effect for effect in old if effect not in new]
+        added = [effect for effect in new if effect not in old]
+        if len(removed) == len(added):
+            pairs = zip(removed, added, strict=True)
             yield from (Change("behavior", path, f"{_named(rule)}: {a} -> {b}") for a, b in pairs)
         else:
-            yield from (Change("behavior", path, f"{_named(rule)}: {effect} removed") for effect in gone)
-            yield from (Change("behavior", path, f"{_named(rule)}: {effect} added") for effect in come)
+            yield from (Change("behavior", path, f"{_named(rule)}: {effect} removed") for effect in removed)
+            yield from (Change("behavior", path, f"{_named(rule)}: {effect} added") for effect in added)
 
 
 def _named(rule: TransitionKey) -> str:
@@ -368,7 +368,7 @@ def _texts(actions: Sequence[Action]) -> tuple[str, ...]:
 
 
 def trigger(transition: Transition) -> str:
-    """The message, or the internal event, that a transition waits for."""
+    """The message or internal event that triggers a transition."""
     event = short_name(transition.trigger)
     if event == "Receive" and transition.parameters:
         return short_name(transition.parameters[0].type)
@@ -377,7 +377,7 @@ def trigger(transition: Transition) -> str:
 
 @dataclass(frozen=True, slots=True)
 class MessageDiff:
-    """A message that both have, and what changed."""
+    """A message of both services, and its changes."""
 
     one: Message
     other: Message
@@ -385,13 +385,13 @@ class MessageDiff:
 
     @property
     def same_wire(self) -> bool:
-        """True when the same bytes are the same numbers; units and names may differ."""
+        """True if equal bytes are equal numbers; units and names may differ."""
         return all(change.kind != "wire" for change in self.changes)
 
 
 @dataclass(frozen=True, slots=True)
 class ServiceDiff:
-    """A service that both have, or only one: the other is then None."""
+    """A service of both definitions, or of one; the other is then None."""
 
     one: Service | None
     other: Service | None
@@ -402,18 +402,18 @@ class ServiceDiff:
 
     @property
     def same(self) -> bool:
-        """True when nothing but prose and version numbers differs."""
+        """True if only prose and version numbers differ."""
         changed = any(message.changes for message in self.messages)
         return None not in (self.one, self.other) and not (self.removed or self.added or self.behavior or changed)
 
 
 def compare(one: Schema, other: Schema) -> list[ServiceDiff]:
-    """All services of both."""
+    """Compare all services of two schemas."""
     return [compare_services(a, b) if a and b else ServiceDiff(a, b) for a, b in pairs(one, other)]
 
 
 def pairs(one: Schema, other: Schema) -> Iterator[tuple[Service | None, Service | None]]:
-    """Services with one URN, in equal versions first, then the newest; two single services whatever they are called."""
+    """Pairs of services with one URN, equal versions first, then the newest; two single services are a pair."""
     left, right = list(one.services), list(other.services)
     if len(left) == len(right) == 1:
         yield left[0], right[0]
@@ -438,7 +438,7 @@ def pairs(one: Schema, other: Schema) -> Iterator[tuple[Service | None, Service 
 
 
 def compare_services(one: Service, other: Service) -> ServiceDiff:
-    """Two services, message by message; messages are matched by id, then by name."""
+    """Compare two services; messages are matched by id, then by name."""
     old, new = list(_once(one.messages)), list(_once(other.messages))
     matched = []
     for message in list(old):

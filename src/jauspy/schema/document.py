@@ -1,4 +1,4 @@
-"""One JSIDL document (AS5684): XML that is safe to walk and follows the grammar, and readers of its attributes.
+"""One JSIDL document (AS5684): safe parsing of XML, checks of the grammar, and readers of attributes.
 
 Document type declarations are refused, so nothing in a document can be expanded or fetched. Errors name file and line.
 """
@@ -34,7 +34,7 @@ def file_of(element: Element) -> str:
 
 
 def line_of(element: Element) -> int:
-    """The line of the start tag; 0 when libxml2 has lost it."""
+    """The line of the start tag; 0 if libxml2 does not know it."""
     line: object = element.sourceline
     return line if isinstance(line, int) else 0
 
@@ -50,7 +50,7 @@ def wrong(element: Element, message: str) -> SchemaError:
 
 
 def suggestion(name: str, known: Iterable[str]) -> str:
-    """How an error about an unknown name ends: the closest known names, or all when there are few."""
+    """End of an error about an unknown name: the closest known names, or all if there are few."""
     names = sorted(set(known))
     close = get_close_matches(name, names, n=3, cutoff=0.5)
     if close:
@@ -73,7 +73,7 @@ _NOT_IN_URIS: Final = re.compile(r'[\s<>"{}|\\^`]')
 
 
 def identity(element: Element) -> tuple[str, str]:
-    """Id (URN) and version; blanks around them mean nothing (xsd:anyURI), and public files have some."""
+    """Id (URN) and version, without surrounding blanks, which are insignificant (xsd:anyURI)."""
     id, version = required(element, "id").strip(), required(element, "version").strip()
     if not id or _NOT_IN_URIS.search(id):
         raise wrong(element, f"id: expected a URI, as in urn:example:Battery, got {id!r}")
@@ -118,7 +118,7 @@ _TRUTH: Mapping[str, bool] = {"true": True, "1": True, "false": False, "0": Fals
 
 
 def flag(element: Element, name: str) -> bool:
-    """An xsd:boolean that is false when it is not there."""
+    """An optional xsd:boolean; false by default."""
     return choice(element, name, _TRUTH, default="false")
 
 
@@ -137,7 +137,7 @@ def _one_line(text: str | None) -> str:
 
 
 class ChildGroup:
-    """Alternative children, and how many of them together there may be."""
+    """Alternative children, and their permitted total number."""
 
     def __init__(self, names: tuple[str, ...], minimum: int, maximum: int | None) -> None:
         self.names = names
@@ -165,7 +165,7 @@ def _any(*names: str) -> ChildGroup:
 
 
 class ElementRule:
-    """What one element needs and allows; every element may have an `interpretation`."""
+    """Required and permitted attributes and children of an element; every element may have an `interpretation`."""
 
     def __init__(self, required: str, optional: str, *groups: ChildGroup) -> None:
         self.required = tuple(required.split())
@@ -196,7 +196,7 @@ _PART_GROUPS = tuple(_one(part, f"declared_{part}") for part in _PARTS)
 
 _DECLARABLE = (*_COMPOSITES, "array", *_SIMPLE, *_PARTS, "value_set", "message_def", "event_def")
 DECLARED = {f"declared_{name}": name for name in _DECLARABLE}
-"""The elements that refer to a declared type, and what they must find there."""
+"""The elements that refer to a declared type, and the element that each must refer to."""
 
 _REFERENCE = ElementRule("name id version", "")
 _PART = ElementRule("name", "", _maybe(*_ANY_COMPOSITE))
@@ -302,7 +302,7 @@ RULES: dict[str, ElementRule] = {
 
 
 def check(root: Element) -> None:
-    """Raise `SchemaError` at the first element, attribute or child that is unknown, missing or too many."""
+    """Raise `SchemaError` for the first unknown, missing or surplus element, attribute or child."""
     for _, error in problems(root):
         raise error
 
@@ -319,7 +319,7 @@ def problems(root: Element) -> Iterator[tuple[Element, SchemaError]]:
 
 
 def is_unexpected(element: Element) -> bool:
-    """True for an element that its parent must not have; nothing in it has been checked."""
+    """True for an element that its parent must not have; its content has not been checked."""
     parent = element.getparent()
     return parent is not None and element.tag not in RULES[parent.tag].group_of
 

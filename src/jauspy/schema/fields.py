@@ -98,7 +98,7 @@ def read_scale(parent: Element, scope: Scope) -> Scale | None:
 
 
 def read_limits(element: Element, scope: Scope) -> tuple[float, float]:
-    """Both ends of a scale range, as they are written."""
+    """Both ends of a scale range, as written."""
     return float(scope.number(element, "real_lower_limit")), float(scope.number(element, "real_upper_limit"))
 
 
@@ -140,7 +140,7 @@ def _range(element: Element, scope: Scope) -> ValueRange:
 
 
 LARGEST: Final = 1 << 20
-"""Bytes of a string or array of fixed size: each message has them all, and must be taken apart in memory."""
+"""Maximal size of a string or array of fixed size, in bytes; each message contains all of it."""
 
 
 def read_field(element: Element, scope: Scope) -> Field:
@@ -289,7 +289,7 @@ def read_composite(element: Element, scope: Scope) -> Composite:
 
 
 def read_content(part: Element, scope: Scope) -> Composite | None:
-    """What a header, body or footer contains, itself written out or declared; None when it is empty."""
+    """The content of a header, body or footer, written out or declared; None if it is empty."""
     if part.tag in DECLARED:
         home, found = scope.find(part)
         return read_content(found, home)
@@ -325,7 +325,7 @@ def _sequence(element: Element, scope: Scope) -> Sequence:
 
 
 def _presence(element: Element, members: Iterable[Node]) -> Unsigned | None:
-    """The presence vector of a container. One that is too small loads: public definitions have that."""
+    """The presence vector of a container. One that is too small is accepted, because public definitions have some."""
     _check_names(element, members)
     vector = element.find("presence_vector")
     if vector is not None:
@@ -360,7 +360,7 @@ def _variant(element: Element, scope: Scope) -> Variant:
     _check_names(element, arms)
     if len(arms) > 2 ** BITS[tag.type]:
         raise wrong(element, f"{len(arms)} arms, but its tag knows only {2 ** BITS[tag.type]}; take a larger type")
-    if not arms:  # a public definition has a variant that is a tag and nothing else
+    if not arms:  # a public definition has a variant that consists of its tag only
         arms = tuple(Record(name=f"Empty{index}", fields=()) for index in range(min(tag.maximum + 1, _MAX_EMPTY_ARMS)))
     return Variant(
         name=required(element, "name"), optional=flag(element, "optional"), doc=prose(element), tag=tag, arms=arms

@@ -1,8 +1,7 @@
 """Inheritance of service definitions (AS5684 `inherits_from`): a service has at most one parent.
 
-Everything that asks for ancestors uses this module. A `ParentOf` says what the parent of a service is:
-`parents_among` makes one for definitions that are loaded. Definitions read as XML elements, as the linter has
-them, bring their own.
+All code that needs ancestors uses this module. A `ParentOf` returns the parent of a service: `parents_among` makes one
+for loaded definitions. The linter, which works on XML elements, has its own.
 """
 
 from __future__ import annotations

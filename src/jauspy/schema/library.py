@@ -1,4 +1,4 @@
-"""All loaded files together, what a name in one of them refers to, and constant expressions (`-10 * basicConsts.PI`).
+"""All loaded files, the resolution of names between them, and constant expressions (`-10 * basicConsts.PI`).
 
 A `Scope` is one file's names: its constants and declared types, and the other sets it refers to by a local
 name. A dotted path walks through those: `core.time.TimeStamp` is the type `TimeStamp` of the set that the
@@ -47,7 +47,7 @@ _BINARY: dict[type[ast.operator], Callable[[Number, Number], Number]] = {
 
 
 class ExpressionError(ValueError):
-    """Why a text is not a constant expression."""
+    """Raised with the reason why a text is not a constant expression."""
 
 
 def evaluate(text: str, lookup: Lookup) -> Number:
@@ -102,7 +102,7 @@ Thing = TypeVar("Thing")
 Key = tuple[str, str]
 """Id (URN) and version of a set or service."""
 Report = Callable[[SchemaError], None]
-"""Takes a mistake; loading goes on when it returns."""
+"""Called with a mistake; loading continues if it returns."""
 
 
 @dataclass(slots=True, eq=False)
@@ -120,7 +120,7 @@ class Scope:
     cache: dict[str, object] = field(default_factory=dict)
     open: list[str] = field(default_factory=list)
     unsound: dict[str, SchemaError] = field(default_factory=dict)
-    """Types that break the grammar and therefore cannot be read; loading stops before there are any."""
+    """Types that violate the grammar and cannot be read; used by the linter only."""
 
     def number(self, element: Element, attribute: str) -> Number:
         """A mandatory attribute that is a number or a constant expression."""
@@ -171,7 +171,7 @@ class Scope:
         )
 
     def once(self, name: str, element: Element, make: Callable[[], Thing]) -> Thing:
-        """Read a definition the first time only; a definition inside itself is an error at `element`."""
+        """Read a definition once; a definition that contains itself is an error at `element`."""
         if name not in self.cache:
             if name in self.open:
                 raise wrong(element, f"'{name}' contains itself")
@@ -218,7 +218,7 @@ def bounded_node(node: AnyNode, element: Element) -> AnyNode:
 
 
 def _linked(scope: Scope, local: str, links: str) -> Scope | None:
-    """The set with this local name, else one that a referred set calls so: public files rely on that."""
+    """The set with this local name, or else one with this name in a referenced set, which public files rely on."""
     waiting, seen = [scope], {id(scope)}
     for current in waiting:
         known: dict[str, Scope] = getattr(current, links)
@@ -260,17 +260,17 @@ def _collect(part: Element, scope: Scope, report: Report) -> None:
 
 
 def add_once(names: dict[str, Element], element: Element, report: Report = refuse) -> None:
-    """Enter a named element; a name that is there already is an error."""
+    """Add a named element; a duplicate name is an error."""
     name = element.get("name")
     if name is None:
-        return  # against the grammar, which has been reported
+        return  # violates the grammar, which has been reported
     first = names.setdefault(name, element)
     if first is not element:
         report(wrong(element, f"duplicate name '{name}'; the first is at {file_of(first)}:{line_of(first)}"))
 
 
 def _signature(root: Element) -> list[tuple[object, ...]]:
-    """All that matters of a definition: its elements and attributes, but no prose and no line breaks."""
+    """The content of a definition without prose and line breaks, to compare definitions."""
     return [
         (element.tag, *sorted((key, " ".join(str(text).split())) for key, text in element.items() if key not in _PROSE))
         for element in root.iter()
@@ -289,7 +289,7 @@ class Library:
         self._report = report
 
     def add(self, root: Element) -> bool:
-        """Enter a root element; False when the same content is there already (sets come in several folders)."""
+        """Add a root element; False if the same content is known already, since sets may be in several folders."""
         key = (str(root.tag), identity(root))
         first = self.roots.get(key)
         if first is not None:
@@ -302,7 +302,7 @@ class Library:
         return True
 
     def link(self, report: Report = refuse) -> None:
-        """Find the sets that sets refer to."""
+        """Resolve the references between sets."""
         for scope in self.scopes.values():
             self._link(scope.const_sets.values(), "declared_const_set", scope.linked_consts, report)
             self._link(scope.type_sets.values(), "declared_type_set", scope.linked_types, report)
@@ -310,7 +310,7 @@ class Library:
     def _link(self, references: Iterable[Element], tag: str, links: dict[str, Scope], report: Report) -> None:
         for reference in references:
             if "id" not in reference.attrib or "version" not in reference.attrib:
-                continue  # against the grammar
+                continue  # violates the grammar
             key = identity(reference)
             found = self.scopes.get((tag, key))
             if found is None:

@@ -1,4 +1,4 @@
-"""From JSIDL files to a `Schema`: the user's own ones, the shipped ones, or the part of those that some services need.
+"""Loads JSIDL files into a `Schema`: a user's files, the shipped ones, or those that some services need.
 
 All reading of files in this package is done here.
 """
@@ -32,7 +32,7 @@ Identity: TypeAlias = tuple[str, str, str]
 Wanted: TypeAlias = tuple[str, str | None]
 """The URN of a service and its version, None for the newest."""
 
-# Shipped files have one form, so tags can be found without parsing, which takes longer.
+# Shipped files are formatted alike, so tags can be found without parsing, which takes longer.
 _HEAD: Final = 1024
 """Bytes within which the start tag of the root ends."""
 _ROOT: Final = re.compile(rb"<(?:service_def|declared_type_set|declared_const_set)\s([^>]*)>")
@@ -90,7 +90,7 @@ def _order(service: Service) -> tuple[str, tuple[int, ...]]:
 
 
 def _read_all_types(scope: Scope) -> None:
-    """Also those that no message uses: an error in them would otherwise wait for its first user."""
+    """Read all types, including unused ones, so that errors in them are found now."""
     for name, element in scope.types.items():
         try:
             scope.once(name, element, _reader(element, scope))
@@ -168,22 +168,22 @@ def _matching(pattern: str) -> list[Path]:
     return [Path(name) for name in sorted(glob(pattern, recursive=True))]  # noqa: PTH207 - patterns may be absolute
 
 
-def load_own(sources: Iterable[str | Path], beside: Iterable[str | Path] = ()) -> Schema:
-    """The services defined in files, folders or patterns; they may refer to what is `beside` them, or built in.
+def load_own(sources: Iterable[str | Path], references: Iterable[str | Path] = ()) -> Schema:
+    """The services defined in files, folders or patterns; they may refer to those of `references`, or built-in ones.
 
     Their states are not checked, see `load_files`. Raises `SchemaError` with file and line, `ConfigError` when there
     is no such file.
     """
     own = find_files(sources)
     keys = {identity_of(path) for path in own}
-    more = find_files(beside) if beside else []
+    more = find_files(references) if references else []
     others = [path for path in more if identity_of(path) not in keys]
     schema = load_beside_builtin([*own, *others], states=False)
     return Schema(services=tuple(s for s in schema.services if ("service_def", *s.key) in keys))
 
 
 def load_beside_builtin(paths: Iterable[Path], *, states: bool = True) -> Schema:
-    """These files and all services that are built in; what the files define again replaces what is built in."""
+    """These files and all built-in services; definitions in the files replace built-in ones."""
     own = list(paths)
     return load_files([*own, *_builtin_sets(own)], base=load_builtin(), states=states)
 
@@ -206,22 +206,22 @@ def _builtin_sets(own: Iterable[Path]) -> list[Path]:
 
 @cache
 def builtin_roots() -> Mapping[Identity, tuple[Path, Element]]:
-    """The shipped definitions as they are written, read once per process; nobody changes them."""
+    """The shipped definitions as XML, read once per process; not to be modified."""
     found = ((path, parse_file(path)) for path in builtin_paths())
     return {(str(root.tag), *identity(root)): (path, root) for path, root in found}
 
 
 def identity_of(path: Path) -> Identity:
-    """What a file defines."""
+    """The kind, id and version that a file defines."""
     root = parse_file(path)
     return (str(root.tag), *identity(root))
 
 
 @cache
 def load_needed(wanted: frozenset[Wanted]) -> Schema:
-    """These shipped services with all they inherit from, the same as in `load_builtin()`.
+    """These shipped services with all ancestors, the same as in `load_builtin()`.
 
-    Of a service without the version that is wanted come all versions, of an unknown service none.
+    For a service without the wanted version all versions are loaded, for an unknown service none.
     """
     paths: set[Path] = set()
     waiting = [path for each in wanted for path in _files(*each)]

@@ -1,7 +1,7 @@
 """The immutable model of JSIDL definitions (SAE AS5684), made by the loader.
 
-Everything here is a frozen value. References between files are already resolved: a `Record` that came
-from a declared type carries the declaration's content, and `declared` says where that was.
+Everything here is a frozen value. References between files are already resolved: a `Record` from a declared type has
+the content of the declaration, and `declared` names the declaration.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class ValueSet:
 
 @dataclass(frozen=True, slots=True)
 class Count:
-    """How often something occurs: the unsigned type of the count on the wire, and its limits."""
+    """A count on the wire: its unsigned type and its limits."""
 
     type: Unsigned
     minimum: int
@@ -81,7 +81,7 @@ class Count:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Node:
-    """What every field and composite has."""
+    """Common attributes of fields and composites."""
 
     name: str
     optional: bool = False
@@ -112,7 +112,7 @@ class SubField:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class BitField(Node):
-    """An unsigned integer cut into sub-fields; bits no sub-field names are reserved."""
+    """An unsigned integer with sub-fields; other bits are reserved."""
 
     type: Unsigned
     subfields: tuple[SubField, ...]
@@ -237,7 +237,7 @@ Composite: TypeAlias = Record | List | Variant | Sequence
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Message:
-    """A message: two bytes of `code`, then `body` (None when there is nothing more)."""
+    """A message: two bytes of `code`, then `body` (None if there is no body)."""
 
     name: str
     code: int
@@ -278,7 +278,7 @@ class Action:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Transition:
-    """What a trigger does: `kind` says how the state changes, `end_state` (dotted path) where to.
+    """A transition: `kind` is the kind of change, `end_state` (dotted path) the target.
 
     A simple transition without `end_state` stays where it is. An empty `trigger` (JSIDL's `default_transition`)
     stands for every trigger that no other transition of the state handles.
@@ -295,7 +295,7 @@ class Transition:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class State:
-    """A state, its nested states, and what it does by default for all of them (`default_transitions`)."""
+    """A state, its nested states, and the default transitions for all of them."""
 
     name: str
     initial: str | None = None
@@ -382,7 +382,7 @@ class Service:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Schema:
-    """Everything that was loaded together: services in the order of their ids and versions."""
+    """All services that were loaded together, in the order of their ids and versions."""
 
     services: tuple[Service, ...]
 

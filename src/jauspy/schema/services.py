@@ -76,7 +76,7 @@ def _parts(element: Element) -> Iterator[Element]:
 
 
 def _check_header(header: Element, scope: Scope) -> None:
-    """Every message starts with its id; a header that says otherwise would not be JAUS."""
+    """Check that the header contains the message id only."""
     match read_content(header, scope):
         case Record(fields=(FixedField(type="u16", scale=None),), presence=None):
             return
@@ -149,7 +149,7 @@ def _reference(element: Element) -> Reference:
 
 
 def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Sequence[Message]) -> None:
-    """A message may come and go, but one code must not mean two things."""
+    """A message may be both input and output, but a code must not have two meanings."""
     codes = {message.code: message for message in inputs}
     for message in outputs:
         other = codes.get(message.code)

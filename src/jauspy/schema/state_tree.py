@@ -65,7 +65,7 @@ class MergedState:
     parent: MergedState | None
     children: Mapping[str, MergedState]
     parts: tuple[Owned[State], ...]
-    """What each definition says of the state."""
+    """The states of the definitions that this state was merged from."""
     initial: str | None
     """The child that is entered with this state, as the most derived definition that names one has it.
 
@@ -92,7 +92,7 @@ class MergedState:
 
     @property
     def defaults(self) -> tuple[Owned[Transition], ...]:
-        """Default transitions, which speak for all states inside as well."""
+        """Default transitions, which also apply to all states inside."""
         return tuple(Owned(part.owner, each) for part in self.parts for each in part.item.default_transitions)
 
     def upwards(self) -> Iterator[MergedState]:
@@ -188,7 +188,7 @@ class MergedMachine:
 
 
 def merge_machines(definitions: Iterable[Service]) -> dict[str, MergedMachine]:
-    """The machines by their short names. `definitions`: most derived first, all ancestors included."""
+    """Merge the machines; the keys are their short names. `definitions`: most derived first, with all ancestors."""
     parts: dict[str, list[Owned[State]]] = {}
     starts: dict[str, list[tuple[str, Service]]] = {}
     for owner in definitions:
@@ -271,7 +271,7 @@ def _check_path(root: MergedState, path: str, what: str, where: Location | None)
 
 
 def _check_trigger(transition: Transition, messages: Collection[str]) -> None:
-    """What is received is a message of the service or of one that it inherits from."""
+    """Check that a received message is defined by the service or one of its ancestors."""
     if short_name(transition.trigger) == "Receive" and transition.parameters:
         received = transition.parameters[0].type
         if received not in messages and "." not in received:

@@ -1,4 +1,4 @@
-"""What of a definition matters on the wire: equality of shape, whatever things are called, and sizes in bytes."""
+"""The wire form of definitions, independent of names: equality, digests, and sizes in bytes."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ from jauspy.schema.model import (
 )
 
 Shape: TypeAlias = tuple[object, ...]
-"""Equal for what has the same bytes with the same meaning; otherwise of no use."""
+"""A value that is equal for definitions with the same bytes and meaning."""
 
 
 def same_wire(one: Composite | None, other: Composite | None) -> bool:
@@ -94,7 +94,7 @@ def _bits(part: SubField) -> tuple[int, int, str]:
 
 
 def value_shape(values: ValueSet | None) -> Shape:
-    """The allowed values; a name for a value that a range allows anyway changes nothing."""
+    """The allowed values; a name for a value inside an allowed range has no effect."""
     if values is None:
         return ()
     ranges = tuple(
@@ -105,7 +105,7 @@ def value_shape(values: ValueSet | None) -> Shape:
 
 
 Sizes = tuple[int, int]
-"""Fewest and most bytes."""
+"""Minimal and maximal number of bytes."""
 
 
 def scalar_size(kind: Scalar) -> int:
@@ -114,7 +114,7 @@ def scalar_size(kind: Scalar) -> int:
 
 
 def sizes(node: Node | None) -> Sizes:
-    """Fewest and most bytes of a field, a composite or a body; its own presence bit is not its own."""
+    """Minimal and maximal size of a field, a composite or a body in bytes, without its presence bit."""
     match node:
         case None:
             return 0, 0
@@ -159,7 +159,7 @@ def _container_sizes(presence: Scalar | None, members: tuple[Node, ...]) -> Size
 
 
 def can_be_there(presence: Scalar | None, members: Iterable[Node]) -> Iterator[bool]:
-    """For each member of a container, false when it is optional and the presence vector has no bit left for it."""
+    """For each member of a container, false if it is optional and the presence vector has no bit for it."""
     bits = 8 * scalar_size(presence) if presence else 0
     for member in members:
         counts = member.optional and presence is not None

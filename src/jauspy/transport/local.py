@@ -6,8 +6,10 @@ import asyncio
 import contextlib
 import errno
 import os
+import pwd
 import shutil
 import socket
+import stat
 from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Final, Self
@@ -373,6 +375,35 @@ def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | N
     return sock
 
 
+def check_directory(root: Path) -> None:
+    """Make the directory, if it does not exist; raises `TransportError` if another user could replace its sockets."""
+    with contextlib.suppress(OSError):  # which `bind` reports
+        root.mkdir(parents=True, exist_ok=True)
+    try:
+        link, found = root.lstat(), root.stat()
+    except OSError:
+        return
+    for each in (link, found):
+        if each.st_uid not in (os.geteuid(), 0):
+            raise TransportError(
+                f"{root} belongs to another user ({_user_name(each.st_uid)}), who could replace the local sockets; "
+                f"{OTHER_DIRECTORY}, or run as this user"
+            )
+    if found.st_mode & stat.S_IWOTH and not found.st_mode & stat.S_ISVTX:
+        raise TransportError(f"all users could replace the local sockets in {root}; do: chmod +t {root}")
+
+
+def connect(sock: socket.socket, path: str) -> None:
+    """Connect to the socket that was bound as `path`; raises `OSError`, with `ELOOP` if a link leads to another one.
+
+    Only the directory of a component's usual path, which ends in its id, may be written differently.
+    """
+    sock.connect(path)
+    bound, name = sock.getpeername(), Path(path).name
+    if bound != path and not (name.isdecimal() and isinstance(bound, str) and Path(bound).name == name):
+        raise OSError(errno.ELOOP, f"{path} leads to the socket of another program")
+
+
 def give_to_group(path: Path, group: str | None) -> None:
     """Change the group of the socket; raises `TransportError` if this user may not."""
     if group is None:
@@ -389,6 +420,13 @@ def clean_up(path: Path) -> None:
     """As `SocketProbe.clean_up`; does nothing without a descriptor for the probe."""
     with contextlib.suppress(OSError), SocketProbe() as probe:
         probe.clean_up(path)
+
+
+def _user_name(user: int) -> str:
+    try:
+        return pwd.getpwuid(user).pw_name
+    except KeyError:
+        return str(user)
 
 
 def _probe(path: Path) -> int:

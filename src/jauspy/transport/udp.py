@@ -13,6 +13,8 @@ from jauspy.protocol import addressing, judp
 from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
+from jauspy.protocol.header import RawPacket
+from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, multicast, multicast as memberships
 from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, ignore
@@ -45,6 +47,7 @@ class UdpTransport:
         self._bind = bind
         self._interface = interface
         self._book = AddressBook()
+        self._sources = SourceChecks()
         self._counters = Counters(_LOGGER)
         self._socket: socket.socket | None = None
         self._group_socket: socket.socket | None = None
@@ -149,19 +152,32 @@ class UdpTransport:
             self._counters["sent"] += 1
 
     def _take(self, datagram: bytes, sender: Address) -> None:
+        port, now = UdpPort(*sender[:2]), asyncio.get_running_loop().time()
         try:
-            sources = [raw.source for raw in judp.headers(datagram)]
+            refused = [raw for raw, single, _ in judp.packets(datagram) if not self._accept(raw, single, port, now)]
         except ProtocolError as error:
             self._counters.drop(f"malformed.{error.reason}", error)
             return
-        for source in sources:
-            if source == int(self.id):
-                self._counters["echoes"] += 1
-                return
-            if not addressing.is_wildcard(source) and not addressing.is_unassigned(source):
-                self._book.learn(source, UdpPort(*sender[:2]), asyncio.get_running_loop().time())
+        if refused:
+            return
         self._counters["received"] += 1
         self.received(datagram)
+
+    def _accept(self, raw: RawPacket, datagram: bytes, port: UdpPort, now: float) -> bool:
+        """Check and learn the address of a source like a node manager; false, and counted, when it is not accepted."""
+        source = raw.source
+        if source == int(self.id):
+            self._counters["echoes"] += 1
+            return False
+        if addressing.is_incomplete(source) or self._sources.is_verified(source, port, now):
+            return True
+        sequence = judp.sequence_number(raw, datagram)
+        if not self._sources.check_address(source, port, now, sequence):
+            self._counters.drop("address_mismatch", f"{JausID.from_int(source)} from {port.host}:{port.port}")
+            return False
+        self._sources.heard(source, port, now, sequence)
+        self._book.learn(source, port, now)
+        return True
 
     def _failed(self, error: OSError) -> None:
         self._counters.drop("socket_error", error)

@@ -49,7 +49,7 @@ class Arm:
         ((0.13, 0.0, 0.08, 1.05), False, False),  # something else
     ],
 )
-async def test_a_lift_is_height_width_and_weight(
+async def test_lift_requires_height_width_and_weight(
     monkeypatch: pytest.MonkeyPatch, felt: tuple[float, float, float, float], grasped: bool, lifted: bool
 ) -> None:
     monkeypatch.setattr(plan, "HOLD_TIME", 0.0)

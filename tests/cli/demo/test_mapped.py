@@ -30,17 +30,17 @@ def mapper() -> HoldoutMapper:
     return mapper
 
 
-def test_other_scans_of_the_same_room_agree(mapper: HoldoutMapper) -> None:
+def test_unused_scans_of_the_same_room_agree_with_the_map(mapper: HoldoutMapper) -> None:
     assert len(mapper.path) + len(mapper.others) == mapper.scans == 10
     assert len(mapper.others) >= 4
     assert mapper.agreement() > MIN_AGREEMENT
 
 
-def test_scans_of_another_room_do_not(mapper: HoldoutMapper) -> None:
+def test_scans_of_another_room_disagree_with_the_map(mapper: HoldoutMapper) -> None:
     mapper.others.clear()
     mapper.add(mapper.path[-1], PlanarPose(), ANGLES, [0.8 * far for far in room(0.45, 0.0)])
     assert mapper.agreement() < 0.5
 
 
-def test_nothing_seen_is_no_agreement() -> None:
+def test_no_echoes_give_no_agreement() -> None:
     assert HoldoutMapper(OccupancyGrid(10.0)).agreement() == 0.0

@@ -14,26 +14,26 @@ from jauspy.platform.frame_sizes import FrameSize
 SIZE = FrameSize.VGA_640_X480
 
 
-def test_what_is_not_installed_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_missing_package_is_named(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(processes, "find_spec", lambda name: None if name in ("av", "matplotlib") else object())
     with pytest.raises(ConfigError, match=r"needs PyAV, matplotlib: pip install 'jauspy\[all\]'; --backend kinematic"):
         _whole_tour(tmp_path, SIZE)
 
 
-def test_a_file_in_place_of_the_folder(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+def test_file_in_place_of_the_output_folder_is_an_error(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(processes, "find_spec", lambda _: object())
     (tmp_path / "out").touch()
     with pytest.raises(ConfigError, match=r"out: cannot be created: File exists; choose another"):
         _whole_tour(tmp_path / "out", SIZE)
 
 
-def test_a_size_that_no_camera_has_lists_those_there_are() -> None:
+def test_unsupported_size_error_lists_the_sizes() -> None:
     done = CliRunner().invoke(app, ["demo", "--size", "641x480"])
     assert done.exit_code == 2
     assert "640x480" in done.stderr
 
 
-async def test_counters_of_the_robots_process_are_read() -> None:
+async def test_robot_process_counters_are_read() -> None:
     output = RobotOutput()
     for line in ("counters of inc1:", "  101.1.102.endpoint.sent  7", "  realtime.late    3", "  realtime.steps  120"):
         output.line(line)

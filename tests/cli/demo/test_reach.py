@@ -16,7 +16,7 @@ def hand() -> ArmKinematics:
 
 
 @pytest.mark.parametrize("target", [(0.9, 0.0, 0.41), (0.85, 0.12, 0.53), (0.7, -0.2, 0.7), (0.2, 0.6, 0.5)])
-def test_the_tool_is_where_it_is_wanted_and_level(hand: ArmKinematics, target: tuple[float, float, float]) -> None:
+def test_tool_reaches_the_pose_and_is_level(hand: ArmKinematics, target: tuple[float, float, float]) -> None:
     last = hand.geometry.forward(hand.joints(*hand.around(target)))
     assert last.apply(hand.geometry.tool) == pytest.approx(target, abs=1e-6)
     along = last.rotate(hand.geometry.tool)
@@ -24,7 +24,7 @@ def test_the_tool_is_where_it_is_wanted_and_level(hand: ArmKinematics, target: t
     assert math.atan2(along[1], along[0]) == pytest.approx(math.atan2(target[1], target[0] - hand.axis))
 
 
-def test_the_hand_points_down_when_it_looks(hand: ArmKinematics) -> None:
+def test_gripper_points_down_in_the_view_pose(hand: ArmKinematics) -> None:
     distance, height, pitch = plan.VIEW_POSE
     last = hand.geometry.forward(hand.joints(0.3, distance, height, pitch))
     x, y, z = last.apply(hand.geometry.tool)
@@ -33,7 +33,7 @@ def test_the_hand_points_down_when_it_looks(hand: ArmKinematics) -> None:
     assert math.atan2(along[2], math.hypot(along[0], along[1])) == pytest.approx(pitch)
 
 
-def test_every_pose_of_the_plan_can_be_had(hand: ArmKinematics) -> None:
+def test_all_poses_of_the_plan_are_reachable(hand: ArmKinematics) -> None:
     x, y, height = plan.CAN_POSITION
     standing = (
         y - plan.TABLE_POSITION[1] + plan.DRIVE_TOLERANCE[0],
@@ -46,6 +46,6 @@ def test_every_pose_of_the_plan_can_be_had(hand: ArmKinematics) -> None:
     hand.joints(0.0, *plan.VIEW_POSE)
 
 
-def test_what_is_too_far_is_refused(hand: ArmKinematics) -> None:
+def test_unreachable_pose_raises_an_error(hand: ArmKinematics) -> None:
     with pytest.raises(RequestError, match=r"cannot reach 1\.50 m"):
         hand.joints(0.0, 1.5, 0.4)

@@ -19,7 +19,7 @@ def shown(report: Report) -> str:
     return page.file.getvalue()
 
 
-def test_all_goals_reached(tmp_path: Path) -> None:
+def test_report_is_successful_if_all_goals_are_reached(tmp_path: Path) -> None:
     report = Report([DRIVE, TIME], ["map.pgm"])
     report.save(tmp_path)
     assert report.reached
@@ -32,7 +32,7 @@ def test_all_goals_reached(tmp_path: Path) -> None:
     assert saved["results"][0]["figures"] == {"distance_error": 0.03}
 
 
-def test_one_goal_that_was_not_reached_is_enough() -> None:
+def test_report_fails_if_one_goal_is_not_reached() -> None:
     report = Report([DRIVE, LIFT, TIME])
     assert not report.reached
     assert "not all goals were reached" in shown(report)

@@ -23,17 +23,17 @@ def scene(*rectangles):
     return image
 
 
-def test_the_largest_spot_counts() -> None:
+def test_largest_red_region_is_used() -> None:
     column, row = grasp.red_region(scene((10, 10, 3, 3), (200, 150, 20, 40)))
     assert (column, row) == (pytest.approx((210 - 160) / 320), pytest.approx((170 - 120) / 320))
 
 
-def test_bricks_and_specks_are_no_can() -> None:
+def test_bricks_and_specks_are_ignored() -> None:
     assert grasp.red_region(scene()) is None
     assert grasp.red_region(scene((5, 5, 3, 3))) is None
 
 
-def test_a_ray_meets_the_can_where_it_is() -> None:
+def test_ray_intersects_at_the_position_of_the_can() -> None:
     camera = Transform.from_pose(Pose(1.0, 2.0, 0.8, pitch=0.3, yaw=0.5))
     can = (1.7, 2.6, 0.41)
     x, y, z = camera.inverse().apply(can)
@@ -42,6 +42,6 @@ def test_a_ray_meets_the_can_where_it_is() -> None:
     assert grasp.at_height(camera, grasp.ray(point, FOV), 0.41) == pytest.approx(can)
 
 
-def test_a_ray_to_the_sky_meets_nothing() -> None:
+def test_upward_ray_has_no_intersection() -> None:
     assert grasp.at_height(Transform.from_pose(Pose(z=0.8)), grasp.ray((0.0, -0.1), FOV), 0.41) is None
     assert grasp.at_height(Transform.from_pose(Pose(z=0.3)), grasp.ray((0.0, 0.1), FOV), 0.41) is None

@@ -26,7 +26,7 @@ def holders(robot: RobotRunner) -> set[object]:
     return {each.host.controller for each in robot.components}
 
 
-async def test_it_drives_moves_the_arm_and_gives_back_control(robot: RobotRunner, tour: Tour) -> None:
+async def test_tour_drives_moves_the_arm_and_releases_control(robot: RobotRunner, tour: Tour) -> None:
     await tour.run()
     assert [(each.stage, each.reached) for each in tour._report.results] == [("drive", True), ("arm", True)]
     assert robot.snapshot is not None
@@ -35,7 +35,7 @@ async def test_it_drives_moves_the_arm_and_gives_back_control(robot: RobotRunner
     assert holders(robot) == {None}
 
 
-async def test_a_robot_that_does_not_get_there_is_given_up(
+async def test_drive_times_out_if_the_robot_does_not_arrive(
     robot: RobotRunner, tour: Tour, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(plan, "DRIVE_TIMEOUT", 1.0)
@@ -44,7 +44,7 @@ async def test_a_robot_that_does_not_get_there_is_given_up(
     assert holders(robot) == {None}
 
 
-async def test_who_takes_the_robot_ends_the_drive(robot: RobotRunner, tour: Tour, environment: TestEnvironment) -> None:
+async def test_loss_of_control_ends_the_drive(robot: RobotRunner, tour: Tour, environment: TestEnvironment) -> None:
     touring = asyncio.create_task(tour.run())
     while robot.snapshot is None or robot.snapshot.pose.x < 0.1:
         await asyncio.sleep(0.05)

@@ -10,7 +10,7 @@ from rich.console import Console
 from jauspy.cli.demo.report import LiveView, StageResult, View
 
 
-def test_plain_lines_are_marked(capsys: pytest.CaptureFixture[str]) -> None:
+def test_plain_output_marks_results(capsys: pytest.CaptureFixture[str]) -> None:
     with View() as view:
         view.step("Lift the can")
         view.add(StageResult("lift", "13 cm", reached=True))
@@ -22,7 +22,7 @@ def test_plain_lines_are_marked(capsys: pytest.CaptureFixture[str]) -> None:
     assert "\x1b" not in lines
 
 
-def test_the_table_has_what_is_known_so_far() -> None:
+def test_table_shows_the_known_values() -> None:
     view, page = LiveView(), Console(file=io.StringIO(), width=120)
     page.print(view.table())
     assert "robot" not in page.file.getvalue()
@@ -37,7 +37,7 @@ def test_the_table_has_what_is_known_so_far() -> None:
         assert text in shown
 
 
-def test_the_end_message_says_whether_control_was_released() -> None:
+def test_end_message_tells_whether_control_was_released() -> None:
     view = View()
     assert view.end_message() == "stopped"
     view.state.controlled = True

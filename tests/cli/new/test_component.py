@@ -46,7 +46,7 @@ def check(*command: str) -> str:
 @pytest.mark.parametrize(
     "definition", sampled(ALL, fast=8), ids=lambda each: f"{each.id.partition('jss:')[2]}-{each.version}"
 )
-def test_any_service_makes_a_component_that_starts(definition):
+def test_package_of_every_service_starts(definition):
     files = stubs.package("it", definition, load_builtin(), None, jauspy.JausID(1, 1, 1))
     names: dict = {}
     exec(compile(files["services.py"], "services.py", "exec"), names)
@@ -55,7 +55,7 @@ def test_any_service_makes_a_component_that_starts(definition):
 
 
 @pytest.mark.slow
-def test_what_it_writes_is_clean_and_passes_its_tests():
+def test_written_package_is_clean_and_its_tests_pass():
     for number, (urn, id) in enumerate(zip(SOME, ("101.1.120", "0.0.120", "7.7.7", "65534.254.254"), strict=True)):
         result = new(f"start{number}", "--service", urn, "--id", id)
         assert result.exit_code == 0, result.output
@@ -66,7 +66,7 @@ def test_what_it_writes_is_clean_and_passes_its_tests():
     assert f"{len(SOME)} passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", *folders)
 
 
-def test_a_service_of_ones_own():
+def test_package_of_a_user_defined_service():
     run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
     result = new("battery", "--service", "Battery", "--schemas", "battery.xml")
     assert result.exit_code == 0, result.output
@@ -77,7 +77,7 @@ def test_a_service_of_ones_own():
     assert "1 passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", "battery")
 
 
-def test_what_is_there_stays():
+def test_existing_files_are_not_overwritten():
     new("brake", "--service", "ugv:ParkingBrakeDriver")
     before = {path: path.read_text() for path in Path("brake").iterdir()}
     result = new("brake", "--service", "mobility:PrimitiveDriver")
@@ -86,7 +86,7 @@ def test_what_is_there_stays():
     assert {path: path.read_text() for path in Path("brake").iterdir()} == before
 
 
-def test_a_folder_with_something_in_it_stays():
+def test_non_empty_folder_is_rejected():
     Path("brake").mkdir()
     assert new("brake", "--service", "ugv:ParkingBrakeDriver").exit_code == 0
     Path("winch").mkdir()
@@ -96,7 +96,7 @@ def test_a_folder_with_something_in_it_stays():
     assert [each.name for each in Path("winch").iterdir()] == ["mine.txt"]
 
 
-def test_a_file_without_the_service():
+def test_file_without_the_service_is_rejected():
     run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
     result = new("xyzzy", "--service", "Xyzzy", "--schemas", "battery.xml")
     assert result.exit_code == 1
@@ -123,7 +123,7 @@ def test_a_file_without_the_service():
         (["winch", "--service", "ugv:ParkingBrakeDriver", "--id", "1.2"], "is not a JAUS id"),
     ],
 )
-def test_what_cannot_be(arguments: list[str], problem: str):
+def test_invalid_arguments_are_rejected(arguments: list[str], problem: str):
     result = new(*arguments)
     assert result.exit_code == 1
     assert problem in " ".join(result.output.split())

@@ -22,7 +22,7 @@ def new(*arguments: str):
     return run.invoke(app, ["new", "definition", *arguments])
 
 
-def test_it_reports_what_was_said():
+def test_written_service_reports_the_given_fields():
     result = new("urn:example:AirTank", "pressure:bar", "flow_rate:meter per second", "-o", "own/tank.xml")
     assert (result.exit_code, result.output) == (0, "own/tank.xml\n")
     registry = jauspy.load("own/tank.xml")
@@ -32,20 +32,20 @@ def test_it_reports_what_was_said():
     assert report().encode() == b"\x02\xd0\x00"
 
 
-def test_it_is_without_a_complaint():
+def test_written_definition_has_no_lint_findings():
     new("urn:example:Many", *(f"f{chr(97 + n)}:one" for n in range(16)), "--first-id", "E0F0")
     result = run.invoke(app, ["schema", "lint", "many.xml"])
     assert result.exit_code == 0, result.output
     assert jauspy.load("many.xml").by_name("QueryMany").CODE == 0xE0F0
 
 
-def test_fields_keep_their_names():
+def test_field_names_are_kept():
     names = ["flow_rate", "v_2", "a_b"]
     new("urn:example:Lamp", *(f"{name}:one" for name in names))
     assert list(jauspy.load("lamp.xml").by_name("ReportLamp").__annotations__)[:3] == names
 
 
-def test_what_is_there_stays():
+def test_existing_file_is_not_overwritten():
     Path("battery.xml").write_text("mine")
     result = new("urn:example:Battery", "charge:percent")
     assert result.exit_code == 1
@@ -77,7 +77,7 @@ def test_what_is_there_stays():
         (["a:one", "--first-id", "FF39"], "; FF3A to FFFE are free"),
     ],
 )
-def test_what_cannot_be(arguments: list[str], problem: str):
+def test_invalid_arguments_are_rejected(arguments: list[str], problem: str):
     result = new("urn:example:Battery", *arguments)
     assert result.exit_code == 2
     assert problem in " ".join(result.output.replace("│", " ").split())
@@ -100,7 +100,7 @@ def test_what_cannot_be(arguments: list[str], problem: str):
         ("urn:jaus:jss:core:Events", "is a public service; choose another name"),
     ],
 )
-def test_names_that_a_service_cannot_have(urn: str, problem: str):
+def test_invalid_service_names_are_rejected(urn: str, problem: str):
     result = new(urn, "charge:percent")
     assert result.exit_code == 2
     assert problem in " ".join(result.output.replace("│", " ").split())

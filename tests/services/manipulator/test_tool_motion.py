@@ -74,7 +74,7 @@ def test_the_tool_moves_on_a_straight_line_at_the_commanded_velocity(robot: str,
     assert run.speeds[-1] > 0.9 * speed
 
 
-def test_an_attitude_that_can_be_kept_is_kept() -> None:
+def test_reachable_attitude_is_kept() -> None:
     arm = arm_of("inc1", (0.0, 1.6, -1.8, 0.2, 0.0))  # it moves in its own plane
     before = arm.kinematic_state().tool.rotation
     Run(arm).go(ZERO, scaled(arm.kinematic_state().linear_jacobian[1], 0.1), 2.0)
@@ -93,7 +93,7 @@ def test_the_tool_turns_about_its_point(robot: str, start, joint: int) -> None:
     assert run.aside < 0.001
 
 
-def test_a_velocity_beyond_the_joints_is_scaled_down_on_the_same_line() -> None:
+def test_velocity_above_joint_limits_is_scaled_on_the_same_line() -> None:
     run = Run(arm_of("inc1", OUT_THERE))
     run.go(ZERO, (-2.0, 0.0, -2.0), 0.6)
     assert run.aside < 0.004
@@ -101,7 +101,7 @@ def test_a_velocity_beyond_the_joints_is_scaled_down_on_the_same_line() -> None:
     assert run.speeds[-1] < 1.0
 
 
-def test_the_motion_profile_holds() -> None:
+def test_motion_profile_is_respected() -> None:
     arm = arm_of("inc1", OUT_THERE)
     arm.profiles = (MotionProfile(0.1, 0.3, 0.4),) * 5
     run = Run(arm)
@@ -125,14 +125,14 @@ def test_at_the_end_of_its_reach_the_tool_stops_on_its_line(moving: Vector) -> N
 
 
 @pytest.mark.parametrize("elbow", [0.0, 0.001, 0.01, 0.05, 0.1, -0.05])
-def test_a_stretched_arm_can_be_drawn_in(elbow: float) -> None:
+def test_stretched_arm_can_be_retracted(elbow: float) -> None:
     run = Run(arm_of("inc1", (0.0, elbow / 2.0, -elbow, elbow / 2.0, 0.0)))
     run.go(ZERO, (-0.1, 0.0, 0.0), 2.0)
     assert run.along > 0.12
     assert run.aside < 0.004
 
 
-def test_a_joint_at_its_limit_stops_the_tool_and_lets_it_back() -> None:
+def test_joint_at_its_limit_stops_the_tool_and_permits_the_way_back() -> None:
     arm = arm_of("inc1_pprm", LIFTED)
     run = Run(arm)
     run.go(ZERO, (0.0, 0.0, 0.1), 6.0)
@@ -143,7 +143,7 @@ def test_a_joint_at_its_limit_stops_the_tool_and_lets_it_back() -> None:
     assert arm.joints.state().positions[0] < high - 0.08
 
 
-def test_limits_are_never_passed() -> None:
+def test_limits_are_respected() -> None:
     arm = arm_of("inc1", OUT_THERE)
 
     def look() -> None:
@@ -157,7 +157,7 @@ def test_limits_are_never_passed() -> None:
     assert all(map(math.isfinite, arm.state().positions))
 
 
-def test_the_same_command_again_stays_on_the_same_line() -> None:
+def test_repeated_command_keeps_the_line() -> None:
     once, often = Run(arm_of("inc1", OUT_THERE)), Run(arm_of("inc1", OUT_THERE))
     once.go(ZERO, (-0.1, 0.05, 0.0), 1.0)
     for _ in range(10):

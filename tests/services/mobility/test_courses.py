@@ -46,7 +46,7 @@ LIMITS = AccelerationLimits(acceleration=1.0, deceleration=2.0, turn_acceleratio
         ((0.0, 1.0), (0.0, 0.0), (0.0, 0.6)),
     ],
 )
-def test_a_motion_changes_within_its_limits(now, wanted, after) -> None:
+def test_velocity_changes_within_its_limits(now, wanted, after) -> None:
     found = ramped(PlanarVelocity(*now), PlanarVelocity(*wanted), LIMITS, 0.1)
     assert (found.speed, found.turn_rate) == pytest.approx(after)
 
@@ -78,7 +78,7 @@ def test_control_recovers_from_saturation() -> None:
     assert too_fast[-1] < too_fast[0] - 0.1
 
 
-def test_nothing_wanted_and_nothing_moving_needs_no_effort() -> None:
+def test_standstill_needs_no_effort() -> None:
     assert VelocityControl().efforts(STANDSTILL, STANDSTILL, 0.02) == (0.0, 0.0)
 
 
@@ -92,7 +92,7 @@ def test_nothing_wanted_and_nothing_moving_needs_no_effort() -> None:
         (0.0, 7.0, 7.0 - math.tau),
     ],
 )
-def test_the_shorter_way_round(here, there, turn) -> None:
+def test_heading_error_takes_the_shorter_direction(here, there, turn) -> None:
     assert heading_error(here, there) == pytest.approx(turn)
 
 
@@ -104,7 +104,7 @@ def test_a_large_heading_error_turns_on_the_spot() -> None:
     assert 0.0 < steer_to_heading(0.4, 1.0, 1.2).speed < 1.0
 
 
-def test_a_leg_looks_ahead_and_never_beyond_its_end() -> None:
+def test_look_ahead_point_stays_on_the_leg() -> None:
     leg = Leg(PlanarPoint(0.0, 0.0), PlanarPoint(10.0, 0.0))
     assert leg.ahead(PlanarPoint(2.0, 3.0), 1.0) == PlanarPoint(pytest.approx(3.0), pytest.approx(0.0))
     assert leg.ahead(PlanarPoint(9.5, 0.1), 1.0) == PlanarPoint(pytest.approx(10.0), pytest.approx(0.0))
@@ -119,7 +119,7 @@ def test_a_leg_looks_ahead_and_never_beyond_its_end() -> None:
     ("speed", "path", "ahead"),
     [(0.1, None, 0.6), (2.0, None, 1.4), (-2.0, None, 1.4), (2.0, 0.5, 0.5), (2.0, 0.0, 0.2), (0.1, 50.0, 0.6)],
 )
-def test_how_far_ahead(speed, path, ahead) -> None:
+def test_look_ahead_depends_on_the_speed(speed, path, ahead) -> None:
     assert look_ahead(speed, path) == pytest.approx(ahead)
 
 
@@ -138,7 +138,7 @@ LEG = Leg(PlanarPoint(0.0, 0.0), PlanarPoint(10.0, 0.0))
         (11.0, 0.0, False, False),
     ],
 )
-def test_when_a_waypoint_is_reached(x, y, is_last, reached) -> None:
+def test_waypoint_is_reached_within_its_tolerance(x, y, is_last, reached) -> None:
     assert is_reached(Goal(PlanarPoint(10.0, 0.0), is_last=is_last), LEG, PlanarPoint(x, y)) == reached
 
 
@@ -153,11 +153,11 @@ def test_the_last_metres_are_driven_slower() -> None:
     assert last.steer(Pose(x=9.8)).speed < passing.steer(Pose(x=9.6)).speed < 1.0
 
 
-def test_no_speed_waits_even_at_the_goal() -> None:
+def test_zero_speed_waits_even_at_the_goal() -> None:
     assert course(Goal(PlanarPoint(0.0, 0.0)), speed=0.0).steer(Pose()) == STANDSTILL
 
 
-def test_once_reached_only_the_heading_counts() -> None:
+def test_reached_waypoint_controls_the_heading_only() -> None:
     there = course(Goal(PlanarPoint(0.0, 0.0), heading=1.0))
     assert there.steer(Pose()) == PlanarVelocity(0.0, 1.2)
     assert there.steer(Pose(x=0.5, yaw=0.9)).speed == 0.0, "turning on the spot drifts; it does not go back for that"

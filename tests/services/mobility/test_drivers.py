@@ -148,7 +148,7 @@ def kind_of(message) -> str:
     ],
     ids=["no control", "standby", "another's", "released"],
 )
-def test_nothing_moves_without_control_and_ready(rig, drive, before, command) -> None:
+def test_commands_need_control_and_ready(rig, drive, before, command) -> None:
     for client, message in before:
         rig.tell(client, message)
     rig.tell(A, command)
@@ -157,7 +157,7 @@ def test_nothing_moves_without_control_and_ready(rig, drive, before, command) ->
 
 
 @pytest.mark.parametrize("command", COMMANDS, ids=kind_of)
-def test_in_control_and_ready_it_moves(ready, drive, command) -> None:
+def test_commands_in_ready_move_the_robot(ready, drive, command) -> None:
     ready.tell(A, command)
     ready.run(1.0)
     assert drive.effort[0] > 0.1
@@ -232,7 +232,7 @@ def test_the_reported_limit_may_be_commanded(ready, drive, sign) -> None:
     assert ready.host.counters["velocity_out_of_range"] == 0
 
 
-def test_limits_may_be_set_in_standby_but_not_by_others(rig) -> None:
+def test_limits_can_be_set_in_standby_by_the_controller_only(rig) -> None:
     rig.tell(A, SetVelocityCommand(command_type=MAX, velocity_x=0.8))
     assert rig.ask(B, QueryVelocityCommand(ALL, MAX)).velocity_x == near(1.5)
     rig.tell(A, RequestControl(100))
@@ -268,7 +268,7 @@ def test_acceleration_in_jaus_axes(rig, drive) -> None:
 # --- vectors
 
 
-def test_a_vector_is_reported_as_it_was_set(ready) -> None:
+def test_vector_is_reported_as_set(ready) -> None:
     assert ready.ask(B, QueryLocalVector(ALL)).speed == 0.0
     ready.tell(A, SetLocalVector(speed=0.5, z=2.0, heading=1.0, roll=0.1, pitch=0.2))
     report = ready.ask(B, QueryLocalVector(ALL))
@@ -310,7 +310,7 @@ def test_speeds_that_are_not_over_ground_are_counted_and_ignored(ready, drive, k
 # --- waypoints
 
 
-def test_a_waypoint_is_reported_as_it_was_set(rig) -> None:
+def test_waypoint_is_reported_as_set(rig) -> None:
     assert rig.tell(B, QueryLocalWaypoint(ALL)) == [], "there is none"
     rig.tell(A, SetLocalWaypoint(x=1.0, y=2.0))
     assert rig.tell(B, QueryLocalWaypoint(ALL)) == [], "only the client in control may set one"
@@ -325,7 +325,7 @@ def test_a_waypoint_is_reported_as_it_was_set(rig) -> None:
     assert (wide.z_position.choice, wide.z_position.value) == (ZPosition.Choice.Z_LOCAL, near(3))
 
 
-def test_what_does_not_fit_the_narrow_form_is_left_out(rig) -> None:
+def test_values_outside_of_narrow_fields_are_omitted(rig) -> None:
     rig.tell(A, RequestControl(100))
     sea = ZPosition(ZPosition.Choice.ALTITUDE_MSL, 50.0)
     rig.tell(A, SetLocalWaypointExt(x=1.0, y=2.0, z_position=sea, heading=0.7, waypoint_tolerance=500.0))
@@ -335,7 +335,7 @@ def test_what_does_not_fit_the_narrow_form_is_left_out(rig) -> None:
     assert (wide.z_position.value, wide.waypoint_tolerance) == (near(50), near(500))
 
 
-def test_a_global_waypoint_is_reported_as_it_was_set(rig) -> None:
+def test_global_waypoint_is_reported_as_set(rig) -> None:
     rig.tell(A, RequestControl(100))
     rig.tell(A, SetGlobalWaypoint(latitude=60.001, longitude=25.001, altitude=12.0, yaw=0.3))
     full = rig.ask(B, QueryGlobalWaypoint(ALL))
@@ -402,7 +402,7 @@ def test_global_pose_in_jaus_terms(rig, drive) -> None:
     assert rig.ask(B, QueryGlobalPoseExt(0xFFFF)).course is None
 
 
-def test_set_global_pose_needs_control_and_moves_the_globe_only(rig, drive) -> None:
+def test_set_global_pose_needs_control_and_keeps_the_local_frame(rig, drive) -> None:
     drive.present_pose = Pose(x=10.0, y=0.0)
     rig.tell(B, SetGlobalPose(latitude=10.0, longitude=20.0))
     assert rig.ask(B, QueryGlobalPose(ALL)).latitude == near(60.0, 1e-3)
@@ -428,12 +428,12 @@ def test_geomagnetic_property_is_kept(rig) -> None:
     [GlobalPoseSensor, GlobalVectorDriver, GlobalWaypointDriver, GlobalWaypointListDriver],
     ids=lambda k: k.__name__,
 )
-def test_services_on_the_globe_need_an_origin(make, drive, kind) -> None:
+def test_global_services_need_an_origin(make, drive, kind) -> None:
     with pytest.raises(ConfigError, match="need an origin"):
         make(kind(Vehicle(drive)))
 
 
-def test_what_is_too_far_away_for_a_message_is_left_out(rig) -> None:
+def test_positions_outside_of_fields_are_omitted(rig) -> None:
     """Clients set by the wider forms what the narrower ones cannot say; that is no bug of the component."""
     rig.tell(A, RequestControl(100))
     rig.tell(A, SetLocalWaypointExt(x=150_000.0, y=2.0))
@@ -459,7 +459,7 @@ def test_what_is_too_far_away_for_a_message_is_left_out(rig) -> None:
     assert rig.host.counters["unencodable"] == 0
 
 
-def test_an_altitude_at_the_limit_is_reported_and_one_beyond_it_left_out(rig, drive) -> None:
+def test_altitude_beyond_the_limit_is_omitted(rig, drive) -> None:
     rig.tell(A, RequestControl(100))
     drive.present_pose = Pose(x=3.3, z=0.1)
     rig.tell(A, SetGlobalPose(latitude=10.0, longitude=20.0, altitude=-10_000.0))

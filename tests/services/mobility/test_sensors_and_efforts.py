@@ -86,7 +86,7 @@ def values(report) -> dict[str, float]:
         "shutdown",
     ],
 )
-def test_nothing_moves_without_control_and_ready(robot, drive, before) -> None:
+def test_commands_need_control_and_ready(robot, drive, before) -> None:
     for client, message in before:
         robot.tell(client, message)
     robot.tell(A, FORWARD)
@@ -108,12 +108,12 @@ def test_nothing_moves_without_control_and_ready(robot, drive, before) -> None:
         (B, RequestControl(101)),
     ],
 )
-def test_everything_that_ends_ready_or_control_stops(driving, drive, client, message) -> None:
+def test_end_of_ready_or_control_stops_the_drive(driving, drive, client, message) -> None:
     driving.tell(client, message)
     assert drive.effort == (0.0, 0.0)
 
 
-def test_time_out_stops(driving, drive) -> None:
+def test_control_timeout_stops_the_drive(driving, drive) -> None:
     stops = drive.stops
     driving.run(5.0)
     assert drive.effort == (0.0, 0.0)
@@ -121,18 +121,18 @@ def test_time_out_stops(driving, drive) -> None:
     assert driving.host.controller is None
 
 
-def test_failure_stops(driving, drive) -> None:
+def test_failure_stops_the_drive(driving, drive) -> None:
     driving.host.fire("Failure")
     assert drive.effort == (0.0, 0.0)
 
 
-def test_close_stops(driving, drive) -> None:
+def test_close_stops_the_drive(driving, drive) -> None:
     driving.host.close(1.0)
     driving.host.close(1.0)
     assert drive.effort == (0.0, 0.0)
 
 
-def test_after_an_emergency_it_stands_until_the_next_command(driving, drive) -> None:
+def test_drive_stands_after_an_emergency_until_the_next_command(driving, drive) -> None:
     driving.tell(B, SetEmergency(1))
     driving.tell(B, ClearEmergency(1))
     assert drive.effort == (0.0, 0.0)
@@ -140,12 +140,12 @@ def test_after_an_emergency_it_stands_until_the_next_command(driving, drive) -> 
     assert drive.effort[0] == pytest.approx(0.4, abs=1e-4)
 
 
-def test_a_renewed_request_of_the_client_in_control_does_not_stop(driving, drive) -> None:
+def test_renewed_request_of_the_controller_does_not_stop_the_drive(driving, drive) -> None:
     driving.tell(A, RequestControl(100))
     assert drive.effort[0] == pytest.approx(0.4, abs=1e-4)
 
 
-def test_a_stop_that_fails_does_not_keep_control(driving, drive) -> None:
+def test_failed_stop_does_not_keep_control(driving, drive) -> None:
     def broken() -> None:
         raise OSError("motor bus")
 
@@ -155,7 +155,7 @@ def test_a_stop_that_fails_does_not_keep_control(driving, drive) -> None:
     assert driving.host.counters["action_failed"] >= 1
 
 
-def test_jaus_turns_right_for_positive_z(driving, drive) -> None:
+def test_positive_z_effort_turns_right(driving, drive) -> None:
     driving.tell(A, SetWrenchEffort(propulsive_linear_effort_x=-100.0, propulsive_rotational_effort_z=25.0))
     assert drive.effort == (pytest.approx(-1.0), pytest.approx(-0.25, abs=1e-4))
     report = driving.ask(A, QueryWrenchEffort(EVERYTHING))

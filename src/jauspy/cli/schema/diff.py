@@ -27,7 +27,7 @@ def diff(
     *,
     one: Annotated[str, typer.Argument(metavar="A", help=_WHAT)],
     other: Annotated[str, typer.Argument(metavar="B", help=_WHAT)],
-    beside: Annotated[
+    references: Annotated[
         list[str] | None,
         typer.Option(
             "--schemas", metavar="FILE", help="Further definitions that A and B refer to; they are not compared."
@@ -47,7 +47,7 @@ def diff(
       jauspy schema diff mobility:PrimitiveDriver@1.0 mobility:PrimitiveDriver@1.1
       jauspy schema diff mobility@1.1 vendor/ --json | jq -r '.messages[] | select(.wire == "different") | .name'
     """
-    found = compare(_schema(one, beside or []), _schema(other, beside or []))
+    found = compare(_schema(one, references or []), _schema(other, references or []))
     for number, service in enumerate(found):
         if as_json:
             console.print_json(_object(service))
@@ -62,9 +62,9 @@ def diff(
         console.note("no differences")
 
 
-def _schema(what: str, beside: list[str]) -> Schema:
+def _schema(what: str, references: list[str]) -> Schema:
     """The services of an argument."""
-    return (None if _is_file(what) else _builtin(*split_version(what))) or load_own([what], beside)
+    return (None if _is_file(what) else _builtin(*split_version(what))) or load_own([what], references)
 
 
 def _is_file(what: str) -> bool:

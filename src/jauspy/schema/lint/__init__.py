@@ -1,4 +1,4 @@
-"""The linter: finds what breaks other tools, also in files that the loader refuses, and all of it in one run."""
+"""The linter: finds all mistakes that break other tools in one run, also in files that the loader rejects."""
 
 from jauspy.schema.lint.context import LintContext, LintFinding, LintRule, Problem, Severity
 from jauspy.schema.lint.linter import REFUSED, RULES, UNREADABLE, lint

@@ -21,14 +21,14 @@ def states_of(behavior: Behavior) -> Iterator[State]:
     return (state for machine in behavior.machines for _, state in walk_states(machine.states))
 
 
-def place(where: Location | None) -> Location:
-    """Where something is; behaviour read from files always knows."""
+def location_of(where: Location | None) -> Location:
+    """The location of a part of a behaviour, which behaviour read from files always has."""
     return where or Location("", 0)
 
 
 @dataclass(frozen=True, slots=True)
 class _Known:
-    """What a service and its ancestors take and send."""
+    """The inputs and outputs of a service and its ancestors."""
 
     inputs: set[str]
     outputs: set[str]
@@ -36,7 +36,7 @@ class _Known:
 
 
 def _triggers(context: LintContext) -> Iterator[tuple[Transition, _Known]]:
-    """Every transition of the checked services whose ancestors are all there."""
+    """Every transition of the checked services whose ancestors are all known."""
     for service in context.services():
         behavior = context.behavior(service)
         line = context.lineage(service)
@@ -51,11 +51,11 @@ def _triggers(context: LintContext) -> Iterator[tuple[Transition, _Known]]:
 
 
 def dead_trigger(context: LintContext) -> Iterator[Problem]:
-    """Transitions that no input of the service or its ancestors can fire."""
+    """Transitions that no input of the service or its ancestors can trigger."""
     for transition, known in _triggers(context):
         reason = _dead(transition, known)
         if reason:
-            yield place(transition.where), reason
+            yield location_of(transition.where), reason
 
 
 def _dead(transition: Transition, known: _Known) -> str:
@@ -75,17 +75,17 @@ def _dead(transition: Transition, known: _Known) -> str:
 
 
 def output_trigger(context: LintContext) -> Iterator[Problem]:
-    """Transitions on a message that the service itself sends and does not take."""
+    """Transitions for a message that is an output and no input of the service."""
     for transition, known in _triggers(context):
         if short(transition.trigger) == RECEIVE and transition.parameters:
             wanted = short(transition.parameters[0].type)
             if wanted in known.outputs - known.inputs - known.events:
                 reason = f"{wanted} is an output: only another service of this kind can send it"
-                yield place(transition.where), f"{reason}; add it to the input_set, too, if that is meant"
+                yield location_of(transition.where), f"{reason}; add it to the input_set, too, if that is meant"
 
 
 def _incomplete(line: Sequence[Element]) -> bool:
-    """True when an ancestor is missing: what it brings is unknown, and its absence is reported."""
+    """True if an ancestor is missing, so that its inputs and outputs are unknown; its absence is reported."""
     return line[-1].find("references/inherits_from") is not None
 
 
@@ -101,7 +101,7 @@ def unknown_send(context: LintContext) -> Iterator[Problem]:
             wanted = _sent(action)
             if wanted and wanted not in outputs:
                 reason = f"Send of {wanted}, which is no output of the service or its ancestors"
-                yield place(where), f"{reason}{suggestion(wanted, outputs)}; add it to the output_set"
+                yield location_of(where), f"{reason}{suggestion(wanted, outputs)}; add it to the output_set"
 
 
 def _actions(behavior: Behavior) -> Iterator[tuple[Action, Location | None]]:
@@ -112,7 +112,7 @@ def _actions(behavior: Behavior) -> Iterator[tuple[Action, Location | None]]:
 
 
 def _sent(action: Action) -> str:
-    """The message a Send names; empty when it sends what a variable holds."""
+    """The message that a Send names; empty if it names a variable."""
     if short(action.name) != "Send":
         return ""
     quoted = [text.strip() for text in action.arguments if text.strip()[:1] in ("'", '"')]
@@ -134,20 +134,20 @@ def unknown_state(context: LintContext) -> Iterator[Problem]:
             continue
         machines = _machines(context, context.lineage(service))
         for start in behavior.start:
-            yield from _missing(machines, start.machine, start.state, "start state", place(start.where))
+            yield from _missing(machines, start.machine, start.state, "start state", location_of(start.where))
         for machine in behavior.machines:
             for path, state in walk_states(machine.states):
                 if state.initial is not None and not _names_itself(machines, machine.name, path, state):
                     initial = f"{path}.{state.initial}"
-                    yield from _missing(machines, machine.name, initial, "initial state", place(state.where))
+                    yield from _missing(machines, machine.name, initial, "initial state", location_of(state.where))
             for transition in transitions_of(Behavior(machines=(machine,))):
                 if transition.end_state is not None:
                     end = transition.end_state
-                    yield from _missing(machines, machine.name, end, "end state", place(transition.where))
+                    yield from _missing(machines, machine.name, end, "end state", location_of(transition.where))
 
 
 def _names_itself(machines: dict[str, MergedMachine], machine: str, path: str, state: State) -> bool:
-    """Some definitions give a state without children itself as its initial state; that means nothing."""
+    """True for a state without children that is its own initial state, as in some definitions; this has no effect."""
     merged = machines[short(machine)].root.find(path)
     return state.initial == state.name and merged is not None and not merged.children
 
@@ -162,7 +162,7 @@ def _missing(
 
 
 def unreachable_state(context: LintContext) -> Iterator[Problem]:
-    """States no transition leads to: neither in the service that introduces them nor in one that inherits."""
+    """States without a transition to them, neither in the service that introduces them nor in derived ones."""
     reached: dict[tuple[Element, str], set[str]] = {}
     for service in context.all_services():
         line = context.lineage(service)
@@ -185,15 +185,15 @@ def unreachable_state(context: LintContext) -> Iterator[Problem]:
                 is_new = before is None or before.root.find(path) is None
                 if path not in there and is_new and (not parent or parent in there):
                     reason = f"nothing leads to state {path}: no start, no initial state and no transition"
-                    yield place(state.where), f"{reason}; add one or delete it"
+                    yield location_of(state.where), f"{reason}; add one or delete it"
 
 
 Key = tuple[str, str]
-"""Trigger, and the message where it is the arrival of one; empty is any."""
+"""Trigger, and the message for the trigger Receive; empty for any."""
 
 
 def shadowed_transition(context: LintContext) -> Iterator[Problem]:
-    """Transitions behind one of the same state that fits whenever they do: the first that fits is taken."""
+    """Transitions after another one of the same state that matches whenever they do, since the first match is taken."""
     for service in context.services():
         behavior = context.behavior(service)
         for transitions in _lists(behavior) if behavior else ():
@@ -201,7 +201,7 @@ def shadowed_transition(context: LintContext) -> Iterator[Problem]:
 
 
 def _lists(behavior: Behavior) -> Iterator[Sequence[Transition]]:
-    """The transitions that compete: those of one state, and apart from them its default ones."""
+    """Lists of competing transitions: those of a state, and its default ones."""
     for machine in behavior.machines:
         yield machine.default_transitions
     for state in states_of(behavior):
@@ -213,14 +213,14 @@ def _shadowed(transitions: Sequence[Transition]) -> Iterator[Problem]:
     for number, transition in enumerate(transitions):
         first = next((each for each in transitions[:number] if _covers(each, transition)), None)
         if first is not None:
-            line = place(first.where).line
+            line = location_of(first.where).line
             why = "has the same guard" if first.guard else "has no guard"
             what = f"the transition on {_what(first)} in line {line} {why} and is always taken before this one"
-            yield place(transition.where), f"{what}; give that one a guard, or put it behind"
+            yield location_of(transition.where), f"{what}; give that one a guard, or put it behind"
 
 
 def _covers(first: Transition, other: Transition) -> bool:
-    """True when the first fits all that the other one does."""
+    """True if the first matches everything that the other one matches."""
     trigger, message = _key(first)
     its_trigger, its_message = _key(other)
     fits = trigger in ("", its_trigger) and message in ("", its_message)

@@ -1,4 +1,4 @@
-"""What the linter looks at and what it finds. Mistakes are collected where the loader would stop."""
+"""Context, rules and findings of the linter. Mistakes are collected where the loader would stop."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ MESSAGES = ("message_def", "declared_message_def")
 
 
 class LintContext:
-    """The files to be checked, and beside them the built-in definitions they may refer to."""
+    """The files to be checked, and the built-in definitions that they may refer to."""
 
     def __init__(self, paths: Iterable[Path]) -> None:
         self.paths = tuple(paths)
@@ -42,7 +42,7 @@ class LintContext:
         self._messages: dict[Element, Message | None] = {}
 
     def _read(self, path: Path) -> Element | None:
-        """The root of a file, entered in the library; None when it cannot be, or is there already."""
+        """Read a file and add its root to the library; None if that is not possible, or if it is known already."""
         try:
             root = parse_file(path)
         except SchemaError as error:
@@ -55,7 +55,7 @@ class LintContext:
         try:
             if not self._library.add(root):
                 return None
-        except SchemaError as error:  # it does not say which definition it is
+        except SchemaError as error:  # its id or version is missing
             self.grammar.append(error)
             return None
         for element, problem in broken:
@@ -63,14 +63,14 @@ class LintContext:
         return root
 
     def _mark_unsound(self, element: Element, problem: SchemaError, scope: Scope) -> None:
-        """The declared type around a mistake cannot be read."""
+        """Note that the declared type around a mistake cannot be read."""
         for inside in (element, *element.iterancestors()):
             name = inside.get("name")
             if name is not None and scope.types.get(name) is inside:
                 scope.unsound[name] = problem
 
     def _add_builtin(self) -> list[Element]:
-        """All of it, except what the files define themselves."""
+        """Add the built-in definitions, except those that the files define themselves."""
         self.identities: set[Identity] = {(tag, *key) for tag, key in self._library.roots}
         roots = (root for key, (_, root) in builtin_roots().items() if key not in self.identities)
         return [root for root in roots if self._library.add(root)]
@@ -78,10 +78,10 @@ class LintContext:
     def _link(self) -> None:
         self._library.link(self.unlinked.append)
 
-    # --- what there is ----------------------------------------------------------------------------------------------
+    # --- elements ----------------------------------------------------------------------------------------------
 
     def elements(self, *tags: str) -> Iterator[tuple[Element, Scope]]:
-        """The elements of the checked files with these tags, each with the names that are known there."""
+        """The elements of the checked files with these tags, each with the scope of its names."""
         for root in self._own:
             scope = self.scope(root)
             for element in root.iter(*tags):
@@ -96,7 +96,7 @@ class LintContext:
         return (root for root in self._own if root.tag == "service_def")
 
     def all_services(self) -> Iterator[Element]:
-        """The same, then the built-in ones."""
+        """The services of the checked files, then the built-in ones."""
         yield from self.services()
         yield from (root for root in self._context if root.tag == "service_def")
 
@@ -107,7 +107,7 @@ class LintContext:
                 yield from part.iterchildren(*MESSAGES)
 
     def code(self, element: Element) -> str:
-        """The message id of a message, as written where it is defined; empty when that is not there."""
+        """The message id of a message, as written in its definition; empty if that is missing."""
         if element.tag == "message_def":
             return element.get("message_id", "").strip().upper()
         scope = self.scope(element.getroottree().getroot())
@@ -131,15 +131,15 @@ class LintContext:
         """A service and its ancestors, nearest first."""
         return lineage(service, self.parent)
 
-    # --- what the loader makes of it --------------------------------------------------------------------------------
+    # --- the loader --------------------------------------------------------------------------------
 
     def is_sound(self, element: Element) -> bool:
-        """True when the grammar is kept in and below an element, so that the loader can read it."""
+        """True if an element and its content follow the grammar, so that the loader can read it."""
         inside = not any(element is broken or element in broken.iterancestors() for broken in self._broken)
         return inside and not any(around in self._unexpected for around in element.iterancestors())
 
     def attempt(self, read: Callable[[], Thing]) -> Thing | None:
-        """What the loader reads, or None where it refuses; nothing more after types nested too deeply."""
+        """The result of the loader, or None if it raises `SchemaError`; always None after types nested too deeply."""
         if self.too_deep:
             return None
         try:
@@ -147,7 +147,7 @@ class LintContext:
         except SchemaError:
             return None
         except RecursionError:
-            self.too_deep = True  # reading on could take as long for every other type
+            self.too_deep = True  # every other type could take as long
             return None
 
     def behavior(self, service: Element) -> Behavior | None:
@@ -159,7 +159,7 @@ class LintContext:
         return self._behaviors[service]
 
     def definition(self, service: Element) -> Service:
-        """What merging state machines needs of a service: who it is, and its behaviour as far as it can be read."""
+        """A service for merging state machines: its identity, and its behaviour as far as it can be read."""
         name, id, version = (service.get(key, "") for key in ("name", "id", "version"))
         return Service(name=name, id=id, version=version, jsidl="", behavior=self.behavior(service))
 
@@ -180,15 +180,15 @@ def _order(key: Key) -> tuple[int, ...]:
 
 
 Severity: TypeAlias = Literal["error", "warning", "hint"]
-"""An error stops a tool or is sent wrongly, a warning may, a hint makes the definition harder to use."""
+"""An error breaks a tool or the encoding, a warning may do so, a hint makes the definition harder to use."""
 
 Problem: TypeAlias = tuple[Location, str]
-"""Where, and a sentence with what to do."""
+"""The location, and a sentence that says what to do."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
 class LintFinding:
-    """One finding; sorts by place."""
+    """One finding; sorted by location."""
 
     file: str
     line: int
@@ -202,7 +202,7 @@ class LintFinding:
 
 @dataclass(frozen=True, slots=True)
 class LintRule:
-    """A code, what it stands for, and the function that looks for it in all files."""
+    """A lint rule: its code, its meaning, and the function that checks all files."""
 
     code: str
     severity: Severity

@@ -76,7 +76,7 @@ def overlapping_bits(context: LintContext) -> Iterator[Problem]:
 
 
 def count_limits(context: LintContext) -> Iterator[Problem]:
-    """Counts whose limits are upside down or beyond their type."""
+    """Counts whose limits are reversed or outside of their type."""
     for element, scope in context.elements(*COUNTS):
         limits = _limits(element, scope)
         size = bits_of(element)
@@ -99,7 +99,7 @@ def _limits(element: Element, scope: Scope) -> tuple[int, int] | None:
 
 
 def missing_count(context: LintContext) -> Iterator[Problem]:
-    """Counts without limits: what a peer sends is bounded by the type alone."""
+    """Counts without limits, which are bounded by their type only."""
     for element, _ in context.elements("count_field"):
         missing = [name for name in ("min_count", "max_count") if name not in element.attrib]
         if missing:
@@ -117,7 +117,7 @@ def tag_limits(context: LintContext) -> Iterator[Problem]:
         for tag in variant.iterchildren("vtag_field"):
             count = context.attempt(lambda tag=tag, scope=scope: read_count(tag, scope))  # type: ignore[misc]
             if arms > 2 ** bits_of(tag):
-                continue  # refused
+                continue  # the loader rejects it
             if count is not None and arms and (count.minimum, count.maximum) != (0, arms - 1):
                 reason = f"tag of {named(variant)} allows {count.minimum}..{count.maximum}, but its {arms} arms are "
                 yield location(tag), f'{reason}0..{arms - 1}; write min_count="0" max_count="{arms - 1}"'
@@ -141,7 +141,7 @@ def small_presence_vector(context: LintContext) -> Iterator[Problem]:
 
 
 def unbounded_list(context: LintContext) -> Iterator[Problem]:
-    """Lists of items without a byte: a count of four thousand million fits into four bytes."""
+    """Lists of empty items: a count of four thousand million fits into four bytes."""
     for element, scope in context.elements("list"):
         if not context.is_sound(element):
             continue
@@ -152,7 +152,7 @@ def unbounded_list(context: LintContext) -> Iterator[Problem]:
 
 
 def scale_limits(context: LintContext) -> Iterator[Problem]:
-    """Scales with nothing between their limits."""
+    """Scales with equal limits."""
     for element, scope in context.elements("scale_range"):
         limits = context.attempt(lambda element=element, scope=scope: read_limits(element, scope))  # type: ignore[misc]
         if limits is not None and limits[0] >= limits[1]:
@@ -161,7 +161,7 @@ def scale_limits(context: LintContext) -> Iterator[Problem]:
 
 
 def scale_types(context: LintContext) -> Iterator[Problem]:
-    """Scales of floats, which mean nothing, and those with finer steps than floats have."""
+    """Scales of floats, which are meaningless, and scales with finer steps than floats have."""
     for element, scope in context.elements("scale_range"):
         holder = element.getparent()
         kind = None if holder is None else SCALARS.get(" ".join(holder.get("field_type", "").split()))
@@ -202,7 +202,7 @@ def duplicate_index(context: LintContext) -> Iterator[Problem]:
 
 
 def value_range_limits(context: LintContext) -> Iterator[Problem]:
-    """Ranges of allowed values that are upside down."""
+    """Ranges of allowed values with reversed limits."""
     for element, scope in context.elements("value_range"):
         limits = context.attempt(
             lambda element=element, scope=scope: (  # type: ignore[misc]
@@ -215,7 +215,7 @@ def value_range_limits(context: LintContext) -> Iterator[Problem]:
 
 
 def values_beyond_type(context: LintContext) -> Iterator[Problem]:
-    """Values and ranges that the field's bytes or bits cannot carry."""
+    """Values and ranges that do not fit into the field's bytes or bits."""
     for holder, scope in context.elements("fixed_field", "type_and_units_enum", "sub_field"):
         limits = _value_limits(holder)
         if limits is None:
@@ -230,7 +230,7 @@ def values_beyond_type(context: LintContext) -> Iterator[Problem]:
 
 
 def _value_limits(holder: Element) -> tuple[int, int] | None:
-    """Least and greatest number of a field; None for floats and what has mistakes of its own."""
+    """Smallest and largest number of a field; None for floats and for fields with other mistakes."""
     if holder.tag == "sub_field":
         bits = _bits(holder)
         return None if bits is None or bits[0] > bits[1] else (0, 2 ** (bits[1] - bits[0] + 1) - 1)
@@ -251,7 +251,7 @@ def _beyond(values: ValueSet, low: int, high: int) -> Iterator[str]:
 
 
 def duplicate_value(context: LintContext) -> Iterator[Problem]:
-    """Two names for one value: only the first can be shown."""
+    """Several names for one value, of which only the first is used."""
     for element, _ in context.elements("value_set"):
         seen: dict[str, Element] = {}
         for part in element.iterchildren("value_enum"):

@@ -10,7 +10,7 @@ from jauspy.schema.behavior import read_behavior
 from jauspy.schema.document import location
 from jauspy.schema.lint import behavior, behavior as shadows, fields, messages, messages as references
 from jauspy.schema.lint.context import LintContext, LintFinding, LintRule, Problem
-from jauspy.schema.lint.messages import placed
+from jauspy.schema.lint.messages import problem_of
 from jauspy.schema.loader import load_beside_builtin
 from jauspy.schema.services import read_event, read_message
 
@@ -63,7 +63,7 @@ RULES: tuple[LintRule, ...] = (
 
 
 def refused(context: LintContext) -> Iterator[Problem]:
-    """Messages, events and behaviour that the loader refuses; most of it other rules have found before."""
+    """Messages, events and behaviour that the loader rejects; other rules find most of them before."""
     for element, scope in context.elements("message_def", "event_def", "protocol_behavior"):
         if context.is_sound(element) and not context.too_deep:
             try:
@@ -75,7 +75,7 @@ def refused(context: LintContext) -> Iterator[Problem]:
                     case _:
                         read_behavior(element)
             except SchemaError as error:
-                yield placed(error)
+                yield problem_of(error)
             except RecursionError:
                 context.too_deep = True
                 yield location(element), "refers to declared types too deeply; flatten them"
@@ -86,7 +86,7 @@ def refused_together(context: LintContext) -> Iterator[Problem]:
     try:
         load_beside_builtin(context.paths)
     except SchemaError as error:
-        yield placed(error)
+        yield problem_of(error)
 
 
 REFUSED = LintRule("refused", "error", "anything else that the loader refuses", refused)
@@ -95,7 +95,7 @@ UNREADABLE = "unreadable"
 
 
 def lint(paths: Iterable[Path], rules: Sequence[LintRule] = RULES) -> list[LintFinding]:
-    """All findings in these files, by place; what they refer to may also be built in.
+    """All findings in these files, by location; they may refer to built-in definitions.
 
     A file that cannot be read at all is one finding with the code `unreadable`.
     """
@@ -106,15 +106,15 @@ def lint(paths: Iterable[Path], rules: Sequence[LintRule] = RULES) -> list[LintF
     }
     for rule in rules:
         found.update(_findings(rule, context))
-    found.update(_elsewhere(_findings(REFUSED, context), found))
+    found.update(_in_other_lines(_findings(REFUSED, context), found))
     if not any(finding.severity == "error" for finding in found):
         found.update(_findings(LAST, context))
     own = {str(path) for path in context.paths}
     return sorted(finding for finding in found if finding.file in own)
 
 
-def _elsewhere(more: Iterable[LintFinding], found: Iterable[LintFinding]) -> list[LintFinding]:
-    """Those in lines where no mistake is known yet."""
+def _in_other_lines(more: Iterable[LintFinding], found: Iterable[LintFinding]) -> list[LintFinding]:
+    """The findings in lines without an earlier finding."""
     known = {(finding.file, finding.line) for finding in found if finding.severity == "error"}
     return [finding for finding in more if (finding.file, finding.line) not in known]
 

@@ -29,13 +29,13 @@ _FIELDS = (
 
 
 def shown(message: Message) -> str:
-    """A message and where it is defined."""
+    """A message and the location of its definition."""
     where = f" ({message.where.file}:{message.where.line})" if message.where else ""
     return f"{message.name}{where}"
 
 
 def duplicate_message(context: LintContext) -> Iterator[Problem]:
-    """Two messages of one service, or of it and its ancestors, under one id or name."""
+    """Two messages with the same id or name in a service and its ancestors."""
     for service in context.services():
         for direction in ("input_set", "output_set"):
             yield from _duplicates(context, context.messages(service, direction))
@@ -100,7 +100,7 @@ def conflicting_message(context: LintContext) -> Iterator[Problem]:
 
 
 class _User:
-    """A service, those of its messages that have one of the `codes`, and whom it need not be told apart from."""
+    """A service, its messages with one of the `codes`, and the services from which it need not differ."""
 
     def __init__(self, context: LintContext, service: Element, codes: set[str]) -> None:
         self.urn, self.version = (service.get(name, "").strip() for name in ("id", "version"))
@@ -110,7 +110,7 @@ class _User:
         self.messages = [(message, element) for message, element in found if message is not None]
 
     def may_differ(self, other: _User) -> bool:
-        """Within a lineage that is a duplicate; versions of a service, or of its set, replace each other."""
+        """True for services of one lineage, where it is a duplicate, and for versions of a service or its set."""
         if self.urn in other.lineage or other.urn in self.lineage:
             return True
         return self.urn.rpartition(":")[0] == other.urn.rpartition(":")[0] and self.version != other.version
@@ -132,7 +132,7 @@ def _conflicts(
 
 
 def no_description(context: LintContext) -> Iterator[Problem]:
-    """Services, messages and events nobody has described, and fields without an interpretation."""
+    """Services, messages and events without a description, and fields without an interpretation."""
     for element, _ in context.elements("service_def", "message_def", "event_def"):
         if not (element.findtext("description") or "").strip():
             yield location(element), f"{_kind(element)} '{element.get('name')}' has no description; say what it is for"
@@ -166,24 +166,24 @@ _NUMBERS = {
 """The attributes that may name constants."""
 
 
-def placed(error: SchemaError, advice: str = "") -> Problem:
-    """A mistake the loader has found, with what to do."""
+def problem_of(error: SchemaError, advice: str = "") -> Problem:
+    """The problem for an error of the loader, with advice."""
     where = Location(error.file or "", error.line or 0)
     return where, error.reason + (f"; {advice}" if advice else "")
 
 
 def broken_grammar(context: LintContext) -> Iterator[Problem]:
-    """Elements and attributes that JSIDL does not have, or that are missing or too many."""
-    yield from map(placed, context.grammar)
+    """Unknown, missing or surplus elements and attributes."""
+    yield from map(problem_of, context.grammar)
 
 
 def duplicate_definition(context: LintContext) -> Iterator[Problem]:
-    """One id and version, or one name in a set, for two definitions."""
-    yield from (placed(error, "rename or delete one") for error in context.duplicates)
+    """Two definitions with one id and version, or with one name in a set."""
+    yield from (problem_of(error, "rename or delete one") for error in context.duplicates)
 
 
 def dangling_set(context: LintContext) -> Iterator[Problem]:
-    """References to type sets and constant sets that are in no file."""
+    """References to unknown type sets and constant sets."""
     uses: Counter[tuple[str, str]] = Counter()
     for element, _ in context.elements(*DECLARED):
         local, dot, _ = element.get("declared_type_ref", "").partition(".")
@@ -197,11 +197,11 @@ def dangling_set(context: LintContext) -> Iterator[Problem]:
         if key in local_names:
             count = uses[key[0], local_names[key]]
             used = f" ({count} references go through '{local_names[key]}')" if count else ""
-            yield placed(error, f"name its file, too{used}")
+            yield problem_of(error, f"name its file, too{used}")
 
 
 def dangling_type(context: LintContext) -> Iterator[Problem]:
-    """References to declared types that are not there, or of another kind."""
+    """References to declared types that do not exist or are of another kind."""
     for element, scope in context.elements(*DECLARED):
         local, dot, _ = element.get("declared_type_ref", "").partition(".")
         if dot and local in scope.type_sets and local not in scope.linked_types:
@@ -210,7 +210,7 @@ def dangling_type(context: LintContext) -> Iterator[Problem]:
             scope.find(element)
         except SchemaError as error:
             if error not in context.grammar:
-                yield placed(error)
+                yield problem_of(error)
 
 
 def dangling_constant(context: LintContext) -> Iterator[Problem]:
@@ -221,11 +221,11 @@ def dangling_constant(context: LintContext) -> Iterator[Problem]:
                 try:
                     scope.number(element, attribute)
                 except SchemaError as error:
-                    yield placed(error)
+                    yield problem_of(error)
 
 
 def missing_parent(context: LintContext) -> Iterator[Problem]:
-    """Services that inherit from one that is in no file, or from themselves."""
+    """Services that inherit from an unknown service, or from themselves."""
     known = {root: f"{root.get('id', '').strip()} {root.get('version', '')}" for root in context.all_services()}
     for service in context.services():
         for reference in service.iterfind("references/inherits_from"):

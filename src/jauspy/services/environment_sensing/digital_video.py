@@ -96,8 +96,12 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
 
     def modify_digital_video_sensor_stream(self, msg: ControlDigitalVideoSensorStream, source: JausID) -> None:
         """Play, pause or stop the client's end points; PLAY starts with an IDR frame."""
+        state = msg.stream_state
+        if not isinstance(state, StreamState):
+            self.host.count("stream_refused", f"{source}: there is no state {state}")
+            return
         try:
-            count = self._streams.control(source, msg.sensor_id, StreamState(msg.stream_state))
+            count = self._streams.control(source, msg.sensor_id, state)
         except ConfigError as error:
             self.host.count("stream_refused", f"{source}: {error}")
             return

@@ -49,10 +49,13 @@ class ForceTorqueSensor(Service, urn="urn:jaus:jss:environmentSensing:ForceTorqu
     ) -> ReportForceTorque.ReportForceTorqueRec:
         mounted = self._sensors[sensor]
         wrench = mounted.sensor.wrench
-        frame = mounted.frame() if record.coordinate_system == _Frame.VEHICLE else Transform()
-        axes = JAUS_FROM_REP_103 @ frame
+        in_vehicle = record.coordinate_system == _Frame.VEHICLE
+        axes = JAUS_FROM_REP_103 @ (mounted.frame() if in_vehicle else Transform())
         return ReportForceTorque.ReportForceTorqueRec(
-            sensor, record.coordinate_system, *axes.rotate(wrench.force), *axes.rotate(wrench.torque)
+            sensor,
+            _Frame.VEHICLE if in_vehicle else _Frame.NATIVE,
+            *axes.rotate(wrench.force),
+            *axes.rotate(wrench.torque),
         )
 
     def send_report_force_torque_capabilities(

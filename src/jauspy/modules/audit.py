@@ -1,0 +1,364 @@
+"""The audit log of a robot: who commanded what, as JSON lines of which each has the hash of the one before.
+
+A thread writes, so that a slow disk does not slow the robot. `FILE.head` has the number and hash of the last line. What
+this proves, and what it does not, is in docs/security.md.
+"""
+
+from __future__ import annotations
+
+import errno
+import fcntl
+import hashlib
+import json
+import logging
+import os
+import queue
+import threading
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from dataclasses import dataclass, field
+from datetime import UTC, datetime
+from itertools import chain, pairwise
+from pathlib import Path
+from types import TracebackType
+from typing import Any, BinaryIO, Final, Self
+
+from jauspy.codec.message import Message
+from jauspy.errors import ConfigError, DecodeError
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.messages.operators import SealedCommand
+from jauspy.protocol.seal import Operator
+from jauspy.services.core.command_seal import CommandRecord
+
+_LOG: Final = logging.getLogger("jauspy.audit")
+
+MAX_WAITING: Final = 1024
+"""Records that wait for the disk; further ones are lost, and counted."""
+MAX_UNSEALED: Final = 20
+"""Records in a second without the seal of an operator: anybody can cause these. Further ones are counted only."""
+MAX_PAYLOAD: Final = 4096
+"""Bytes of a message that are recorded; of a longer one the hash."""
+MAX_LINE: Final = 64 * 1024
+REPORT_INTERVAL: Final = 1.0
+"""Seconds from one line about what was not recorded to the next."""
+CLOSE_TIMEOUT: Final = 5.0
+"""Seconds that a disk has for the last lines."""
+FIRST: Final = "0" * 64
+"""The hash before the first line."""
+
+
+@dataclass(frozen=True, slots=True)
+class Head:
+    """The last line of a log: its number, and its hash. Whoever knows it can tell whether lines were cut off."""
+
+    number: int = 0
+    hash: str = FIRST
+
+    def __str__(self) -> str:
+        return f"{self.number}:{self.hash}"
+
+    @classmethod
+    def parse(cls, text: str) -> Head:
+        """The head of a text as `str` gives it; raises `ConfigError`."""
+        number, _, hash = text.strip().partition(":")
+        if not number.isdecimal() or len(hash) != len(FIRST) or set(hash) - set("0123456789abcdef"):
+            raise ConfigError(f"{text[:100]!r} is not the head of an audit log, which is NUMBER:HASH")
+        return cls(int(number), hash)
+
+
+def head_file(path: Path) -> Path:
+    """The file beside a log that has its head."""
+    return path.with_name(f"{path.name}.head")
+
+
+class AuditLog:
+    """Writes the log: `with AuditLog(path, "inc1") as log: log.record(...)`; goes on where the file ends.
+
+    Raises `ConfigError` for a file that cannot be written, or is written by another robot.
+    """
+
+    def __init__(self, path: Path, robot: str) -> None:
+        self.path = path
+        self.head = Head()
+        self.counters: Counter[str] = Counter()
+        """`lost`: the disk is slow; `not_written`: it is full or broken; `not_recorded`: more than `MAX_UNSEALED`."""
+        self._robot = robot
+        self._waiting: queue.Queue[CommandRecord | None] = queue.Queue(MAX_WAITING)
+        self._second = (0, 0)
+        self._thread = threading.Thread(target=self._run, name=f"audit log {path}", daemon=True)
+        self._file = -1
+        self._head_file = -1
+        self._size = 0
+        self._failed = False
+
+    def __enter__(self) -> Self:
+        try:
+            self._append([self._open() | {"event": "started", "robot": self._robot}])
+        except OSError as error:
+            self._close_files()
+            raise ConfigError(f"audit_log {self.path}: {error.strerror}") from error
+        except ConfigError:
+            self._close_files()
+            raise
+        self._thread.start()
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        with suppress(queue.Full):
+            self._waiting.put(None, timeout=CLOSE_TIMEOUT)
+            self._thread.join(CLOSE_TIMEOUT)
+        if not self._thread.is_alive():
+            self._close_files()
+
+    def record(self, record: CommandRecord) -> None:
+        """Have it written soon; never waits. What cannot be written is counted, and the log says so later."""
+        if record.operator is None:
+            second, number = int(record.time.timestamp()), 0
+            if second == self._second[0]:
+                number = self._second[1]
+            self._second = (second, number + 1)
+            if number >= MAX_UNSEALED:
+                self.counters["not_recorded"] += 1
+                return
+        try:
+            self._waiting.put_nowait(record)
+        except queue.Full:
+            self.counters["lost"] += 1
+
+    # --- the file -------------------------------------------------------------------------------------------------
+
+    def _open(self) -> dict[str, Any]:
+        """Open the files; returns what is to be said about how the log was found."""
+        try:
+            self._file = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            self._head_file = os.open(head_file(self.path), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
+            self._size = os.fstat(self._file).st_size
+            end = os.pread(self._file, MAX_LINE, max(0, self._size - MAX_LINE))
+            expected = os.pread(self._head_file, 256, 0).decode("ascii", "replace").partition("\n")[0]
+        except BlockingIOError as error:
+            raise ConfigError(
+                f"audit_log {self.path}: another robot writes to it; give each a file of its own"
+            ) from error
+        except OSError as error:
+            raise ConfigError(f"audit_log {self.path}: {error.strerror}") from error
+        found: dict[str, Any] = {}
+        whole = end[: end.rfind(b"\n") + 1]
+        if torn := end[len(whole) :]:
+            found["torn"] = torn[:MAX_PAYLOAD].hex()  # a line that was being written when the power failed
+            self._size -= len(torn)
+        last = whole[:-1].rpartition(b"\n")[2]
+        self.head = Head(_number(last), _hash(last)) if last else Head()
+        if expected and expected != str(self.head) and _is_behind(self.head, expected):
+            found["expected_head"] = expected
+            _LOG.error("%s ends at line %d, and should not: its head was %s", self.path, self.head.number, expected)
+        return found
+
+    def _run(self) -> None:
+        """The thread: writes what waits, and within a second what could not be recorded."""
+        reported = Counter[str]()
+        closing = False
+        while not closing:
+            records: list[CommandRecord | None] = []
+            with suppress(queue.Empty):
+                records.append(self._waiting.get(timeout=REPORT_INTERVAL if self.counters != reported else None))
+                while len(records) < MAX_WAITING:
+                    records.append(self._waiting.get_nowait())
+            closing = None in records
+            entries = [_line_of(each) for each in records if each is not None]
+            counted = self.counters.copy()
+            is_due = counted != reported and (closing or not entries)
+            if is_due:
+                entries.append({"event": "not recorded", **(counted - reported)})
+            if closing:
+                entries.append({"event": "closed"})
+            if self._write(entries) and is_due:
+                reported = counted
+
+    def _write(self, entries: list[dict[str, Any]]) -> bool:
+        """Append lines; false if that fails: then commands among them are counted, and the file is as before."""
+        try:
+            self._append(entries)
+        except OSError as error:
+            self.counters["not_written"] += sum("message" in each for each in entries)
+            if not self._failed:
+                _LOG.error("%s cannot be written: %s; commands are not recorded", self.path, error.strerror)
+            self._failed = True
+        else:
+            self._failed = False
+        return not self._failed
+
+    def _append(self, entries: list[dict[str, Any]]) -> None:
+        """Write lines and the head; `OSError` when they cannot be written as a whole."""
+        head, lines = self.head, bytearray()
+        for each in entries:
+            entry = {"n": head.number + 1, "time": datetime.now(UTC).isoformat(), **each, "previous": head.hash}
+            line = json.dumps(entry).encode("ascii")
+            head = Head(head.number + 1, _hash(line))
+            lines += line + b"\n"
+        written = os.pwrite(self._file, lines, self._size)
+        os.ftruncate(self._file, self._size + (len(lines) if written == len(lines) else 0))
+        if written < len(lines):
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        os.fsync(self._file)
+        self._size += len(lines)
+        self.head = head
+        text = f"{head}\n".encode("ascii")
+        os.pwrite(self._head_file, text, 0)
+        os.ftruncate(self._head_file, len(text))
+
+    def _close_files(self) -> None:
+        for each in (self._file, self._head_file):
+            if each >= 0:
+                os.close(each)
+        self._file = self._head_file = -1
+
+
+def _line_of(record: CommandRecord) -> dict[str, Any]:
+    operator, payload = record.operator, record.payload
+    return {
+        "time": record.time.isoformat(),
+        "component": str(record.component),
+        "source": str(record.source),
+        "operator": operator.name if operator else None,
+        "role": operator.role if operator else None,
+        "message": record.message,
+        "outcome": record.outcome,
+        **({"payload": payload.hex()} if len(payload) <= MAX_PAYLOAD else {"sha256": _hash(payload)}),
+    }
+
+
+# --- verifying --------------------------------------------------------------------------------------------------------
+
+
+@dataclass(slots=True)
+class AuditReport:
+    """What a log is like: its head, whom it has commands of, and the first thing that is wrong with it."""
+
+    head: Head = field(default_factory=Head)
+    commands: Counter[str] = field(default_factory=Counter)
+    """By operator; those without one are of `-`."""
+    refused: int = 0
+    verified: int = 0
+    """Commands whose signature was verified."""
+    not_recorded: int = 0
+    problem: str = ""
+
+
+def verify(path: Path, anchors: Iterable[Head] = (), operators: Iterable[Operator] = ()) -> AuditReport:
+    """Check a log and its head file. `anchors`: heads that were noted earlier. `operators`: check their signatures.
+
+    Raises `ConfigError` for files that cannot be read.
+    """
+    try:
+        text = head_file(path).read_text("ascii").strip() if head_file(path).exists() else ""
+        with path.open("rb") as stream:
+            return _verify(stream, text, list(anchors), {each.name: each for each in operators})
+    except (OSError, UnicodeDecodeError) as error:
+        raise ConfigError(f"{path}: cannot be read: {error}") from error
+
+
+def _verify(stream: BinaryIO, head: str, anchors: list[Head], operators: Mapping[str, Operator]) -> AuditReport:
+    report = AuditReport()
+    wanted = [*anchors, *([Head.parse(head)] if head else [])]
+    hashes = {each.number: each.hash for each in wanted}
+    lines: Iterator[bytes | None] = chain(_lines(stream), [None])
+    for line, following in pairwise(lines):
+        assert line is not None
+        problem = _problem(line, following, report.head, hashes)
+        entry = _parsed(line) or {}
+        problem = problem or _count(entry, report, operators)
+        if problem:
+            report.problem = problem
+            return report
+        report.head = Head(report.head.number + 1, _hash(line))
+    for each in wanted:
+        if each.number > report.head.number:
+            report.problem = f"lines {report.head.number + 1} to {each.number} were cut off at the end"
+    if not wanted:
+        report.problem = "there is no head file; it is not known whether lines were cut off at the end"
+    return report
+
+
+def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping[int, str]) -> str:
+    """What is wrong with the next line."""
+    number, entry = before.number + 1, _parsed(line)
+    if entry is None:
+        return f"line {number} was changed: it is no line of an audit log"
+    if entry["n"] != number or entry["previous"] != before.hash:
+        after = _parsed(following) if following is not None else None
+        is_as_written = (after or {}).get("previous") == _hash(line) or hashes.get(entry["n"]) == _hash(line)
+        if not is_as_written or entry["n"] < number:
+            return f"line {number} was changed"
+        if entry["n"] > number:
+            return f"lines {number} to {entry['n'] - 1} were removed"
+        return f"line {before.number} was changed" if before.number else "line 1 was changed"
+    if (expected := hashes.get(number)) is not None and expected != _hash(line):
+        return f"line {number} was changed: its hash is not that of the head"
+    if "expected_head" in entry:
+        return f"lines were cut off before line {number}: the head was {entry['expected_head']}"
+    return ""
+
+
+def _count(entry: dict[str, Any], report: AuditReport, operators: Mapping[str, Operator]) -> str:
+    if entry.get("event") == "not recorded":
+        report.not_recorded += sum(each for each in entry.values() if isinstance(each, int)) - entry["n"]
+    if "message" not in entry:
+        return ""
+    name = entry.get("operator")
+    report.commands[name or "-"] += 1
+    report.refused += str(entry.get("outcome", "")).startswith("refused")
+    if not operators or name is None or "payload" not in entry:
+        return ""
+    if name not in operators or not _is_sealed_as_recorded(entry, operators[name]):
+        return f"line {entry['n']} was not written by the robot: {name} has not sealed this command"
+    report.verified += 1
+    return ""
+
+
+def _is_sealed_as_recorded(entry: dict[str, Any], operator: Operator) -> bool:
+    try:
+        payload = bytes.fromhex(entry["payload"])
+        sealed = registry.decode_as(SealedCommand, payload)
+    except (ValueError, TypeError, DecodeError):
+        return False
+    inside = sealed.command.NAME if isinstance(sealed.command, Message) else entry["message"]
+    ids = [str(JausID.from_int(each)) for each in (sealed.destination, sealed.source)]
+    recorded = [entry["message"], entry["component"], entry["source"]]
+    return operator.key.has_signed(payload) and [inside, *ids] == recorded
+
+
+def _lines(stream: BinaryIO) -> Iterator[bytes]:
+    """The whole lines; one at the end that is being written does not count."""
+    while (line := stream.readline(MAX_LINE)).endswith(b"\n") or len(line) == MAX_LINE:
+        yield line.removesuffix(b"\n")
+
+
+def _parsed(line: bytes) -> dict[str, Any] | None:
+    try:
+        entry = json.loads(line)
+    except (ValueError, RecursionError):
+        return None
+    is_line = isinstance(entry, dict) and isinstance(entry.get("n"), int) and isinstance(entry.get("previous"), str)
+    return entry if is_line else None
+
+
+def _number(line: bytes) -> int:
+    entry = _parsed(line)
+    return entry["n"] if entry else 0
+
+
+def _hash(line: bytes) -> str:
+    return hashlib.sha256(line).hexdigest()
+
+
+def _is_behind(head: Head, expected: str) -> bool:
+    """True when the file ends before the line of its head file, or has another one there."""
+    try:
+        return head.number <= Head.parse(expected).number
+    except ConfigError:
+        return True

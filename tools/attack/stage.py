@@ -1,0 +1,175 @@
+"""What an attack meets: the victims as processes, and an honest operator who talks to the robot all the while."""
+
+from __future__ import annotations
+
+import contextlib
+import json
+import os
+import pty
+import subprocess
+import sys
+import tty
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any, Final
+
+from .attack import BoundBroken, Layout, Victims
+from .hosts import Host, Lan
+from .processes import HONEST, Victim, wait_for
+
+PORT: Final = 20794
+METRICS: Final = PORT + 1
+ROBOT_ID: Final = "101.1.102"
+OPERATOR_ID: Final = "42.1.1"
+KEY: Final = b"the key of this network"
+MULTICAST: Final = "239.255.7.7"
+MULTICAST6: Final = "ff15::6a61:7573"
+QUERY_RATE: Final = 50
+"""Queries per second of the honest operator."""
+
+
+class Stage:
+    """Starts everything; `with Stage(...)` stops it."""
+
+    def __init__(self, layout: Layout, lan: Lan, folder: Path) -> None:
+        self.layout = layout
+        self.lan = lan
+        self.folder = folder
+        self.victims: list[Victim] = []
+        self.line = -1
+        """The attacker's end of a serial line."""
+        self._operator: subprocess.Popen[bytes] | None = None
+        self._stack = contextlib.ExitStack()
+
+    def __enter__(self) -> Stage:
+        try:
+            if self.layout.victims is Victims.ROBOT:
+                self._start_robot()
+            elif self.layout.victims is Victims.GATEWAYS and not self.lan.why_loopback:
+                for name in ("robot", "gateway"):
+                    self._start_node_manager(name, self._settings(name) | _gateway(self.lan.hosts[name]))
+        except BaseException:
+            self._stack.close()
+            raise
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self._stack.close()
+
+    def root(self, host: str) -> Path:
+        """The directory of the local sockets of a machine."""
+        return self.folder / host
+
+    @property
+    def key_file(self) -> Path:
+        """The file with the key, on a network that has one."""
+        return self.folder / "lan.key"
+
+    # --- the operator ---------------------------------------------------------------------------------------------
+
+    def begin(self) -> None:
+        """The operator counts from now on."""
+        self._tell("begin")
+
+    def end(self) -> tuple[int, int, float]:
+        """Queries since `begin`, those not answered, and the longest silence in seconds."""
+        if self._operator is None:
+            return 0, 0, 0.0
+        self._tell("end")
+        assert self._operator.stdout is not None
+        found = self._operator.stdout.readline().split()
+        if len(found) != 3:
+            raise BoundBroken("the operator ended with an error")
+        return int(found[0]), int(found[0]) - int(found[1]), float(found[2])
+
+    def _tell(self, word: str) -> None:
+        if self._operator is not None:
+            assert self._operator.stdin is not None
+            self._operator.stdin.write(f"{word}\n".encode())
+            self._operator.stdin.flush()
+
+    # --- processes ------------------------------------------------------------------------------------------------
+
+    def _start_robot(self) -> None:
+        settings = self._settings("robot")
+        if self.layout.keyed:
+            self.key_file.write_bytes(KEY)
+            self.key_file.chmod(0o600)
+        else:
+            settings |= self._more_doors()
+        self._start_node_manager("robot", {**settings, **self.layout.settings})
+        root = str(self.root("robot"))
+        options = ("--backend", "kinematic", "--no-node-manager", "--local-root", root, "--verbose")
+        self._start("robot", "robot", "stop it", "up", "inc1", *options)
+        self._operator = self._start_operator()
+
+    def _more_doors(self) -> dict[str, Any]:
+        """Settings with TCP, IPv6, a serial line (a pseudo terminal), and metrics on the network."""
+        self.line, device = pty.openpty()
+        for end in (self.line, device):
+            tty.setraw(end)
+            self._stack.callback(os.close, end)
+        os.set_blocking(self.line, False)
+        doors: dict[str, Any] = {
+            "tcp": True,
+            "serial": [{"device": os.ttyname(device)}],
+            "metrics": f"{self.lan.hosts['robot'].address}:{METRICS}",
+        }
+        if Path("/proc/sys/net/ipv6").exists():
+            doors |= {"address6": "::", "multicast_group6": MULTICAST6}
+        return doors
+
+    def _start_node_manager(self, host: str, settings: Mapping[str, Any]) -> None:
+        path = self.folder / f"{host}.toml"
+        path.write_text(_toml({"log_level": "debug", **settings}))
+        self._start(host, f"node manager of the {host}", "ready", "node-manager", "--config", str(path))
+
+    def _start(self, host: str, name: str, ready: str, *arguments: str) -> None:
+        victim = Victim(self.lan.hosts[host], self.folder, name, arguments)
+        self._stack.callback(victim.stop)
+        self.victims.append(victim)
+        victim.wait_for(ready)
+
+    def _settings(self, host: str) -> dict[str, Any]:
+        settings: dict[str, Any] = {
+            "address": self.lan.hosts[host].address,
+            "port": PORT,
+            "local_root": str(self.root(host)),
+            "multicast_group": MULTICAST,
+        }
+        return settings | ({"key_file": str(self.key_file)} if self.layout.keyed else {})
+
+    def _start_operator(self) -> subprocess.Popen[bytes]:
+        address = f"udp://{self.lan.hosts['robot'].address}:{PORT}"
+        settings = self._settings("operator") | {"addresses": {"101.255.255": address}}
+        told = {"settings": settings, "id": OPERATOR_ID, "robot": ROBOT_ID, "rate": QUERY_RATE}
+        command = self.lan.hosts["operator"].command(sys.executable, HONEST, json.dumps(told))
+        with (self.folder / "operator.log").open("wb") as log:
+            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
+        self._stack.callback(_end, process)
+        assert process.stdout is not None
+        wait_for(process.stdout, "ready", "operator")
+        return process
+
+
+def _end(process: subprocess.Popen[bytes]) -> None:
+    process.kill()
+    process.communicate()
+
+
+def _gateway(host: Host) -> dict[str, Any]:
+    vehicle = {"name": "vehicle", "address": host.second, "port": PORT, "multicast_group": MULTICAST}
+    return {"networks": [vehicle], "gateway": {"subsystem": 101, "inside": ["vehicle"]}}
+
+
+def _toml(settings: Mapping[str, Any]) -> str:
+    return "".join(f"{name} = {_value(value)}\n" for name, value in settings.items())
+
+
+def _value(value: Any) -> str:
+    """A value as TOML, which is written like JSON but for tables."""
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{json.dumps(key)} = {_value(each)}" for key, each in value.items()) + "}"
+    if isinstance(value, list | tuple):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    return json.dumps(value)
