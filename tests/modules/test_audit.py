@@ -7,8 +7,10 @@ import logging
 import os
 import threading
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
+from hashlib import sha256
 from pathlib import Path
 
 import pytest
@@ -19,7 +21,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import Resume
 from jauspy.messages.operators import ReportSealChallenge
-from jauspy.modules.audit import MAX_UNSEALED, MAX_WAITING, AuditLog, Head, head_file, verify
+from jauspy.modules.audit import MAX_PAYLOAD, MAX_UNSEALED, MAX_WAITING, AuditLog, Head, head_file, verify
 from jauspy.protocol.seal import Operator, OperatorKey
 from jauspy.services.core.command_seal import CommandRecord
 
@@ -112,7 +114,7 @@ def test_lines_that_were_cut_off_before_a_restart_are_named(path, write):
     write()
     path.write_bytes(b"".join(lines(path)[:3]))
     write()
-    assert verify(path).problem.startswith("lines were cut off before line 4: the head was 7:")
+    assert verify(path).problem.startswith("lines were cut off before line 4: the head was '7:")
 
 
 def test_lines_that_were_added_are_named(path, write):
@@ -151,13 +153,13 @@ def test_who_rewrites_everything_cannot_invent_commands_of_an_operator(path):
     with AuditLog(path, "inc1") as log:
         log.record(record(1))
     assert verify(path, operators=[ALICE]).problem == ""
-    assert "alice has not sealed" in verify(path, operators=[mallory]).problem
+    assert "'alice' has not sealed" in verify(path, operators=[mallory]).problem
     with AuditLog(path, "inc1") as log:
         log.record(replace(record(2), payload=Resume().encode()))
     assert verify(path, operators=[ALICE]).problem.startswith("line 5 was not written by the robot")
     with AuditLog(path.with_name("other"), "inc1") as log:
         log.record(replace(record(2), message="Shutdown"))
-    assert "alice has not sealed" in verify(path.with_name("other"), operators=[ALICE]).problem
+    assert "'alice' has not sealed" in verify(path.with_name("other"), operators=[ALICE]).problem
 
 
 def test_a_line_that_was_torn_by_a_power_failure(path, write):
@@ -189,6 +191,15 @@ def test_what_anybody_can_cause_is_bounded(path):
     report = verify(path)
     assert dict(report.commands) == {"-": MAX_UNSEALED, "alice": 1}
     assert (report.refused, report.not_recorded) == (MAX_UNSEALED, 100 - MAX_UNSEALED)
+
+
+def test_of_large_messages_the_hash_is_kept(path):
+    with AuditLog(path, "inc1") as log:
+        log.record(replace(record(1), payload=bytes(MAX_PAYLOAD + 1)))
+    entry = json.loads(lines(path)[1])
+    assert (entry["sha256"], "payload" in entry) == (sha256(bytes(MAX_PAYLOAD + 1)).hexdigest(), False)
+    report = verify(path, operators=[ALICE])
+    assert (report.problem, report.verified) == ("", 0)
 
 
 def test_a_disk_that_hangs_stops_nobody(path, monkeypatch):
@@ -239,6 +250,18 @@ def test_any_bytes_are_verified_without_an_error(tmp_path_factory, noise, at, ov
 
 
 LOG: dict[str, object] = {}
+
+
+@pytest.mark.parametrize("operator", [["alice"], {"a": 1}, 7, True, "bob\x1b[2J"])
+def test_lines_with_other_values(path, write, operator, capsys):
+    """Those of somebody who writes the whole chain anew."""
+    entry = {"n": 1, "previous": "0" * 64, "message": 7, "operator": operator, "payload": 7, "outcome": []}
+    path.write_text(json.dumps(entry) + "\n")
+    head_file(path).write_text(str(Head(1, sha256(path.read_bytes()[:-1]).hexdigest())))
+    assert verify(path, operators=[ALICE]).problem
+    with suppress(ConfigError):
+        cli.audit(path=path)
+    assert "\x1b" not in capsys.readouterr().out
 
 
 def test_the_verb(path, write, capsys, tmp_path):

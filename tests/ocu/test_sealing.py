@@ -12,7 +12,7 @@ from tests.ocu.conftest import World
 import jauspy
 from jauspy.component import Component
 from jauspy.component.component import loop_time
-from jauspy.errors import ConfigError, ControlRejected, RequestError
+from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, SetEmergency, SetTime, Standby
 from jauspy.messages.mobility import QueryWrenchEffort, SetWrenchEffort
@@ -161,6 +161,15 @@ async def test_a_stop_waits_for_no_challenge(world, operators, keys):
     await ocu.send(ROBOT, SetEmergency(1))
     assert loop_time() - started < 0.01
     assert len(world.network.sent(SetEmergency)) == 1
+
+
+async def test_errors_name_the_command_and_not_its_seal(world, operators, keys):
+    component = await robot(world, operators)
+    ocu = await world.ocu(operator=keys["alice"])
+    await ocu.send(ROBOT, SetTime())
+    await component.close()
+    with pytest.raises(ResponseTimeout, match="did not acknowledge SetTime"):
+        await ocu.send(ROBOT, SetTime(), ack=True)
 
 
 async def test_old_challenges_are_renewed_without_a_pause(world, operators, keys):

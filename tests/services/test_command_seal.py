@@ -12,6 +12,7 @@ from tests.services.conftest import Rig
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.messages.core import (
     ClearEmergency,
     CommandEvent,
@@ -35,6 +36,7 @@ from jauspy.messages.mobility import QueryWrenchEffort, SetWrenchEffort
 from jauspy.messages.operators import QuerySealChallenge, RejectCommand, ReportSealChallenge, SealedCommand
 from jauspy.protocol.duplicates import REPLAY_WINDOW
 from jauspy.protocol.seal import Operator, OperatorKey, PublicKey
+from jauspy.schema import load_builtin
 from jauspy.services.core import AccessControl, CommandSeal, Management, Time
 from jauspy.services.core.command_seal import (
     CHALLENGE_LIFETIME,
@@ -42,6 +44,7 @@ from jauspy.services.core.command_seal import (
     MAX_CLIENTS_OF_OPERATOR,
     MAX_REJECTS,
     CommandRecord,
+    needs_seal,
 )
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
 
@@ -167,6 +170,22 @@ def test_without_require_operator_commands_need_no_seal_but_wrong_seals_are_refu
     rig.tell(OTHER, Resume())
     assert status(rig) == READY
     assert reasons(Client(rig, "mallory").tell(RequestControl(authority_code=200))) == [Reason.UNKNOWN_OPERATOR]
+
+
+def test_whatever_needs_control_needs_a_seal():
+    """In every definition; except for an answer that a component has asked for."""
+    guarded = set()
+    for service in (each for each in load_builtin().services if each.behavior):
+        waiting = [state for machine in service.behavior.machines for state in machine.states]
+        for state in waiting:
+            waiting += state.states
+            for transition in (*state.transitions, *state.default_transitions):
+                if "sControllingClient" in transition.guard:
+                    guarded |= {each.type for each in transition.parameters[:1]}
+    codes = {entry.code for entry in registry.entries if entry.name in guarded}
+    kinds = [each for code in codes for each in registry.by_code(code) if each.NAME in guarded]
+    assert len(kinds) > 100
+    assert {each.NAME for each in kinds if not needs_seal(each)} == {"ConfirmReleaseControl"}
 
 
 # --- what is refused --------------------------------------------------------------------------------------------------

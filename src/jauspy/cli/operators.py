@@ -12,6 +12,7 @@ import typer
 from jauspy.cli import console
 from jauspy.errors import ConfigError
 from jauspy.ocu.sealing import load_key
+from jauspy.printable import printable
 from jauspy.protocol.seal import OperatorKey
 
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,64}")
@@ -91,7 +92,7 @@ def audit(
 
     anchors = [log.Head.parse(each) for each in head or ()]
     report = log.verify(path, anchors, file.load(operators) if operators is not None else ())
-    commands = ", ".join(f"{number} of {name}" for name, number in report.commands.most_common())
+    commands = ", ".join(f"{number} of {printable(name)}" for name, number in report.commands.most_common())
     console.print_lines(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
     if operators is not None:
         console.print_lines(f"signatures: {report.verified} verified")

@@ -175,8 +175,10 @@ def note_audit_log(runner: RobotRunner) -> None:
 
 
 def _warnings(config: RobotConfig) -> list[str]:
-    """Warnings of modules whose access control timeout is long or off."""
+    """Warnings of modules whose access control timeout is long or off, and of operators who are not required."""
     found = []
+    if config.operators is not None and not config.require_operator:
+        found.append("warning:   commands without the seal of an operator are taken: require_operator = false")
     for module in config.modules:
         timeout = module.access_control.timeout
         if module.type not in MOTIONLESS and not 0 < timeout <= LONG_CONTROL_TIMEOUT:

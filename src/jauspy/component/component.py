@@ -224,7 +224,7 @@ class Component:
         return found
 
     async def open(self) -> None:
-        """Connect and start; raises `TransportError` that says what to do. Calling it twice is fine."""
+        """Connect and start; raises `TransportError` that says what to do. May be called twice."""
         if self.is_open:
             return
         transport = self._transport = self._given_transport or await self._make_transport()
@@ -242,7 +242,7 @@ class Component:
         self._flush()
 
     async def close(self) -> None:
-        """Stop all motion, send what is queued and disconnect. Calling it twice is fine."""
+        """Stop all motion, send what is queued and disconnect. May be called twice."""
         if self.is_open:
             with self._guard:
                 self.host.close(self._clock())
@@ -335,7 +335,7 @@ class Component:
         return ticket
 
     def _flush(self) -> None:
-        """Send everything that is queued, and set the timer anew."""
+        """Send everything that is queued, and set the timer again."""
         if self._loop is None or self._transport is None:
             return
         with self._guard:
@@ -450,7 +450,7 @@ class Component:
             self._loop.call_soon(self._flush)
 
     def _set_timer(self) -> None:
-        """Set the timer anew; most datagrams do not change it."""
+        """Set the timer; most datagrams do not change it."""
         if self._loop is not None:
             services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
             at = services if delivery is None or (services is not None and services < delivery) else delivery

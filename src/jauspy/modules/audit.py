@@ -38,7 +38,7 @@ MAX_WAITING: Final = 1024
 """Records that wait for the disk; further ones are lost, and counted."""
 MAX_UNSEALED: Final = 20
 """Records in a second without the seal of an operator: anybody can cause these. Further ones are counted only."""
-MAX_PAYLOAD: Final = 4096
+MAX_PAYLOAD: Final = 16 * 1024
 """Bytes of a message that are recorded; of a longer one the hash."""
 MAX_LINE: Final = 64 * 1024
 REPORT_INTERVAL: Final = 1.0
@@ -85,7 +85,7 @@ class AuditLog:
         self.counters: Counter[str] = Counter()
         """`lost`: the disk is slow; `not_written`: it is full or broken; `not_recorded`: more than `MAX_UNSEALED`."""
         self._robot = robot
-        self._waiting: queue.Queue[CommandRecord | None] = queue.Queue(MAX_WAITING)
+        self._waiting: queue.Queue[CommandRecord | dict[str, Any] | None] = queue.Queue(MAX_WAITING)
         self._second = (0, 0)
         self._thread = threading.Thread(target=self._run, name=f"audit log {path}", daemon=True)
         self._file = -1
@@ -125,7 +125,7 @@ class AuditLog:
                 self.counters["not_recorded"] += 1
                 return
         try:
-            self._waiting.put_nowait(record)
+            self._waiting.put_nowait(record if len(record.payload) <= MAX_PAYLOAD else _line_of(record))
         except queue.Full:
             self.counters["lost"] += 1
 
@@ -163,13 +163,13 @@ class AuditLog:
         reported = Counter[str]()
         closing = False
         while not closing:
-            records: list[CommandRecord | None] = []
+            records: list[CommandRecord | dict[str, Any] | None] = []
             with suppress(queue.Empty):
                 records.append(self._waiting.get(timeout=REPORT_INTERVAL if self.counters != reported else None))
                 while len(records) < MAX_WAITING:
                     records.append(self._waiting.get_nowait())
             closing = None in records
-            entries = [_line_of(each) for each in records if each is not None]
+            entries = [each if isinstance(each, dict) else _line_of(each) for each in records if each is not None]
             counted = self.counters.copy()
             is_due = counted != reported and (closing or not entries)
             if is_due:
@@ -300,7 +300,7 @@ def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping
     if (expected := hashes.get(number)) is not None and expected != _hash(line):
         return f"line {number} was changed: its hash is not that of the head"
     if "expected_head" in entry:
-        return f"lines were cut off before line {number}: the head was {entry['expected_head']}"
+        return f"lines were cut off before line {number}: the head was {entry['expected_head']!r}"
     return ""
 
 
@@ -310,12 +310,14 @@ def _count(entry: dict[str, Any], report: AuditReport, operators: Mapping[str, O
     if "message" not in entry:
         return ""
     name = entry.get("operator")
+    if not isinstance(name, str | None):
+        return f"line {entry['n']} was changed: it is no line of an audit log"
     report.commands[name or "-"] += 1
     report.refused += str(entry.get("outcome", "")).startswith("refused")
     if not operators or name is None or "payload" not in entry:
         return ""
     if name not in operators or not _is_sealed_as_recorded(entry, operators[name]):
-        return f"line {entry['n']} was not written by the robot: {name} has not sealed this command"
+        return f"line {entry['n']} was not written by the robot: {name!r} has not sealed this command"
     report.verified += 1
     return ""
 
@@ -328,7 +330,7 @@ def _is_sealed_as_recorded(entry: dict[str, Any], operator: Operator) -> bool:
         return False
     inside = sealed.command.NAME if isinstance(sealed.command, Message) else entry["message"]
     ids = [str(JausID.from_int(each)) for each in (sealed.destination, sealed.source)]
-    recorded = [entry["message"], entry["component"], entry["source"]]
+    recorded = [entry["message"], entry.get("component"), entry.get("source")]
     return operator.key.has_signed(payload) and [inside, *ids] == recorded
 
 

@@ -182,7 +182,7 @@ class ActiveControls:
             self._controls[id].check()
 
     def on_sent(self, destination: JausID, message: Message) -> None:
-        """Tell the controls of all components that a sent message reaches."""
+        """Notify the controls of all components that a sent message reaches."""
         for id, control in self._controls.items():
             if destination.matches(id):
                 control.on_sent(message)
@@ -204,7 +204,7 @@ class EventUsers:
         return users - {user}
 
     def is_used(self, id: JausID, event: int) -> bool:
-        """True when somebody uses this event."""
+        """True if this event has users."""
         return (id, event) in self._users
 
     def users(self, id: JausID, event: int | bytes) -> frozenset[object]:
@@ -339,9 +339,7 @@ class Connection:
         self.controls.check(destination, message)
         await self._prepare(destination, message)
         if ack:
-            component = self._opened()
-            self._on_sent(destination, message)
-            await component.deliver(destination, self._sealed(destination, message))
+            await self._deliver(destination, message)
         else:
             self.send(destination, message)
             await asyncio.sleep(0)  # so that a loop that only sends lets other tasks run
@@ -353,11 +351,17 @@ class Connection:
         """
         with suppress(JausError):  # not open, too many messages under way, or no such component
             await self._prepare(destination, message)
-            component = self._opened()
-            self._on_sent(destination, message)
-            await component.deliver(destination, self._sealed(destination, message))
+            await self._deliver(destination, message)
             return True
         return False
+
+    async def _deliver(self, destination: JausID, message: Message) -> None:
+        component, sealed = self._opened(), self._sealed(destination, message)
+        self._on_sent(destination, message)
+        try:
+            await component.deliver(destination, sealed)
+        except ResponseTimeout as error:
+            raise ResponseTimeout(str(error).replace(sealed.NAME, message.NAME)) from None
 
     def next_request_id(self, destination: JausID) -> int:
         """The id of the next event or list request to this component; wraps after 255."""

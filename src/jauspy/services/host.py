@@ -137,12 +137,12 @@ class Host(ServiceHost):
         return len(found)
 
     def unreachable(self, client: JausID, now: float) -> None:
-        """Tell the services that this client does not acknowledge messages any more: its events and control end."""
+        """Notify the services that this client does not acknowledge messages any more: its events and control end."""
         self.now = now
         self._call_each(Trigger("client_lost", source=client), lambda service: service.client_lost(client))
 
     def close(self, now: float) -> None:
-        """End control and events, and stop all motion. Calling it twice is fine."""
+        """End control and events, and stop all motion. May be called twice."""
         self.leave(now)
         self.control_lost()
         self.take_id(self.id, now)

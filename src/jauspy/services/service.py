@@ -296,7 +296,7 @@ class ServiceHost:
         self._triggers.put(Trigger(event, msg, source))
 
     def perform(self, command: Message, source: JausID, on_ended: Callable[[bool], None]) -> None:
-        """Handle a command as if `source` had sent it. `on_ended` is called with whether it was carried out.
+        """Handle a command as if `source` had sent it. `on_ended` is called with True if it was carried out.
 
         A command that no state takes, or whose action fails, was not. One that takes time ends when its service says
         so (`begin_command`), any other one as soon as it is taken.
@@ -330,7 +330,7 @@ class ServiceHost:
         self.requested_id = None if id == self.id else component_id(id)
 
     def control_lost(self) -> None:
-        """Tell every service that the controlling client lost control, or is another one now."""
+        """Notify all services that the controlling client lost control, or has changed."""
         self._call_each(Trigger("control_lost"), lambda service: service.control_lost())
 
     def count(self, reason: str, detail: str) -> None:

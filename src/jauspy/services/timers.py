@@ -38,7 +38,7 @@ class Timers:
         self._active.pop(key, None)
 
     def next(self) -> float | None:
-        """The earliest deadline, None when there is none."""
+        """The earliest deadline, or None."""
         while self._heap and self._stale(self._heap[0]):
             heapq.heappop(self._heap)
         return self._heap[0][0] if self._heap else None

@@ -1,4 +1,4 @@
-"""Discovery: who is there, and which services they offer (AS5710)."""
+"""Discovery: components and the services that they offer (AS5710)."""
 
 from __future__ import annotations
 
@@ -176,7 +176,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         self.directory.expire(self.host.now)
 
     def report_identification(self, query: QueryIdentification, source: JausID) -> ReportIdentification | None:
-        """Name and type at the level asked for; no answer for a reserved level."""
+        """Name and type at the requested level; no answer for a reserved level."""
         self._renew(source)
         level = int(query.query_type)
         identity = self.identities.get(level) or DEFAULT_IDENTITIES.get(level)
@@ -213,7 +213,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         return ReportSubsystemList(subsystem_list=[record])
 
     def report_services(self, query: QueryServices, source: JausID) -> ReportServices:
-        """The services of every component asked for that is known; wildcards (255) are understood."""
+        """The services of all queried components that are known; wildcards (255) are supported."""
         self._renew(source)
         wanted = {
             (self.host.id.subsystem, node.node_rec.node_id, component.component_id): _ALL
