@@ -96,9 +96,9 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
 
     def modify_digital_video_sensor_stream(self, msg: ControlDigitalVideoSensorStream, source: JausID) -> None:
         """Play, pause or stop the client's end points; PLAY starts with an IDR frame."""
-        state = msg.stream_state
-        if not isinstance(state, StreamState):
-            self.host.count("stream_refused", f"{source}: there is no state {state}")
+        state = next((each for each in StreamState if each.value == msg.stream_state), None)
+        if state is None:
+            self.host.count("stream_refused", f"{source}: there is no state {msg.stream_state}")
             return
         try:
             count = self._streams.control(source, msg.sensor_id, state)
