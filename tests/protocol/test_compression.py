@@ -170,7 +170,9 @@ def test_a_template_in_use_is_not_redefined() -> None:
         assert receive(core, compressed, PEER, now) == [(OURS, meant)]
         assert receive(core, proposal, PEER, now)[0][1].startswith("0280"), "the same one is confirmed"
     assert core.counters["compression.not_accepted"] == 4
-    assert receive(core, poisoned, PEER, 100.0)[0][1].startswith("0280"), "of a peer that was restarted, after a silence"
+    assert receive(core, poisoned, PEER, 100.0)[0][1].startswith("0280"), (
+        "of a peer that was restarted, after a silence"
+    )
 
 
 def test_broadcast_and_oversized_templates_are_rejected() -> None:
