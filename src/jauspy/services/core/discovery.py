@@ -147,8 +147,8 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("foreign_registration", str(source))
             return
         self._renew(source)
-        if not msg.service_list:
-            self.directory.forget(source)  # without looking where it is: it may be gone by then
+        if not msg.service_list:  # it may have left its machine already
+            self.directory.forget(source)
         elif self.registrants == "subsystem":
             self._list(msg, source, HERE)
         else:
