@@ -25,8 +25,8 @@ def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
         case "tuple_type" | "model_type" | "dict_type" | "mapping_type" as kind:
             return f"{key} = {problem['input']!r}: {_form(kind, where, model)}"
         case _:
-            told = problem["msg"].removeprefix("Value error, ")
-            return f"{key} = {problem['input']!r}: {told[0].lower()}{told[1:]}"
+            text = problem["msg"].removeprefix("Value error, ")
+            return f"{key} = {problem['input']!r}: {text[0].lower()}{text[1:]}"
 
 
 def _form(kind: str, where: tuple[int | str, ...], model: type[BaseModel]) -> str:

@@ -255,7 +255,7 @@ class Parent:
             rest = rest[os.write(self._output, rest) :]
 
     def receive(self, timeout: float | None) -> Iterator[object]:
-        """The messages that are there, or arrive within `timeout` seconds; None waits for any time."""
+        """The messages that have arrived, or arrive within `timeout` seconds; None waits without limit."""
         limit = 0.0 if self._message_end() else timeout
         if not self.ended and select.select([self._input], [], [], limit)[0]:
             data = os.read(self._input, _READ_SIZE)

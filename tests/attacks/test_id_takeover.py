@@ -15,7 +15,7 @@ from jauspy.node import NodeConfig, NodeManager
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
 from jauspy.testing import until
-from jauspy.transport import LocalTransport
+from jauspy.transport import LocalTransport, local
 
 ROBOT, OPERATOR = JausID.parse("101.1.1"), JausID.parse("42.1.1")
 NOBODY = 65534
@@ -71,10 +71,10 @@ async def test_a_local_program_does_not_get_the_id_of_a_remote_operator(
     scene: Scene, udp: Udp, way: str, first: bytes, caplog: pytest.LogCaptureFixture
 ) -> None:
     node = scene.node
-    with caplog.at_level(logging.WARNING), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as local:
-        local.bind(str(node.config.local_root / str(int(OPERATOR))))
-        local.setblocking(False)
-        attacker = udp() if way == "udp" else local
+    with caplog.at_level(logging.WARNING), socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as own:
+        own.bind(str(node.config.local_root / str(int(OPERATOR))))
+        own.setblocking(False)
+        attacker = udp() if way == "udp" else own
         where = ("127.0.0.1", node.port) if way == "udp" else str(node.path)
         for _ in range(8):
             attacker.sendto(first, where)
@@ -94,6 +94,18 @@ async def test_who_is_not_accepted_is_told_why(scene: Scene) -> None:
     with pytest.raises(TransportError, match=r"does not accept 42\.1\.1: another host uses this id"):
         await late.open()
     await scene.operator_drives()
+
+
+async def test_who_waits_for_its_node_manager_is_told_in_the_log(
+    scene: Scene, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(local, "REFUSED_AFTER", 0.1)
+    waiting = LocalTransport(OPERATOR, scene.node.config.local_root, timeout=None)
+    await waiting.open()
+    await until(lambda: any("does not accept 42.1.1" in line for line in caplog.messages))
+    await asyncio.sleep(0.3)
+    assert len([line for line in caplog.messages if "does not accept" in line]) == 1
+    await waiting.close()
 
 
 async def test_an_operator_that_ended_on_this_machine_leaves_its_id(scene: Scene, udp: Udp) -> None:

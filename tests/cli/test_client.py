@@ -1,7 +1,9 @@
 """Whom verbs talk to, and as whom."""
 
+import json
 import os
 import socket
+import threading
 
 import pytest
 
@@ -47,3 +49,32 @@ def test_ids_in_the_local_root_are_not_used(local_root):
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as other:
         other.bind(str(local_root / str(int(first))))
         assert JausID.parse(client.own_id(None, f"local:{local_root}")).component == 3
+
+
+def test_ids_of_other_hosts_are_left_alone(local_root):
+    """The node manager would not accept them."""
+    ids = [str(JausID(client.SUBSYSTEM, client.NODE, component)) for component in range(2, 8)]
+    heard = [
+        ("192.0.2.9:3794", 3.0),
+        ("[fd00::9]:3794", 29.0),
+        ("192.0.2.9:3794", 31.0),
+        ("192.0.2.9:3794", None),
+        ("127.0.0.1:40000", 3.0),
+    ]
+    peers = [{"id": id, "address": address, "heard": at} for id, (address, at) in zip(ids, heard, strict=False)]
+    with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as server:
+        server.bind(str(local_root / "JuniorRTE.status"))
+        server.listen()
+
+        def serve():
+            for _ in range(2):
+                connection, _ = server.accept()
+                with connection:
+                    connection.sendall(json.dumps({"peers": peers}).encode())
+
+        thread = threading.Thread(target=serve)
+        thread.start()
+        assert client.ids_elsewhere(f"local:{local_root}") == set(ids[:2])
+        assert client.own_id(None, f"local:{local_root}") == ids[2]
+        thread.join()
+    assert client.ids_elsewhere(f"local:{local_root}") == client.ids_elsewhere("udp://127.0.0.1:1") == set()

@@ -7,6 +7,8 @@ import pytest
 from tests.helpers.command_line import jauspy, shared_robot
 
 from jauspy import sync
+from jauspy.cli import estop as verb
+from jauspy.errors import TransportError
 from jauspy.messages.core import QueryStatus
 from jauspy.messages.mobility import QueryVelocityState, SetWrenchEffort
 from jauspy.modules.robot_files import load
@@ -66,3 +68,27 @@ def test_one_component_stops_and_only_the_id_that_stopped_it_releases_it(robot):
 def test_a_target_that_does_not_exist(robot, target, said):
     result = jauspy("estop", target, "--timeout", "0.3", "--connect", robot.local, status=1)
     assert said in " ".join(result.stderr.split())
+
+
+def test_an_id_that_another_host_uses_prevents_no_stop(monkeypatch, capsys):
+    """The node manager of this machine would not accept it."""
+    made = []
+
+    class Sender:
+        def __init__(self, id, connect, **_):
+            made.append(id)
+
+        async def __aenter__(self):
+            raise TransportError("nothing to send to")
+
+        async def __aexit__(self, *_):
+            raise AssertionError
+
+    monkeypatch.setattr(verb, "OCU", Sender)
+    monkeypatch.setattr(verb.client, "ids_elsewhere", lambda connect: {verb.ESTOP_ID})
+    monkeypatch.setattr(verb.client, "own_id", lambda given, connect: "42.1.7")
+    for release in (False, True):
+        with pytest.raises(TransportError):
+            verb.estop(release=release)
+    assert made == ["42.1.7", verb.ESTOP_ID]
+    assert "stopping as 42.1.7; release with --id 42.1.7" in capsys.readouterr().err

@@ -13,7 +13,8 @@ from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
-from jauspy.transport import local as local_socket
+from jauspy.protocol.sources import MOVE_TIMEOUT
+from jauspy.transport import local as local_socket, multicast, node_status
 
 SUBSYSTEM: Final = 42
 NODE: Final = 1
@@ -34,17 +35,42 @@ def destination(text: str) -> JausID:
 
 
 def own_id(given: str | None, connect: str | None) -> str:
-    """The client's id: the given one, else the first from 42.1.2 that no process on this machine uses.
+    """The client's id: the given one, else the first from 42.1.2 that no process uses, here or elsewhere.
 
     Successive verbs get the same id, because an emergency can only be cleared by the id that set it.
     """
     if given is not None:
         return given
-    root = Path(connect.removeprefix("local:")) if connect and connect.startswith("local:") else DEFAULT_ROOT
+    root = _local_root(connect) or DEFAULT_ROOT
+    elsewhere = ids_elsewhere(connect)
     ids = [JausID(SUBSYSTEM, NODE, component) for component in range(FIRST_COMPONENT, LAST_COMPONENT + 1)]
-    return str(
-        next((id for id in ids if not local_socket.is_alive(root / str(int(id))) and _claim(id, connect)), ids[0])
-    )
+    free = (id for id in ids if str(id) not in elsewhere and not local_socket.is_alive(root / str(int(id))))
+    return str(next((id for id in free if _claim(id, connect)), ids[0]))
+
+
+def ids_elsewhere(connect: str | None) -> set[str]:
+    """Ids that another host uses, so that the node manager of this machine gives them to no program here."""
+    root = _local_root(connect)
+    if root is None:
+        return set()
+    own = multicast.own_addresses()
+    return {
+        str(peer["id"])
+        for peer in node_status.read_at_once(root).get("peers", ())
+        if peer["heard"] is not None and peer["heard"] < MOVE_TIMEOUT and not _is_own(str(peer["address"]), own)
+    }
+
+
+def _local_root(connect: str | None) -> Path | None:
+    """The directory of the local sockets that `connect` means, None for other connections."""
+    if connect is None:
+        return DEFAULT_ROOT
+    return Path(connect.removeprefix("local:")) if connect.startswith("local:") else None
+
+
+def _is_own(address: str, own: frozenset[str]) -> bool:
+    host = address.rpartition(":")[0].strip("[]")
+    return host.startswith("127.") or host in own
 
 
 def make_ocu(

@@ -60,6 +60,9 @@ def estop(
       jauspy estop 101 --release
     """
     to = destination(target)
+    if not release and own_id in client.ids_elsewhere(connect):  # or the node manager would refuse to stop anything
+        taken, own_id = own_id, client.own_id(None, connect)
+        console.note(f"{taken} is in use on another host: stopping as {own_id}; release with --id {own_id}")
     found = run(_estop(OCU(own_id, connect, operator=operator_key), to, release=release, max_wait=timeout)) or {}
     for id, report in sorted(found.items(), key=lambda item: int(item[0])):
         obeyed = _obeys(report, release=release)

@@ -238,7 +238,7 @@ class Registry:
         return _shipped_file(entry) or entry.module
 
     def by_code(self, code: int) -> tuple[type[Message], ...]:
-        """The classes of this message id, newest version first; empty when there is none."""
+        """The classes of this message id, newest version first; empty if there is none."""
         return tuple(entry.load() for entry in self.entries_of(code))
 
     def by_name(self, name: str, *, service: str | None = None, version: str | None = None) -> type[Message]:

@@ -83,7 +83,7 @@ class Reader:
         self.stopped = True
 
     def number(self, code: str, path: str) -> int | float | None:
-        """The next number, `None` when there is none."""
+        """The next number, or None at the end."""
         size = SIZES[code]
         if not self.has(size, path):
             return None
@@ -92,7 +92,7 @@ class Reader:
         return value  # type: ignore[no-any-return]  # struct gives int or float for these codes
 
     def count(self, code: str, path: str) -> int | None:
-        """The next unsigned number, `None` when there is none."""
+        """The next unsigned number, or None at the end."""
         value = self.number(code, path)
         return None if value is None else int(value)
 
@@ -126,7 +126,7 @@ class Writer:
         self.depth = 0
 
     def number(self, code: str, value: float) -> None:
-        """A number that is known to fit."""
+        """Append a number that is known to fit."""
         self.out += codec_of(code).pack(value)
 
     def message(self, message: Message, path: str) -> None:

@@ -112,9 +112,9 @@ def known() -> list[str]:
 
 
 def find(name: str) -> Profile:
-    """The profile of that name, or at that place, as in `acme.brakes:PROFILE`.
+    """The profile with a name or location, as in `acme.brakes:PROFILE`.
 
-    Raises `ConfigError` that lists what there is, or says why it cannot be loaded.
+    Raises `ConfigError` that lists the profiles, or says why one cannot be loaded.
     """
     if re.fullmatch(r"[\w.]+:\w+", name):
         return _loaded(EntryPoint(name, name, GROUP))

@@ -132,7 +132,7 @@ class Interrupted(KeyboardInterrupt):
 class Settings:
     """Settings of a run. `timeout` is in seconds; without `motion`, steps that make the robot drive are left out.
 
-    `only` are beginnings of step ids; all steps when there is none. Later steps may need earlier ones.
+    `only` are beginnings of step ids; by default all steps run. Later steps may need earlier ones.
     """
 
     timeout: float = TIMEOUT

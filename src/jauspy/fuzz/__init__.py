@@ -1,1 +1,1 @@
-"""Fuzzing of the codec: valid random messages and mutated ones, and the invariants that are checked for each."""
+"""Fuzzing of the codec: valid random messages, mutated ones, and the invariants that are checked for each."""

@@ -38,7 +38,7 @@ class Case:
 
 
 class Fuzzer:
-    """Everything a campaign needs, in one process. A case depends on nothing but the seeds, `seed` and its number."""
+    """The state of a campaign in one process. A case depends on the seeds, `seed` and its number only."""
 
     def __init__(
         self,
@@ -62,7 +62,7 @@ class Fuzzer:
         return self._seeds
 
     def case(self, number: int) -> Case:
-        """Even numbers are valid random messages, all kinds in turn; odd ones are mutated."""
+        """Return a case: even numbers are valid random messages of all kinds in turn, odd ones are mutated."""
         rng = Random(self._seed << 40 | number)  # noqa: S311 - chance, not secrets
         if number % 2 == 0:
             target = self.targets[number // 2 % len(self.targets)]
@@ -83,7 +83,7 @@ class Fuzzer:
         return Seed(place, data, offsets_of(self.targets[place].layout, data))
 
     def run(self, numbers: range) -> Iterator[FuzzFinding]:
-        """Check these cases; of every cause the first finding, minimised."""
+        """Check these cases; yields the first finding of every cause, minimised."""
         for number in numbers:
             case = self.case(number)
             memory = number % MEMORY_INTERVAL == 0
@@ -96,7 +96,7 @@ class Fuzzer:
                 yield self._smallest(case.target, finding)
 
     def replay(self, finding: FuzzFinding) -> FuzzFinding | None:
-        """What the bytes of a finding show now; `None` when nothing is wrong with them any more."""
+        """Check the bytes of a finding again; None if there is no problem any more."""
         wanted = (finding.message, finding.service, finding.version)
         for target in self.targets:
             if wanted == (target.cls.NAME, target.cls.SERVICE, target.cls.VERSION):
@@ -121,7 +121,7 @@ class Fuzzer:
 
     def _smallest(self, target: Target, finding: FuzzFinding) -> FuzzFinding:
         if finding.check == "valid":
-            return finding  # fewer bytes are no longer a message by construction
+            return finding  # a shorter message is no longer valid by construction
         slow = finding.check in ("time", "memory")
         found, accepted = finding, self.checks.accepted
 
@@ -187,7 +187,7 @@ def run(plan: CampaignPlan, progress: Callable[[CampaignResult], None] = lambda 
     first = fuzzer(plan)
     outcome = CampaignResult(messages=len(first.targets), seeds=len(first.seeds))
     progress(outcome)
-    for report in _here(first, plan) if plan.jobs == 1 else _elsewhere(plan):
+    for report in _in_this_process(first, plan) if plan.jobs == 1 else _in_processes(plan):
         outcome.cases += report.cases
         outcome.accepted += report.accepted
         for finding in report.findings:
@@ -206,11 +206,11 @@ def _report(fuzzer: Fuzzer, numbers: range) -> _Report:
     return _Report(len(numbers), fuzzer.checks.accepted - before, findings)
 
 
-def _here(fuzzer: Fuzzer, plan: CampaignPlan) -> Iterator[_Report]:
+def _in_this_process(fuzzer: Fuzzer, plan: CampaignPlan) -> Iterator[_Report]:
     return (_report(fuzzer, numbers) for numbers in _chunks(plan.cases))
 
 
-def _elsewhere(plan: CampaignPlan) -> Iterator[_Report]:
+def _in_processes(plan: CampaignPlan) -> Iterator[_Report]:
     with ProcessPoolExecutor(plan.jobs, get_context("spawn"), _start, (plan,)) as pool:
         yield from pool.map(_work, _chunks(plan.cases))
 
@@ -219,7 +219,7 @@ _fuzzers: list[Fuzzer] = []
 
 
 def _start(plan: CampaignPlan) -> None:
-    """In a new process; the first one has said what there is to warn of."""
+    """Initialise a new process without logging, since the first process has logged all warnings."""
     logging.disable(logging.WARNING)
     _fuzzers.append(fuzzer(plan))
 

@@ -25,13 +25,13 @@ from jauspy.fuzz.messages import Target
 from jauspy.fuzz.mutation import Seed
 
 
-def difference(item: Item, ours: Any, theirs: Any) -> str | None:
-    """The path of the first value that differs, list positions left out; `None` when all agree.
+def difference(item: Item, value: Any, reference: Any) -> str | None:
+    """The path of the first value that differs, without list positions; None if all agree.
 
-    `theirs` has the form of `to_dict`, with bytes where `ours` may have a message.
+    `reference` has the form of `to_dict`, with bytes where `value` may have a message.
     """
     compare = _COMPARE.get(type(item))
-    return compare(item, ours, theirs) if compare else _differs(ours != theirs)
+    return compare(item, value, reference) if compare else _differs(value != reference)
 
 
 def _differs(different: bool, path: str = "") -> str | None:
@@ -42,56 +42,56 @@ def _hex(data: Message | bytes) -> str:
     return (data.encode() if isinstance(data, Message) else data).hex()
 
 
-def _inside(name: str, item: Item, ours: Any, theirs: Any) -> str | None:
-    found = difference(item, ours, theirs)
+def _inside(name: str, item: Item, value: Any, reference: Any) -> str | None:
+    found = difference(item, value, reference)
     return None if found is None else f"{name}.{found}".rstrip(".")
 
 
-def _elements(item: Item, ours: Any, theirs: Any) -> str | None:
-    if len(ours) != len(theirs):
+def _elements(item: Item, value: Any, reference: Any) -> str | None:
+    if len(value) != len(reference):
         return "length"
-    found = (difference(item, mine, other) for mine, other in zip(ours, theirs, strict=True))
+    found = (difference(item, own, other) for own, other in zip(value, reference, strict=True))
     return next((path for path in found if path is not None), None)
 
 
-def _choice(item: Choice, ours: Any, theirs: Any) -> str | None:
-    if item.index.to_json(ours.choice) != theirs["choice"]:
+def _choice(item: Choice, value: Any, reference: Any) -> str | None:
+    if item.index.to_json(value.choice) != reference["choice"]:
         return "choice"
-    return _inside("value", item.items[ours.choice], ours.value, theirs["value"])
+    return _inside("value", item.items[value.choice], value.value, reference["value"])
 
 
-def _formatted(item: Formatted, ours: Any, theirs: Any) -> str | None:
-    same = item.formats.to_json(ours.format) == theirs["format"] and _hex(ours.data) == theirs["data"]["hex"]
+def _formatted(item: Formatted, value: Any, reference: Any) -> str | None:
+    same = item.formats.to_json(value.format) == reference["format"] and _hex(value.data) == reference["data"]["hex"]
     return _differs(not same, "data")
 
 
-def _grid(item: Grid, ours: Any, theirs: Any) -> str | None:
-    return _elements(Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item, ours, theirs)
+def _grid(item: Grid, value: Any, reference: Any) -> str | None:
+    return _elements(Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item, value, reference)
 
 
-def _union(item: Union, ours: Any, theirs: Any) -> str | None:
-    ((name, value),) = theirs.items()
+def _union(item: Union, value: Any, reference: Any) -> str | None:
+    ((name, content),) = reference.items()
     arm = item.arms.get(name)
-    return _inside(name, arm, ours, value) if arm and type(ours) is arm.cls else name
+    return _inside(name, arm, value, content) if arm and type(value) is arm.cls else name
 
 
-def _real(item: Real, ours: Any, theirs: Any) -> str | None:
-    """Two ways to compute a scaled value may be apart by a few steps of a float of the size of its limits."""
+def _real(item: Real, value: Any, reference: Any) -> str | None:
+    """Two ways to compute a scaled value may differ by a few float steps of the size of its limits."""
     rounding = 8 * math.ulp(max(abs(item.scaling.lower), abs(item.scaling.upper)))
-    return _differs(abs(ours - theirs) > rounding)
+    return _differs(abs(value - reference) > rounding)
 
 
-def _composite(item: Composite, ours: Any, theirs: dict[str, Any]) -> str | None:
-    left = dict(theirs)
+def _composite(item: Composite, value: Any, reference: dict[str, Any]) -> str | None:
+    left = dict(reference)
     for slot in item.slots:
-        mine, other = getattr(ours, slot.name), left.pop(slot.name, None)
-        if (mine is None) != (other is None):
+        own, other = getattr(value, slot.name), left.pop(slot.name, None)
+        if (own is None) != (other is None):
             return slot.name
-        found = None if mine is None else _inside(slot.name, slot.item, mine, other)
+        found = None if own is None else _inside(slot.name, slot.item, own, other)
         if found is not None:
             return found
     spare = left.pop("reserved_presence", 0)
-    if item.undefined and ours.reserved_presence != spare:
+    if item.undefined and value.reserved_presence != spare:
         return "reserved_presence"
     return next(iter(left), None)
 
@@ -103,12 +103,12 @@ _COMPARE: Final[Mapping[type[Item], Callable[[Any, Any, Any], str | None]]] = {
     Grid: _grid,
     Union: _union,
     Real: _real,
-    Bits: lambda item, ours, theirs: _differs(item.to_json(ours) != theirs),
-    Number: lambda item, ours, theirs: _differs(item.to_json(ours) != theirs),
-    Blob: lambda _, ours, theirs: _differs(_hex(ours) != theirs["hex"]),
-    Repeat: lambda item, ours, theirs: _elements(item.item, ours, theirs),
+    Bits: lambda item, value, reference: _differs(item.to_json(value) != reference),
+    Number: lambda item, value, reference: _differs(item.to_json(value) != reference),
+    Blob: lambda _, value, reference: _differs(_hex(value) != reference["hex"]),
+    Repeat: lambda item, value, reference: _elements(item.item, value, reference),
 }
-"""How to compare the values of an item; all others must be equal."""
+"""Functions that compare the values of items, by kind; other values must be equal."""
 
 MAX_CPU_SECONDS: Final = 20.0
 """Processor time after which a case is aborted as endless; far beyond the limits of `CostLimit`."""

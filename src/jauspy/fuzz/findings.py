@@ -17,7 +17,7 @@ from jauspy.fuzz.offsets import Offset, offsets_of
 
 @dataclass(frozen=True, slots=True)
 class Problem:
-    """What a check reports. `what` is the exception type or field path that tells it from other problems."""
+    """The problem that a check reports. `what` is the exception type or field path that distinguishes it."""
 
     check: str
     what: str
@@ -26,7 +26,7 @@ class Problem:
 
 @dataclass(frozen=True, slots=True)
 class FuzzFinding:
-    """A problem and the bytes that show it. `seed` and `case` say which campaign made them."""
+    """A problem and the bytes that reproduce it. `seed` and `case` identify the campaign and case."""
 
     check: str
     message: str
@@ -49,11 +49,11 @@ class FuzzFinding:
         return bytes.fromhex(self.hex)
 
     def smaller(self, data: bytes, seen: str) -> FuzzFinding:
-        """The same problem, shown by other bytes."""
+        """The same problem, reproduced by other bytes."""
         return replace(self, hex=data.hex(), seen=seen)
 
     def save(self, folder: Path) -> Path:
-        """Write `<cause>.json` into a folder that is made when it is not there."""
+        """Write `<cause>.json` into a folder, which is created if necessary."""
         folder.mkdir(parents=True, exist_ok=True)
         path = folder / (re.sub(r"[^\w.]+", "-", self.cause).strip("-.") + ".json")
         path.write_text(json.dumps({"cause": self.cause, **asdict(self)}, indent=2) + "\n", encoding="utf-8")
@@ -75,7 +75,7 @@ def load_finding(path: Path) -> FuzzFinding:
 
 MAX_TRIES: Final = 1500
 MESSAGE_ID_SIZE: Final = 2
-"""The message id stays."""
+"""Number of bytes that are kept: the message id."""
 
 Reproduces = Callable[[bytes], bool]
 
@@ -83,7 +83,7 @@ Reproduces = Callable[[bytes], bool]
 def minimise(data: bytes, shows: Reproduces, layout: Item | None = None, tries: int = MAX_TRIES) -> bytes:
     """The smallest bytes found within `tries` attempts; `shows` returns whether bytes reproduce the problem.
 
-    With a layout, elements and fields are left out together with their count or presence bit, too.
+    With a layout, elements and fields are removed together with their count or presence bit.
     """
     budget = _Attempts(shows, tries)
     before = b""
@@ -109,7 +109,7 @@ class _Attempts:
 
 
 def _without_parts(data: bytes, layout: Item, budget: _Attempts) -> bytes:
-    """Leave out parts until no more can be left out."""
+    """Remove parts until no more can be removed."""
     found = True
     while found:
         found = False
@@ -139,13 +139,13 @@ def _without(data: bytes, offset: Offset) -> Iterator[bytes]:
 
 
 def _cut(data: bytes, offset: Offset, number: int, start: int, end: int) -> bytes:
-    """Another number at the offset, and nothing from `start` to `end`."""
+    """Replace the number at the offset, and remove the bytes from `start` to `end`."""
     head = data[: offset.at] + number.to_bytes(offset.size, "little") + data[offset.at + offset.size :]
     return head[:start] + head[end:]
 
 
 def _shorter(data: bytes, budget: _Attempts) -> bytes:
-    """Leave out blocks, halves first, then smaller ones; the last bytes first."""
+    """Remove blocks, halves first, then smaller ones, from the end."""
     size = max(len(data) - MESSAGE_ID_SIZE, 0)
     while size:
         end = len(data)
@@ -160,7 +160,7 @@ def _shorter(data: bytes, budget: _Attempts) -> bytes:
 
 
 def _zeroed(data: bytes, budget: _Attempts) -> bytes:
-    """Replace bytes by zeros where the problem stays the same."""
+    """Replace bytes by zeros where the problem remains."""
     for at in range(MESSAGE_ID_SIZE, len(data)):
         if data[at]:
             candidate = data[:at] + b"\0" + data[at + 1 :]

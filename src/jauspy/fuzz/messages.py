@@ -60,7 +60,7 @@ MAX_NESTING: Final = 3
 
 
 class Style(Enum):
-    """How much there is in a message."""
+    """How large and complete messages are."""
 
     SHORTEST = 0
     FULL = 1
@@ -96,7 +96,7 @@ class MessageMaker:
             case Bits():
                 self._pack(item.code, self._bits(item))
             case Choice():
-                chosen = self._pick(item.items)
+                chosen = self._choose(item.items)
                 self._out.append(chosen)
                 self._item(item.items[chosen])
             case Formatted():
@@ -109,7 +109,7 @@ class MessageMaker:
                 self._repeat(item)
             case Union():
                 arms = dict(enumerate(item.arms.values()))
-                tag = self._pick(arms)
+                tag = self._choose(arms)
                 self._pack(item.code, tag)
                 self._composite(arms[tag])
             case Grid():
@@ -121,7 +121,7 @@ class MessageMaker:
     def _pack(self, code: str, value: float) -> None:
         self._out += struct.pack(f"<{code}", value)
 
-    def _pick(self, options: Mapping[int, Item]) -> int:
+    def _choose(self, options: Mapping[int, Item]) -> int:
         if self._style is Style.SHORTEST:
             return min(options, key=lambda number: options[number].minimum)
         return self._rng.choice(list(options))
@@ -178,7 +178,7 @@ class MessageMaker:
         return raw
 
     def _size(self, count: Count, usual: int) -> int:
-        """How many of something: few, now and then many."""
+        """A random count: usually small, sometimes large."""
         low, high = count.minimum, min(count.maximum, limits(count.code)[1])
         if self._style is Style.SHORTEST:
             return low
@@ -213,7 +213,7 @@ class MessageMaker:
 
     def _repeat(self, item: Repeat) -> None:
         size = self._size(item.count, 4)
-        if self._items <= 0:  # lists in lists must not grow without end
+        if self._items <= 0:  # nested lists must stay bounded
             size = item.count.minimum
         self._items -= size
         self._pack(item.count.code, size)

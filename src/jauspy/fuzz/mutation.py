@@ -1,4 +1,4 @@
-"""Seeds of a campaign, and mutations of their bytes: at the offsets of counts, tags and numbers, or blind."""
+"""Seeds of a campaign, and mutations of their bytes: at the offsets of counts, tags and numbers, or anywhere."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ ANY_PER_MESSAGE: Final = 3
 
 @dataclass(frozen=True, slots=True)
 class Seed:
-    """Bytes to start from, the message they are, and where its parts are."""
+    """Bytes to start from, their message, and the offsets of its parts."""
 
     target: int
     data: bytes
@@ -32,7 +32,7 @@ class Seed:
 
 
 def file_payloads(path: Path) -> list[bytes]:
-    """The messages in a pcap, pcapng or hex file, perhaps none; `ConfigError` when it is none of these."""
+    """The messages in a pcap, pcapng or hex file, possibly none; `ConfigError` for other files."""
     try:
         with path.open("rb") as file:
             if is_capture(file.peek(4)):
@@ -72,7 +72,7 @@ def from_schemas(targets: Sequence[Target]) -> Iterator[Seed]:
 
 
 MAX_INPUT_SIZE: Final = 65536
-"""Bytes of the largest input: more does not fit into a datagram."""
+"""Size of the largest input in bytes: more does not fit into a datagram."""
 
 _FLOATS: Final = tuple(
     bytes.fromhex(text)
@@ -87,15 +87,15 @@ Mutation = Callable[[Random, bytearray, Offset, Sequence[Seed]], None]
 
 
 def mutate(rng: Random, seed: Seed, others: Sequence[Seed]) -> bytes:
-    """The seed's bytes, changed one to four times; the message id stays."""
+    """The seed's bytes, changed one to four times; the message id is kept."""
     data = bytearray(seed.data)
     for _ in range(rng.choice((1, 1, 1, 2, 2, 3, 4))):
-        whole = len(data) == len(seed.data)  # else the offsets are no longer where they were
+        whole = len(data) == len(seed.data)  # the offsets are no longer valid
         if seed.offsets and whole and rng.random() < 0.7:
             offset = rng.choice(seed.offsets)
             rng.choice(_AT_OFFSET[offset.kind])(rng, data, offset, others)
         else:
-            rng.choice(_BLIND)(rng, data, others)
+            rng.choice(_UNSTRUCTURED)(rng, data, others)
     if rng.random() < 0.003:
         _grow(rng, data)
     return bytes(data[:MAX_INPUT_SIZE])
@@ -123,7 +123,7 @@ def _step(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> No
 
 
 def _limit(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed]) -> None:
-    """One beside an allowed value, or a special float."""
+    """A value next to an allowed one, or a special float."""
     item = offset.item
     if not isinstance(item, Number):
         _edge(rng, data, offset, others)
@@ -139,7 +139,7 @@ def _limit(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed])
 
 
 def _wrong_count(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
-    """A count that does not fit what follows."""
+    """A count that does not match the elements."""
     count, top = _get(data, offset), (1 << 8 * offset.size) - 1
     choices = [0, count + 1, count - 1, top, top >> 1, count << 8]
     if isinstance(offset.item, Repeat):
@@ -148,7 +148,7 @@ def _wrong_count(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]
 
 
 def _repeat(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> None:
-    """An element twice, or left out; the count is right."""
+    """Repeat or remove an element, with the right count."""
     if len(offset.cuts) < 2:
         return
     number = rng.randrange(len(offset.cuts) - 1)
@@ -164,7 +164,7 @@ def _repeat(rng: Random, data: bytearray, offset: Offset, _: Sequence[Seed]) -> 
 
 
 def _nest(rng: Random, data: bytearray, offset: Offset, others: Sequence[Seed]) -> None:
-    """Another message, or this one, into a field of bytes; the count is right."""
+    """Put another message, or this one, into a field of bytes, with the right count."""
     if isinstance(offset.item, Repeat) or len(offset.cuts) != 2:
         return
     inner = bytes(data) if rng.random() < 0.2 else rng.choice(others).data
@@ -206,7 +206,7 @@ _AT_OFFSET: Final[dict[str, tuple[Mutation, ...]]] = {
 }
 
 
-# --- blind ------------------------------------------------------------------------------------------------------------
+# --- anywhere ---------------------------------------------------------------------------------------------------------
 
 
 def _flip(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
@@ -228,7 +228,7 @@ def _append(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
 
 
 def _block(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
-    """Leave a block out, or have it twice."""
+    """Remove or repeat a block."""
     start = rng.randint(2, len(data))
     end = min(len(data), start + rng.choice((1, 2, 4, 16)))
     if rng.random() < 0.5:
@@ -238,16 +238,16 @@ def _block(rng: Random, data: bytearray, _: Sequence[Seed]) -> None:
 
 
 def _splice(rng: Random, data: bytearray, others: Sequence[Seed]) -> None:
-    """Our head, the tail of another."""
+    """The beginning of this seed and the end of another."""
     tail = rng.choice(others).data
     data[rng.randint(2, len(data)) :] = tail[rng.randint(min(2, len(tail)), len(tail)) :]
 
 
-_BLIND: Final = (_flip, _flip, _byte, _byte, _truncate, _append, _block, _splice)
+_UNSTRUCTURED: Final = (_flip, _flip, _byte, _byte, _truncate, _append, _block, _splice)
 
 
 def _grow(rng: Random, data: bytearray) -> None:
-    """Up to the largest input, with zeros or with a part again and again: lists of lists of next to nothing."""
+    """Grow to the maximal size with zeros or a repeated part, as for lists of lists of tiny items."""
     size = rng.choice((1024, 4096, 16384, MAX_INPUT_SIZE))
     start = rng.randint(2, len(data))
     part = bytes(data[start : start + rng.choice((1, 2, 3, 8))]) or b"\0"

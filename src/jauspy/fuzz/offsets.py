@@ -19,7 +19,7 @@ OffsetKind = Literal["number", "count", "tag", "presence"]
 class Offset:
     """`size` bytes at `at`.
 
-    `cuts` are, for a count, the borders between the elements that it counts, both ends included; for a presence vector,
+    `cuts` are, for a count, the boundaries of the elements that it counts, both ends included; for a presence vector,
     the start and the end of the field of each bit.
     """
 
@@ -32,11 +32,11 @@ class Offset:
 
 
 class _OutOfData(Exception):
-    """The bytes end before the message does."""
+    """Raised if the bytes end before the message."""
 
 
 def offsets_of(layout: Item, data: bytes) -> tuple[Offset, ...]:
-    """The offsets of a message, as far as it can be read; messages inside it included."""
+    """The offsets of a message, as far as it can be read, including nested messages."""
     scanner = _Scanner(data)
     with suppress(_OutOfData):
         scanner.item(layout, 2)
@@ -49,7 +49,7 @@ class _Scanner:
         self.offsets: list[Offset] = []
 
     def _add(self, kind: OffsetKind, at: int, code: str, item: Item | None = None) -> int:
-        """Note a number; returns its value."""
+        """Add the offset of a number; returns its value."""
         size = SIZES[code]
         if at + size > len(self.data):
             raise _OutOfData
@@ -57,7 +57,7 @@ class _Scanner:
         return int.from_bytes(self.data[at : at + size], "little")
 
     def item(self, item: Item, at: int) -> int:
-        """Note what is in an item; returns where it ends."""
+        """Add the offsets of an item; returns its end."""
         match item:
             case Composite():
                 return self._composite(item, at)

@@ -58,7 +58,7 @@ def to_ned(origin: Geodetic, place: Geodetic) -> Vector:
 
 
 def from_ned(origin: Geodetic, north: float, east: float, down: float) -> Geodetic:
-    """The place that lies north, east and down of the origin by so many metres: the inverse of `to_ned`."""
+    """The position at offsets north, east and down of the origin, in metres: the inverse of `to_ned`."""
     sine, cosine = math.sin(origin.latitude), math.cos(origin.latitude)
     outward = -sine * north - cosine * down
     x, y, z = to_ecef(origin)

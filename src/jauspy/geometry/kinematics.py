@@ -138,7 +138,7 @@ class InverseKinematics:
         self._steps = self._search(first)
 
     def advance(self, steps: int) -> Solution | None:
-        """Do so many steps. Returns the best solution when the search has ended, reached or not; None until then."""
+        """Do a number of steps. Returns the best solution when the search has ended; None until then."""
         for _ in range(steps):
             if next(self._steps, self) is self:
                 return self.best

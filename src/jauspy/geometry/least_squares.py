@@ -39,7 +39,7 @@ class _Problem:
         self._x = [min(high, max(low, 0.0)) for low, high in zip(lower, upper, strict=True)]
 
     def solve(self) -> list[float]:
-        """Activate the bounds that x meets, and release those that keep the cost from falling."""
+        """Activate the bounds that x reaches, and release those that prevent the cost from falling."""
         held: set[int] = set()
         for _ in range(4 * len(self._x) + 4):
             stopped = self._go([number for number in range(len(self._x)) if number not in held])

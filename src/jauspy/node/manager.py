@@ -261,7 +261,7 @@ class NodeManager:
 
     def _from_network(self, data: bytes, port: UdpPort) -> None:
         network = self._networks.get(port.network)
-        datagram = None if network is None else network.authenticate(data)
+        datagram = None if network is None else network.authenticate(data, port)
         if datagram is not None:
             self._receive(datagram, port)
 

@@ -45,7 +45,7 @@ async def perform(connection: Connection, id: JausID, command: Message, within: 
 
 
 class _PendingCommand:
-    """One command that somebody waits for; `deadline` is when the component should have reported its result."""
+    """One awaited command; `deadline` is when the component should have reported its result."""
 
     def __init__(self, connection: Connection, id: JausID, command: Message, within: float) -> None:
         self._connection, self._id, self._command, self._within = connection, id, command, within

@@ -182,7 +182,7 @@ class ActiveControls:
             self._controls[id].check()
 
     def on_sent(self, destination: JausID, message: Message) -> None:
-        """Tell the controls of all components that a sent message reaches."""
+        """Notify the controls of all components that a sent message reaches."""
         for id, control in self._controls.items():
             if destination.matches(id):
                 control.on_sent(message)
@@ -204,7 +204,7 @@ class EventUsers:
         return users - {user}
 
     def is_used(self, id: JausID, event: int) -> bool:
-        """True when somebody uses this event."""
+        """True if this event has users."""
         return (id, event) in self._users
 
     def users(self, id: JausID, event: int | bytes) -> frozenset[object]:

@@ -45,7 +45,7 @@ from jauspy.protocol.header import Broadcast
 ROUND_INTERVAL: Final = 0.5
 """Seconds between two rounds of queries of `discover`."""
 POLL_INTERVAL: Final = 0.05
-"""Seconds after which `discover` looks at the tree again."""
+"""Seconds after which `discover` checks the tree again."""
 QUIET_TIME: Final = 0.15
 """Seconds without new facts after which a subsystem that is complete is returned."""
 MIN_ROUNDS: Final = 2
@@ -62,7 +62,7 @@ SubsystemPart: TypeAlias = SubsystemInfo | NodeInfo | ComponentInfo | ServiceInf
 
 @dataclass(frozen=True, slots=True)
 class Appeared:
-    """`now` is there; `id` is 101.0.0 for a subsystem, 101.1.0 for a node, and the component's for its services."""
+    """`now` has appeared; `id` is 101.0.0 for a subsystem, 101.1.0 for a node, and the component's for its services."""
 
     id: JausID
     now: SubsystemPart

@@ -107,7 +107,7 @@ class Elements(Sequence[Element]):
     async def upload(self, elements: Iterable[Element]) -> None:
         """Replace the whole list and end its execution.
 
-        The new elements are inserted in front of the old ones, which are deleted when all new ones are there. If an
+        The new elements are inserted in front of the old ones, which are deleted when all new ones are confirmed. If an
         error occurs before that, the old list remains.
         """
         records, old = _checked(elements), await self._client.uids()
@@ -193,7 +193,7 @@ class Elements(Sequence[Element]):
         await self._connection.send_checked(self._id, command(**_speed(command, speed)), ack=True)
 
     async def active(self) -> int | None:
-        """The index of the active element, None when there is none."""
+        """The index of the active element, or None."""
         return await self._index((await self._report_active()).element_uid)
 
     async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncGenerator[int, None]:

@@ -42,7 +42,7 @@ LATE_CONFIRMATION_TIME: Final = 2.0
 MIN_EVENT_LIFETIME: Final = 60.0
 """Seconds; the shortest event timeout that a component can have."""
 MAX_UNCONFIRMED_REPORTS: Final = 16
-"""Reports that are kept until the confirmation, which they have overtaken, tells whose event they are of."""
+"""Reports that arrived before their confirmation and are kept until it identifies their event."""
 MAX_DELAY: Final = 2.0
 """Seconds after which a report does not count as overtaken, whatever its sequence number."""
 
@@ -354,7 +354,7 @@ class Subscription(Generic[R]):
         self._unconfirmed.clear()
 
     def _rejects_confirmed_request(self, message: RejectEventRequest) -> bool:
-        """True for the id of a request of ours that was confirmed before; ids wrap after 256 requests."""
+        """True for the id of a request that was confirmed before; ids wrap after 256 requests."""
         made, confirmed = self._connection.request_counts[self.request.id], self._confirmed_request
         return confirmed is not None and made - confirmed < 256 and confirmed & 0xFF == message.request_id
 

@@ -128,7 +128,7 @@ def prose(element: Element) -> str:
 
 
 def text_of(parent: Element, tag: str) -> str:
-    """The text of a child element as one line; empty when there is none."""
+    """The text of a child element as one line; empty if there is none."""
     return _one_line(parent.findtext(tag))
 
 

@@ -161,7 +161,7 @@ def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Seque
 def resolve_parents(
     services: Sequence[Service], known: Sequence[Service], roots: Mapping[Key, Element]
 ) -> tuple[Service, ...]:
-    """Check that all parents are there, and replace version patterns such as `1.*` by the newest match."""
+    """Check that all parents are known, and replace version patterns such as `1.*` by the newest match."""
     versions: dict[str, list[str]] = {}
     for service in (*services, *known):
         versions.setdefault(service.id, []).append(service.version)

@@ -59,7 +59,7 @@ class RequiredMethod:
     """The name without the path of the service it may belong to."""
     kind: MethodKind
     reports: str = ""
-    """The message it returns, if its name says so."""
+    """The message that it returns, if its name contains one."""
     messages: list[str] = field(default_factory=list)
     """The messages it is called for, in the order of the definition."""
     events: list[str] = field(default_factory=list)

@@ -23,7 +23,7 @@ ReplyCallback: TypeAlias = Callable[[Message | None], None]
 
 
 class Deferred:
-    """A report that is not there yet; made by `self.host.defer`."""
+    """A report that is not available yet; made by `self.host.defer`."""
 
     __slots__ = ("_callbacks", "_expected", "_is_done", "_on_result", "origin", "report", "trigger")
 
@@ -75,7 +75,7 @@ class Deferred:
 
 @dataclass(frozen=True, slots=True)
 class PendingReply:
-    """An encoded reply, to a query that was not received but asked with `Host.ask`, that is not there yet."""
+    """An encoded reply that is not available yet, to a query of `Host.ask` instead of a received one."""
 
     deferred: Deferred
     encode: Callable[[Message | None], bytes | None]

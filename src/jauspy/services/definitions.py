@@ -64,7 +64,7 @@ def _registries(services: Iterable[Service]) -> list[Registry]:
 def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Definition]:
     """The definitions that a component runs, by URN, most derived first, all ancestors included.
 
-    Raises `ConfigError` when there is none for a service, or when services need different versions of one parent.
+    Raises `ConfigError` if a service has none, or if services need different versions of one parent.
     """
     parent_of = _parents(schema)
     found: dict[str, Definition] = {}

@@ -202,7 +202,7 @@ class MachineInstance:
         return found
 
     def _in_order(self) -> Iterable[BoundTransition]:
-        """Innermost state first; around it the defaults, which speak for the states inside, come before its own."""
+        """Innermost state first; the defaults of an enclosing state, which apply to states inside, precede its own."""
         state: MergedState | None = self._active
         while state is not None:
             bound = self._states[state]

@@ -170,7 +170,7 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
     def upload(self, elements: Iterable[Element]) -> None:
         """Replace the whole list and end its execution.
 
-        The new elements are inserted in front of the old ones, which are deleted when all new ones are there. If an
+        The new elements are inserted in front of the old ones, which are deleted when all new ones are confirmed. If an
         error occurs before that, the old list remains.
         """
         self._portal.run(self._async.upload(elements))
@@ -217,7 +217,7 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         self._portal.run(self._async.set_speed(speed))
 
     def active(self) -> int | None:
-        """The index of the active element, None when there is none."""
+        """The index of the active element, or None."""
         return self._portal.run(self._async.active())
 
     def progress(self, *, rate: float | None = None, grace: float = 2.0) -> Generator[int, None, None]:

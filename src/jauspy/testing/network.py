@@ -121,12 +121,12 @@ class VirtualNetwork(TestEnvironment):
     # --- traffic --------------------------------------------------------------------------------------------------
 
     def sent(self, kind: type[Message], source: str | JausID | None = None) -> list[Packet]:
-        """The packets with this message, from `source` or anybody, that were sent so far."""
+        """The packets with this message, from `source` or any component, that were sent so far."""
         code, wanted = _code(kind), None if source is None else JausID.of(source)
         return [each for each in self.log if each.payload[:2] == code and wanted in (None, each.source)]
 
     def delays(self, datagram: bytes) -> list[float]:
-        """How long this datagram takes, once for each time that it arrives; logs it."""
+        """The delays after which this datagram arrives, one for each copy; logs it."""
         packets, _ = unpack_all(datagram)
         self.log += packets
         if any(each.source in self._disconnected or each.destination in self._disconnected for each in packets):
@@ -151,7 +151,7 @@ class _Hub(LoopbackHub):
         self._network = network
 
     def route(self, datagram: bytes, sender: LoopbackTransport) -> None:
-        """Deliver as often and as late as the network says."""
+        """Deliver copies of a datagram after the delays of the network."""
         for delay in self._network.delays(datagram):
             if delay > 0.0:
                 asyncio.get_running_loop().call_later(delay, super().route, datagram, sender)

@@ -35,6 +35,8 @@ KEEP_ALIVE_INTERVAL: Final = 1.0
 """Seconds between Connects while connected; node managers answer each, so that a missing answer shows a dead one."""
 MAX_UNANSWERED: Final = 2
 """Unanswered keep-alives after which the node manager is regarded as dead."""
+REFUSED_AFTER: Final = 5.0
+"""Seconds without an Accept of a node manager that is alive, after which the log tells why that may be."""
 SEND_RETRY_INTERVAL: Final = 0.002
 """Seconds until a full socket is tried again; a datagram socket does not signal when its peer has room."""
 MAX_PATH: Final = 107
@@ -196,7 +198,14 @@ class LocalTransport:
 
     async def _keep_connected(self) -> None:
         interval = CONNECT_INTERVAL
+        loop = asyncio.get_running_loop()
+        accepted_at, told = loop.time(), False
         while self._sender is not None:
+            if self.connected:
+                accepted_at, told = loop.time(), False
+            elif not told and loop.time() - accepted_at > REFUSED_AFTER and is_alive(Path(self._node)):
+                told = True
+                _LOGGER.warning("%s", self._no_answer())
             if self.connected and self._unanswered >= MAX_UNANSWERED:
                 self._accepted.clear()
             if self.connected:

@@ -1,4 +1,4 @@
-"""A camera in a worker process: started when somebody first wants an image, restarted when it dies."""
+"""A camera in a worker process, which is started at first use and restarted when it dies."""
 
 from __future__ import annotations
 

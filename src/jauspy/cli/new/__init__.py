@@ -10,7 +10,7 @@ from jauspy.errors import ConfigError
 
 
 def write_new(files: Mapping[Path, str | bytes]) -> None:
-    """Write all files, or none when one is there; raises `ConfigError` that names it."""
+    """Write all files, or none if one exists; raises `ConfigError` that names it."""
     for path in files:
         if path.exists() or path.is_symlink():
             raise ConfigError(f"{path} exists; remove it, or choose another name")
@@ -25,7 +25,7 @@ def write_new(files: Mapping[Path, str | bytes]) -> None:
 
 
 def write_new_folder(folder: Path, files: Mapping[str, str | bytes]) -> None:
-    """Write a folder of these files; raises `ConfigError` when there is anything in it."""
+    """Write a folder with these files; raises `ConfigError` if it is not empty."""
     if folder.is_symlink() or (folder.exists() and (not folder.is_dir() or any(folder.iterdir()))):
         raise ConfigError(f"{folder} exists; remove it, or choose another name")
     write_new({folder / name: content for name, content in files.items()})

@@ -37,7 +37,7 @@ def definition(
 ) -> None:
     """Write the definition (JSIDL) of a service with a query and a report of numbers.
 
-    The numbers are 64-bit floats, each optional, so that a client asks for those it wants. UNITS are JSIDL's, as in
+    The numbers are 64-bit floats, each optional, so that a client can request some of them. UNITS are JSIDL's, as in
     percent, volt, ampere, meter, "meter per second", or one for none. Message ids D000 to FFFF are for users; ids
     that a public definition uses are rejected.
 

@@ -1,6 +1,6 @@
 """IGVC JAUS challenge, rules of 2011: six tasks, ten points each.
 
-The judge's console is 42.1.1; there are no events. The console waits until the robot asks for it (task 1). Shutdown
+The judge's console is 42.1.1; there are no events. The console waits until the robot queries it (task 1). Shutdown
 belongs to task 3, but comes last, since nothing can be driven after it.
 """
 

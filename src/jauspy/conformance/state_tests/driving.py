@@ -1,4 +1,4 @@
-"""Drivers of mobility: waypoints, lists, loiters and velocities, whose guards ask for what was set before."""
+"""Drivers of mobility: waypoints, lists, loiters and velocities, whose guards depend on earlier commands."""
 
 from __future__ import annotations
 

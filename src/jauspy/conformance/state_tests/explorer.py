@@ -178,7 +178,7 @@ class Explorer:
         return made[message]
 
     def observe(self) -> ObservedState:
-        """Query the state of the component; its answer also shows that it has handled all earlier messages."""
+        """Query the state of the component; the answer also shows that it has handled all earlier messages."""
         with self.tester.unreported():
             return self._ask()
 

@@ -1,4 +1,4 @@
-"""Discovery: who is there, and which services they offer (AS5710)."""
+"""Discovery: components and the services that they offer (AS5710)."""
 
 from __future__ import annotations
 
@@ -147,7 +147,9 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("foreign_registration", str(source))
             return
         self._renew(source)
-        if self.registrants == "subsystem":
+        if not msg.service_list:  # it may have left its machine already
+            self.directory.forget(source)
+        elif self.registrants == "subsystem":
             self._list(msg, source, HERE)
         else:
             self.host.locate(source, partial(self._list, msg, source))
@@ -155,9 +157,6 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def _list(self, msg: RegisterServices, source: JausID, location: Location) -> None:
         if not location.is_here:
             self.host.count("foreign_registration", f"{source} is on another machine; registrants may be 'subsystem'")
-            return
-        if not msg.service_list:
-            self.directory.forget(source)
             return
         offers = [
             OfferedService(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list
@@ -177,7 +176,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         self.directory.expire(self.host.now)
 
     def report_identification(self, query: QueryIdentification, source: JausID) -> ReportIdentification | None:
-        """Name and type at the level asked for; no answer for a reserved level."""
+        """Name and type at the requested level; no answer for a reserved level."""
         self._renew(source)
         level = int(query.query_type)
         identity = self.identities.get(level) or DEFAULT_IDENTITIES.get(level)
@@ -214,7 +213,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         return ReportSubsystemList(subsystem_list=[record])
 
     def report_services(self, query: QueryServices, source: JausID) -> ReportServices:
-        """The services of every component asked for that is known; wildcards (255) are understood."""
+        """The services of all queried components that are known; wildcards (255) are supported."""
         self._renew(source)
         wanted = {
             (self.host.id.subsystem, node.node_rec.node_id, component.component_id): _ALL

@@ -44,9 +44,9 @@ class Element:
 
 
 class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
-    """A list for all drivers of a component. A request that does not fit is refused as a whole.
+    """A list for all drivers of a component. An invalid request is rejected as a whole.
 
-    Without any driver the list takes every message that the component takes. `active` is the element that is being
+    Without any driver the list accepts every message that the component accepts. `active` is the element that is being
     carried out, 0 for none. Deleting it, losing control and `stop` end the execution; replacing it begins it anew.
     The command that started the list has been carried out when the last element is done.
     """
@@ -72,7 +72,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         return element.message if element else None
 
     def execute(self, uid: int) -> None:
-        """Start with this element, or with the first one for 0; fine when there is none."""
+        """Start with this element, or with the first one for 0; does nothing for an empty list."""
         uid = uid or next(iter(self.list.order), 0)
         if uid in self._elements:
             self._command(False)
@@ -87,7 +87,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         self.host.set_timer(_TIMER, self.host.now + pause, self._begin_next)
 
     def stop(self) -> None:
-        """Stop the execution; the list is kept. Calling it twice is fine."""
+        """Stop the execution; the list is kept. May be called twice."""
         self._end(success=False)
 
     def _end(self, *, success: bool) -> None:
@@ -125,7 +125,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
     # --- predicates
 
     def element_exists(self, msg: Any) -> bool:
-        """All elements named are there. To execute, 0 means the first element; to delete, 65535 means all."""
+        """True if all named elements exist. To execute, 0 means the first element; to delete, 65535 means all."""
         if isinstance(msg, DeleteElement):
             return all(uid in self._elements or uid == ALL_ELEMENTS for uid in _deleted(msg))
         uid: int | None = msg.element_uid

@@ -149,7 +149,7 @@ class ToolLine:
         return math.hypot(*self.linear) + METRES_PER_RADIAN * math.hypot(*self.angular)
 
     def ahead(self, distance: float) -> Transform:
-        """The pose so many metres ahead on the line."""
+        """The pose at a distance ahead on the line, in metres."""
         way = scaled(self.linear, distance / math.hypot(*self.linear))
         return Transform(self._pose.rotation, add(self._pose.position, way))
 

@@ -71,7 +71,7 @@ class VelocityCourse:
 
 @dataclass(frozen=True, slots=True)
 class VectorCourse:
-    """A heading, which is read anew each time since its frame may be set, and a speed (m/s, negative backward)."""
+    """A heading, which is read each time since its frame may be set, and a speed (m/s, negative backward)."""
 
     heading: Callable[[], float]
     speed: float
@@ -148,7 +148,7 @@ class Goal:
 class WaypointCourse:
     """Along a straight leg to `goal`, slower towards its end, then to its heading, if it has one.
 
-    `goal` and `speed` (m/s; negative drives backward, zero waits) are read anew each time, since the frame of the
+    `goal` and `speed` (m/s; negative drives backward, zero waits) are read each time, since the frame of the
     waypoint and the speed may be set. `deceleration` (m/s^2) and `max_turn_rate` (rad/s) are those of the chassis.
     """
 
