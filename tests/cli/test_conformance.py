@@ -191,6 +191,13 @@ NONE = 5
 """
 
 
+def test_current_directory_is_searched_for_profiles_of_ones_own_only(monkeypatch):
+    for profile, searched in (("igvc-2015", False), ("acme.brakes:PROFILE", True)):
+        monkeypatch.setattr(sys, "path", [each for each in sys.path if each])
+        invoke("--list", profile)
+        assert ("" in sys.path) == searched
+
+
 def test_user_defined_profile_runs(tmp_path, monkeypatch):
     (tmp_path / "my_test.py").write_text(OWN)
     command = [Path(sys.executable).with_name("jauspy"), "conformance", "my_test:PROFILE", "--list"]

@@ -11,6 +11,7 @@ from jauspy.codec.message import Message
 from jauspy.component.component import (
     MAX_PACKETS_PER_TURN,
     MAX_TRANSPORT_BACKLOG,
+    MAX_WAITING_PER_TURN,
     Component,
     ComponentOptions,
     loop_time,
@@ -355,7 +356,7 @@ async def test_packets_above_the_limit_of_a_turn_are_handled_later():
     many = 3 * MAX_PACKETS_PER_TURN + 1
     async with component(hub) as me:
         me._transport.received(queries(many))
-        assert me.counters["host.received"] == MAX_PACKETS_PER_TURN
+        assert me.counters["host.received"] == MAX_WAITING_PER_TURN
         me._transport.received(queries(1, start=many))
         async with asyncio.timeout(20):
             while me.counters["host.received"] < many + 1:
@@ -372,7 +373,7 @@ async def test_pending_packets_are_dropped_on_close():
         peer.send(QueryHeartbeatPulse())
         await peer.next()
         await asyncio.sleep(0)
-        assert me.counters["host.received"] == MAX_PACKETS_PER_TURN + 1
+        assert me.counters["host.received"] == MAX_WAITING_PER_TURN + 1
 
 
 async def test_exception_on_one_packet_does_not_affect_others_of_its_datagram():

@@ -7,8 +7,9 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.cli.estop import _estop as stop_or_release, destination
 from jauspy.errors import ControlRejected
-from jauspy.messages.core import SetEmergency
+from jauspy.messages.core import ReportStatus, SetEmergency
 from jauspy.messages.mobility import SetLocalWaypoint, SetWrenchEffort
 from jauspy.messages.operators import SealedCommand
 from jauspy.modules.audit import verify
@@ -65,3 +66,15 @@ async def test_a_robot_that_requires_operators(virtual_network: VirtualNetwork, 
     assert (report.problem, report.not_recorded) == ("", 0)
     assert report.verified == report.commands["alice"] > 5
     assert (report.commands["-"], report.refused) == (3, 2)
+
+
+async def test_an_emergency_of_anybody_is_released_with_a_key(virtual_network: VirtualNetwork, folder: Path) -> None:
+    everything = destination("101")
+    async with virtual_network.robot(str(folder / "robot.toml")):
+        stopped = await stop_or_release(virtual_network.ocu("43.1.1"), everything, release=False, max_wait=2.0)
+        assert {each.status for each in stopped.values()} == {ReportStatus.Status.EMERGENCY}
+        without = await stop_or_release(virtual_network.ocu("43.1.2"), everything, release=True, max_wait=2.0)
+        assert {each.status for each in without.values()} == {ReportStatus.Status.EMERGENCY}
+        with_key = virtual_network.ocu("42.1.1", operator=folder / "alice.key")
+        released = await stop_or_release(with_key, everything, release=True, max_wait=4.0)
+        assert {each.status for each in released.values()} == {ReportStatus.Status.STANDBY}

@@ -117,3 +117,14 @@ def test_one_datagram_may_take_the_room_of_many() -> None:
         queue.push(datagram(Priority.LOW, number))
     other.push(judp.pack(Packet(A, A, bytes(40_000), 1)))
     assert (len(other), memory.bytes <= 100_000) == (1, True)
+
+
+def test_a_source_that_floods_a_queue_loses_its_own() -> None:
+    outbox, operator = SendQueue(limit=100), JausID(42, 1, 1)
+    wanted = judp.pack(Packet(operator, A, b"\x02\x00", 1))
+    for number in range(100):
+        outbox.push(datagram(Priority.STANDARD, number))
+    outbox.push(wanted)
+    dropped = sum(outbox.push(datagram(Priority.STANDARD, number)) for number in range(1000))
+    assert dropped == 1000
+    assert wanted in drained(outbox)

@@ -20,6 +20,7 @@ from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.acknowledgements import Acknowledgements
 from jauspy.component.event_loop import ErrorGuard, LoopTimer
+from jauspy.component.inbox import Inbox, may_wait
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id
 from jauspy.logs import get_logger
@@ -43,7 +44,9 @@ Intercept: TypeAlias = Callable[[Packet], bool]
 """Called with every received packet; when it returns True, the packet is not passed to the services."""
 
 MAX_PACKETS_PER_TURN: Final = 256
-"""Packets handled in one turn of the event loop; the rest, which is bounded, is handled in the next ones."""
+"""Packets of one datagram that are handled in one turn of the event loop; the rest is handled in the next ones."""
+MAX_WAITING_PER_TURN: Final = 8
+"""Queries and requests for events that are handled in one turn of the event loop; commands never wait for the rest."""
 MAX_TRANSPORT_BACKLOG: Final = 64
 """Datagrams that may be queued in the transport when further fragments of a large message are sent."""
 _NAME: Final = "jauspy component"
@@ -162,6 +165,7 @@ class Component:
         self._timer = LoopTimer(self._on_timeout, self._clock)
         self._make_endpoint()
         self._continuation: asyncio.Handle | None = None
+        self._handled = 0
         self._loop: asyncio.AbstractEventLoop | None = None
         self._closed = asyncio.Event()
 
@@ -169,6 +173,7 @@ class Component:
         first = self._options.first_sequence
         start = random.randrange(0x10000) if first is None else first  # noqa: S311 - not a secret
         self._endpoint = Endpoint(self.host.id, first_sequence=start, delivery=self._options.delivery)
+        self._inbox = Inbox(self._endpoint.counters)
         self._acknowledgements = Acknowledgements(self._endpoint, self._on_unreachable)
 
     def __repr__(self) -> str:
@@ -394,26 +399,49 @@ class Component:
             return
         with self._guard:
             self._endpoint.receive(datagram, self._clock())
-        if self._continuation is None:
-            self._handle_packets(self._loop)
+        self._handle_packets()
 
-    def _continue(self) -> None:
-        self._continuation = None
-        if self._loop is not None:
-            self._handle_packets(self._loop)
-
-    def _handle_packets(self, loop: asyncio.AbstractEventLoop) -> None:
-        """Handle what was received, up to `MAX_PACKETS_PER_TURN`."""
+    def _handle_packets(self) -> None:
+        """Handle what was received, up to `MAX_PACKETS_PER_TURN`; beyond `MAX_WAITING_PER_TURN` some have to wait."""
+        flush = True
         for _ in range(MAX_PACKETS_PER_TURN):
             packet = self._endpoint.next_event()
             if packet is None:
                 break
-            with self._guard:
-                if self._intercept is None or not self._intercept(packet):
-                    self.host.receive(packet.payload, packet.source, self._clock())
+            if may_wait(packet):
+                if len(self._inbox) or self._handled >= MAX_WAITING_PER_TURN:
+                    self._inbox.put(packet)
+                    self._end_turn()
+                    flush = False  # the next turn does it
+                    continue
+                self._handled += 1
+                self._end_turn()
+            self._handle(packet)
+            flush = True
         else:
-            self._continuation = loop.call_soon(self._continue)
-        self._flush()
+            self._end_turn()
+        if flush:
+            self._flush()
+
+    def _handle(self, packet: Packet) -> None:
+        with self._guard:
+            if self._intercept is None or not self._intercept(packet):
+                self.host.receive(packet.payload, packet.source, self._clock())
+
+    def _end_turn(self) -> None:
+        if self._continuation is None and self._loop is not None:
+            self._continuation = self._loop.call_soon(self._begin_turn)
+
+    def _begin_turn(self) -> None:
+        """Handle what the last turn left, and some packets of those that wait."""
+        self._continuation, self._handled = None, 0
+        self._handle_packets()
+        while self._handled < MAX_WAITING_PER_TURN and (packet := self._inbox.take()) is not None:
+            self._handled += 1
+            self._handle(packet)
+        if self._handled:
+            self._end_turn()
+            self._flush()
 
     def _on_unreachable(self, client: JausID) -> None:
         """A client did not acknowledge: its events and control end; what services send then goes out next turn."""
@@ -441,7 +469,7 @@ class Component:
         with self._guard:
             room = self._transport is not None and self._transport.waiting < MAX_TRANSPORT_BACKLOG
             self._endpoint.handle_timeout(self._clock(), room=room)
-            self.host.handle_timeout(self._clock())
+            self.host.handle_timeout(self._clock(), room=room)
         self._flush()
 
     def _stop(self) -> None:

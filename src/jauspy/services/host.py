@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Iterable
 from datetime import datetime
-from typing import Literal
+from typing import Final, Literal
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
@@ -18,6 +19,16 @@ from jauspy.services.definitions import registry_for
 from jauspy.services.messaging import InputDecoder, Outgoing
 from jauspy.services.service import Service, ServiceHost
 from jauspy.services.state_machine import Trigger, TriggerOutcome
+from jauspy.services.timers import Timers
+
+MAX_BACKGROUND_TIMERS: Final = 8
+"""Timers that may wait, such as events of clients without control, of which so many are run in one turn."""
+BACKGROUND_RATE: Final = 1000.0
+"""Such timers a second, at most."""
+BACKGROUND_BURST: Final = 128
+"""Such timers that may be due at the same time without waiting for that."""
+BACKLOG_INTERVAL: Final = 0.005
+"""Seconds until they are tried again when the transport is full of what they sent."""
 
 
 class Host(ServiceHost):
@@ -43,6 +54,7 @@ class Host(ServiceHost):
         if on_action_error not in ("failure", "stay"):
             raise ConfigError(f"on_action_error is {on_action_error!r}; it must be 'stay' or 'failure'")
         super().__init__(id, utc_now=utc_now, now=now, max_output=max_output)
+        self._background_from = self._background_end = -math.inf
         self._fails_on_error = on_action_error == "failure"
         given = list(services)
         registry = registry or registry_for(given)
@@ -70,7 +82,7 @@ class Host(ServiceHost):
         self.now = now
         due = self._timers.next()
         if due is not None and due < now:
-            self.handle_timeout(now)
+            self._run_timers(self._timers, now)
         message = self._decoder.decode(payload, source)
         if message is None:
             return
@@ -90,19 +102,39 @@ class Host(ServiceHost):
 
     def next_timeout(self) -> float | None:
         """When to call `handle_timeout`; None when no timer is set."""
-        return self._timers.next()
+        at, background = self._timers.next(), self._background.next()
+        if background is None:
+            return at
+        background = max(background, self._background_from)
+        return background if at is None or background < at else at
 
-    def handle_timeout(self, now: float) -> None:
-        """Run every timer that is due by `now`, once."""
+    def handle_timeout(self, now: float, *, room: bool = True) -> None:
+        """Run every timer that is due by `now`, once.
+
+        Of those that may wait only some, and none without `room` for what they send.
+        """
         self.now = now
-        for due in self._timers.due(now):
-            call = self._timers.take(due)
+        self._run_timers(self._timers, now)
+        if not room:
+            self._background_from = now + BACKLOG_INTERVAL
+        elif now >= self._background_from:
+            count = self._run_timers(self._background, now, MAX_BACKGROUND_TIMERS)
+            # As many as `BACKGROUND_BURST` may come at once, and then one after the other.
+            self._background_end = max(self._background_end, now) + count / BACKGROUND_RATE
+            self._background_from = self._background_end - BACKGROUND_BURST / BACKGROUND_RATE
+
+    def _run_timers(self, timers: Timers, now: float, limit: int | None = None) -> int:
+        """Returns how many were due."""
+        found = timers.due(now, limit)
+        for due in found:
+            call = timers.take(due)
             if call is not None:
                 try:
                     call()
                 except Exception as error:  # noqa: BLE001 - any bug of a service
                     name = f"timer {getattr(due[2], '__qualname__', due[2])}"
                     self._errors.record(name, Trigger("timer"), error)
+        return len(found)
 
     def unreachable(self, client: JausID, now: float) -> None:
         """Notify the services that this client does not acknowledge messages any more: its events and control end."""

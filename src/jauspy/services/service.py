@@ -196,6 +196,8 @@ class ServiceHost:
         self.counters = Counters(_LOG)
         self._output = OutputQueue(max_output, self.counters)
         self._timers = Timers()
+        self._background = Timers()
+        """Those that may wait."""
         self._triggers = TriggerQueue(self._dispatch, lambda trigger: self.count("event_dropped", f"{trigger.key}"))
         self._errors = ActionErrors(self.counters, self._on_action_error)
         self._deferred = DeferredReplies(self, self._errors)
@@ -305,13 +307,18 @@ class ServiceHost:
         """For the action of a command that takes time: returns what to call when the command has ended."""
         return self._triggers.begin_command()
 
-    def set_timer(self, key: Hashable, at: float, call: Callable[[], None]) -> None:
-        """Call `call` at time `at`; a timer with the same key is replaced."""
-        self._timers.set(key, at, call)
+    def set_timer(self, key: Hashable, at: float, call: Callable[[], None], *, may_wait: bool = False) -> None:
+        """Call `call` at time `at`; a timer with the same key is replaced.
+
+        One that `may_wait` is called later when many of them are due, so that everything else is done in time.
+        """
+        self.cancel_timer(key)
+        (self._background if may_wait else self._timers).set(key, at, call)
 
     def cancel_timer(self, key: Hashable) -> None:
         """Cancel the timer, if it is set."""
         self._timers.cancel(key)
+        self._background.cancel(key)
 
     # --- the component ----------------------------------------------------------------------------------------------
 

@@ -43,10 +43,10 @@ class Timers:
             heapq.heappop(self._heap)
         return self._heap[0][0] if self._heap else None
 
-    def due(self, now: float) -> list[Due]:
+    def due(self, now: float, limit: int | None = None) -> list[Due]:
         """Timers that are due, earliest first. `take` each: an earlier one may cancel or move a later one."""
         found: list[Due] = []
-        while self._heap and self._heap[0][0] <= now:
+        while self._heap and self._heap[0][0] <= now and (limit is None or len(found) < limit):
             entry = heapq.heappop(self._heap)
             if not self._stale(entry):
                 found.append(entry)

@@ -7,6 +7,7 @@ import socket
 import time
 from collections import deque
 from collections.abc import Callable, Mapping
+from itertools import islice
 from typing import Any, Final, Protocol, TypeAlias, runtime_checkable
 
 from jauspy.ids import JausID
@@ -25,6 +26,10 @@ DATAGRAM_OVERHEAD: Final = 128
 """Bytes that Python needs for a queued datagram besides its own."""
 PRIORITIES: Final = 4
 _CONTROL_PRIORITY: Final = PRIORITIES - 1
+MAX_CANDIDATES: Final = 16
+"""Oldest datagrams of which one is dropped when a queue is full."""
+_SOURCE: Final = slice(9, 13)
+"""The id of the source in a datagram with one packet."""
 LOW_PRIORITY_TURN: Final = 16
 """Every 16th datagram is one of the lowest priority, so that these are late, but not starved."""
 
@@ -180,8 +185,13 @@ class SendQueue:
         return dropped
 
     def drop_one(self) -> None:
-        """Remove the oldest datagram of the lowest priority."""
-        self._take(next(queue for queue in self._queues if queue))
+        """Remove one of the oldest datagrams of the lowest priority: that of the source that has most of them.
+
+        A source that floods the queue loses its own.
+        """
+        queue = next(queue for queue in self._queues if queue)
+        sources = [datagram[_SOURCE] for datagram, _ in islice(queue, MAX_CANDIDATES)]
+        self._take(queue, sources.index(max(sources, key=sources.count)))
 
     def clear(self) -> int:
         """Remove all datagrams; returns how many."""
@@ -231,8 +241,10 @@ class SendQueue:
             return low or standard or high or urgent
         return urgent or high or standard or low
 
-    def _take(self, queue: deque[tuple[bytes, float]]) -> None:
-        self._resize(-1, -len(queue.popleft()[0]))
+    def _take(self, queue: deque[tuple[bytes, float]], place: int = 0) -> None:
+        size = len(queue[place][0])
+        del queue[place]
+        self._resize(-1, -size)
 
     def _resize(self, count: int, size: int) -> None:
         by = size + count * DATAGRAM_OVERHEAD

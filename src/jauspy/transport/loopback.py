@@ -9,7 +9,7 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp
-from jauspy.protocol.addressing import Location
+from jauspy.protocol.addressing import HERE, Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import Receiver, ignore
@@ -90,9 +90,9 @@ class LoopbackTransport:
         else:
             self._counters["sent"] += 1
 
-    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
-        """Call `found`: whoever is on the hub is in this process."""
-        found(Location(is_here=int(id) in self._hub.members))
+    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:  # noqa: ARG002 - the same for all ids
+        """Call `found`: whoever sends to the hub is in this process."""
+        found(HERE)
 
     def _join(self, id: JausID) -> None:
         if self._hub.members.setdefault(int(id), self) is not self:

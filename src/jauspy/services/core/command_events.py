@@ -134,7 +134,10 @@ class CommandEvents(Service):
         return pending or self.completed.find(source, encoded(msg), self.host.now)
 
     def _exceeds_limit(self, msg: CreateCommandEvent, source: JausID) -> bool:
-        return self._find_command(msg, source) is None and self.subscriptions.full_for(source)
+        return self._find_command(msg, source) is None and self._is_full_for(source)
+
+    def _is_full_for(self, client: JausID) -> bool:
+        return self.subscriptions.full_for(client, in_control=client == self.host.controller)
 
     def _command(self, msg: CreateCommandEvent) -> Message | None:
         command = self.host.read(msg.command_message)

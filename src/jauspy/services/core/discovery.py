@@ -147,7 +147,9 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.host.count("foreign_registration", str(source))
             return
         self._renew(source)
-        if self.registrants == "subsystem":
+        if not msg.service_list:  # it may have left its machine already
+            self.directory.forget(source)
+        elif self.registrants == "subsystem":
             self._list(msg, source, HERE)
         else:
             self.host.locate(source, partial(self._list, msg, source))
@@ -155,9 +157,6 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     def _list(self, msg: RegisterServices, source: JausID, location: Location) -> None:
         if not location.is_here:
             self.host.count("foreign_registration", f"{source} is on another machine; registrants may be 'subsystem'")
-            return
-        if not msg.service_list:
-            self.directory.forget(source)
             return
         offers = [
             OfferedService(each.uri, each.major_version_number, each.minor_version_number) for each in msg.service_list

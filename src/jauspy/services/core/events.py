@@ -95,7 +95,13 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     def create_event(self, msg: CreateEvent, source: JausID) -> None:
         """Add a subscription; the first report is sent at once, that of a first-change event on the change."""
         subscription = Subscription(
-            self.subscriptions.free_id(), source, msg.request_id, msg.event_type, self._query(msg), due=self.host.now
+            self.subscriptions.free_id(),
+            source,
+            msg.request_id,
+            msg.event_type,
+            self._query(msg),
+            encoded(msg.query_message),
+            due=self.host.now,
         )
         self._set_rate(subscription, msg.requested_periodic_rate)
         self.subscriptions.add(subscription)
@@ -109,6 +115,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
             return
         subscription.request_id, subscription.kind = msg.request_id, msg.event_type
         subscription.query, subscription.last = self._query(msg), None
+        subscription.content = encoded(msg.query_message)
         self._set_rate(subscription, msg.requested_periodic_rate)
         subscription.due = self.host.now + subscription.period
         self._current = subscription
@@ -185,7 +192,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         if msg.event_type == PERIODIC and msg.requested_periodic_rate <= 0:
             return EventRejectCode.INVALID_EVENT_SETUP
         is_new = msg.CODE == CreateEvent.CODE and self._find(msg, source) is None
-        if len(encoded(msg.query_message)) > MAX_QUERY or (is_new and self.subscriptions.full_for(source)):
+        if len(encoded(msg.query_message)) > MAX_QUERY or (is_new and self._is_full_for(source)):
             return EventRejectCode.CONNECTION_REFUSED
         return None
 
@@ -250,7 +257,9 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         subscription.period = 1.0 / (subscription.confirmed or self.rates.change or self.rates.highest or 1.0)
 
     def _schedule(self, subscription: Subscription) -> None:
-        self.host.set_timer(("event", subscription.id), subscription.due, partial(self._tick, subscription))
+        may_wait = subscription.client != self.host.controller
+        tick = partial(self._tick, subscription)
+        self.host.set_timer(("event", subscription.id), subscription.due, tick, may_wait=may_wait)
 
     def _tick(self, subscription: Subscription) -> None:
         # From due time to due time, so that the rate does not drift; after a stall what was missed is left out.

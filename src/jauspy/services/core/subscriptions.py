@@ -35,6 +35,8 @@ class Subscription(ClientEvent):
 
     kind: int
     query: Message
+    content: bytes
+    """The query as it was requested."""
     due: float
     period: float = 1.0
     confirmed: float = 1.0
@@ -63,14 +65,16 @@ class Subscriptions:
         self._limit = min(limit, 256)
         self._limit_per_client = limit_per_client
         self._by_id: dict[int, ClientEvent] = {}
+        self._by_client: dict[JausID, dict[int, ClientEvent]] = {}
         self._next_id = 1
 
     def __len__(self) -> int:
         return len(self._by_id)
 
-    def full_for(self, client: JausID) -> bool:
-        """True when this client cannot have another event."""
-        return len(self._by_id) >= self._limit or len(self.of(client)) >= self._limit_per_client
+    def full_for(self, client: JausID, *, in_control: bool) -> bool:
+        """True when this client cannot have another event; a quarter is kept for a client in control."""
+        limit = self._limit if in_control else self._limit - self._limit // 4
+        return len(self._by_id) >= limit or len(self._by_client.get(client, ())) >= self._limit_per_client
 
     def free_id(self) -> int:
         """Return an id that is not in use; ids of cancelled events are reused last."""
@@ -82,12 +86,19 @@ class Subscriptions:
 
     def add(self, entry: ClientEvent) -> None:
         """Add it under its id, replacing the event with this id."""
-        self._by_id[entry.id] = entry
+        replaced = self._by_id.get(entry.id)
+        if replaced is not None:
+            self.remove(replaced)
+        self._by_id[entry.id] = self._by_client.setdefault(entry.client, {})[entry.id] = entry
 
     def remove(self, entry: ClientEvent) -> None:
         """Remove the event, if it is in the table."""
         if self.holds(entry):
             del self._by_id[entry.id]
+            own = self._by_client[entry.client]
+            del own[entry.id]
+            if not own:
+                del self._by_client[entry.client]
 
     def holds(self, entry: ClientEvent) -> bool:
         """True while this very entry is in the table."""
@@ -100,7 +111,7 @@ class Subscriptions:
 
     def same(self, client: JausID, kind: int, query: bytes) -> Subscription | None:
         """The client's event of this kind with this very query."""
-        return next((each for each in self.queries(client) if each.kind == kind and each.query.encode() == query), None)
+        return next((each for each in self.queries(client) if each.kind == kind and each.content == query), None)
 
     def same_command(self, client: JausID, command: bytes) -> PendingCommand | None:
         """The client's command event for this very command."""
@@ -113,7 +124,7 @@ class Subscriptions:
 
     def of(self, client: JausID) -> list[ClientEvent]:
         """The client's events in the order of their ids."""
-        return [each for each in self.all() if each.client == client]
+        return [each for _, each in sorted(self._by_client.get(client, {}).items())]
 
     def queries(self, client: JausID) -> Iterator[Subscription]:
         """The subscriptions of the client."""
