@@ -2,7 +2,7 @@
 # Runs a command in a fresh clone on a bare Debian 12 that has nothing but python3, make and git.
 #
 #   tools/fresh_machine.sh make demo              as root, without any GL library
-#   tools/fresh_machine.sh --gl egl make test     with libegl1; --gl osmesa: with libosmesa6; --gl both
+#   tools/fresh_machine.sh --gl egl make test     with libegl1 and libopengl0; --gl osmesa: with libosmesa6; --gl both
 #   tools/fresh_machine.sh --user make test       as an ordinary user
 #   tools/fresh_machine.sh --offline make test    with a loopback interface only: no network and no multicast
 #   tools/fresh_machine.sh --no-multicast ...     the same, but the first `make` may use the network
@@ -68,9 +68,9 @@ for each in /etc/apt/apt.conf.d/99*; do [ ! -e "$each" ] || cp "$each" "$machine
 
 case $gl in
 none) packages= ;;
-egl) packages=libegl1 ;;
+egl) packages='libegl1 libopengl0' ;;
 osmesa) packages=libosmesa6 ;;
-both) packages='libegl1 libosmesa6' ;;
+both) packages='libegl1 libopengl0 libosmesa6' ;;
 esac
 if [ -n "$packages" ]; then
     say "installing $packages"

@@ -11,8 +11,12 @@ from jauspy.errors import ConfigError
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 
-GL_LIBRARIES: Final = {"egl": ("libEGL.so.1",), "osmesa": ("libOSMesa.so.8", "libOSMesa.so.6")}
-GL_PACKAGES: Final = {"egl": "libegl1", "osmesa": "libosmesa6"}
+GL_LIBRARIES: Final = {
+    "egl": (("libEGL.so.1",), ("libOpenGL.so.0", "libGL.so.1")),
+    "osmesa": (("libOSMesa.so.8", "libOSMesa.so.6"),),
+}
+"""One of each of these groups is needed."""
+GL_PACKAGES: Final = {"egl": "libegl1 and libopengl0", "osmesa": "libosmesa6"}
 """The packages of Debian and Ubuntu."""
 
 
@@ -30,8 +34,9 @@ class MujocoBackend:
             raise ConfigError("the backend 'sim' needs MuJoCo: pip install 'jauspy[sim]'")
         way = os.environ.get("MUJOCO_GL", "").lower().strip()
         if way in GL_LIBRARIES and not has_gl(way):
+            missing = next(names[0] for names in GL_LIBRARIES[way] if not any(map(_loads, names)))
             raise ConfigError(
-                f"MUJOCO_GL={way} needs {GL_LIBRARIES[way][0]}, which is not installed: install {GL_PACKAGES[way]}, or "
+                f"MUJOCO_GL={way} needs {missing}, which is not installed: install {GL_PACKAGES[way]}, or "
                 "unset MUJOCO_GL, or set it to 'disable' to draw camera pictures without GL"
             )
         try:
@@ -43,8 +48,8 @@ class MujocoBackend:
 
 
 def has_gl(way: str) -> bool:
-    """True if a library for `egl` or `osmesa` can be loaded."""
-    return any(_loads(name) for name in GL_LIBRARIES[way])
+    """True if the libraries for `egl` or `osmesa` can be loaded."""
+    return all(any(map(_loads, names)) for names in GL_LIBRARIES[way])
 
 
 def choose_gl() -> str | None:

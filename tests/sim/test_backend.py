@@ -19,13 +19,24 @@ def test_missing_mujoco_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -
         backend.MujocoBackend().open(MODEL, "demo")
 
 
-@pytest.mark.parametrize(("way", "package"), [("egl", "libegl1"), ("osmesa", "libosmesa6"), ("OSMesa", "libosmesa6")])
+@pytest.mark.parametrize(
+    ("way", "package"), [("egl", "libegl1 and libopengl0"), ("osmesa", "libosmesa6"), ("OSMesa", "libosmesa6")]
+)
 def test_missing_gl_library_is_one_sentence(monkeypatch, way: str, package: str) -> None:
     monkeypatch.setenv("MUJOCO_GL", way)
     monkeypatch.setattr(backend, "_loads", lambda library: False)
     with pytest.raises(
         ConfigError, match=rf"MUJOCO_GL={way.lower()} needs lib.*: install {package}, or unset MUJOCO_GL"
     ):
+        backend.MujocoBackend().open(MODEL, "empty")
+
+
+def test_egl_needs_opengl_too(monkeypatch) -> None:
+    """As on a Debian with libegl1 alone."""
+    monkeypatch.setenv("MUJOCO_GL", "egl")
+    monkeypatch.setattr(backend, "_loads", lambda library: library == "libEGL.so.1")
+    assert not backend.has_gl("egl")
+    with pytest.raises(ConfigError, match=r"MUJOCO_GL=egl needs libOpenGL.so.0, .*: install libegl1 and libopengl0"):
         backend.MujocoBackend().open(MODEL, "empty")
 
 
