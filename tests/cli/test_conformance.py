@@ -116,7 +116,7 @@ def test_wrong_usage_ends_with_status_2():
     assert invoke("igvc-2015", "--target", "1.1").exit_code == 2
     assert invoke("igvc-1815", "--list").exit_code == 2
     assert "0.0.0 is not the id of a component" in invoke("igvc-2015", "--target", "0.0.0").stderr
-    assert "42.1.1 is an id that the test itself speaks as" in invoke("igvc-2015", "--target", "42.1.1").stderr
+    assert "42.1.1 is an id that the test itself uses" in invoke("igvc-2015", "--target", "42.1.1").stderr
 
 
 @pytest.mark.parametrize("kind", ["junit", "html", "pcapng"])
