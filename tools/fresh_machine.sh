@@ -88,6 +88,7 @@ if [ ! -d "$clone" ]; then
     git clone -q --no-hardlinks "$source" "$clone"
 else # of an earlier run: what git ignores stays, as in the clone of somebody who pulls
     git -c safe.directory='*' -C "$clone" fetch -q "$source" HEAD
+    git -c safe.directory='*' -C "$clone" update-index -q --refresh || : # else unchanged files are written, and `make` sees it
     git -c safe.directory='*' -C "$clone" reset -q --hard FETCH_HEAD
     git -c safe.directory='*' -C "$clone" clean -qfd
 fi

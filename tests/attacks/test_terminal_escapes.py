@@ -33,12 +33,13 @@ STYLE: Final = re.compile(r"\x1b\[[\d;]*m|\x1b\[\?25[lh]")
 
 
 @pytest.fixture(params=["pipe", "terminal"])
-def terminal(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> bool:
+def terminal(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch) -> Iterator[bool]:
     if request.param == "terminal":
         monkeypatch.setenv("FORCE_COLOR", "1")
         monkeypatch.setenv("TERM", "xterm-256color")
     console._console.cache_clear()
-    return bool(request.param == "terminal")
+    yield bool(request.param == "terminal")
+    console._console.cache_clear()
 
 
 def assert_harmless(output: str, *, forged: bool = False) -> None:

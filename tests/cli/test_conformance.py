@@ -116,7 +116,7 @@ def test_wrong_usage_ends_with_status_2():
     assert invoke("igvc-2015", "--target", "1.1").exit_code == 2
     assert invoke("igvc-1815", "--list").exit_code == 2
     assert "0.0.0 is not the id of a component" in invoke("igvc-2015", "--target", "0.0.0").stderr
-    assert "42.1.1 is an id that the test itself speaks as" in invoke("igvc-2015", "--target", "42.1.1").stderr
+    assert "42.1.1 is an id that the test itself uses" in invoke("igvc-2015", "--target", "42.1.1").stderr
 
 
 @pytest.mark.parametrize("kind", ["junit", "html", "pcapng"])
@@ -189,6 +189,13 @@ from jauspy.messages.core import QueryStatus, ReportStatus
 PROFILE = Profile("mine", "My test", (Step("1", "says how it is", ask("42.1.1", QueryStatus(), ReportStatus)),))
 NONE = 5
 """
+
+
+def test_current_directory_is_searched_for_profiles_of_ones_own_only(monkeypatch):
+    for profile, searched in (("igvc-2015", False), ("acme.brakes:PROFILE", True)):
+        monkeypatch.setattr(sys, "path", [each for each in sys.path if each])
+        invoke("--list", profile)
+        assert ("" in sys.path) == searched
 
 
 def test_user_defined_profile_runs(tmp_path, monkeypatch):

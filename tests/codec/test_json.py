@@ -43,7 +43,7 @@ def test_only_non_finite_numbers_are_text() -> None:
 
 @pytest.mark.parametrize("wrong", [None, 7, "QueryTime", [], {}, {"message": 7}, {"message": ["QueryTime"]}])
 def test_other_dictionaries_are_rejected(wrong: Any) -> None:
-    with pytest.raises(EncodeError, match="does not say which message it is"):
+    with pytest.raises(EncodeError, match="does not name its message"):
         registry.from_dict(wrong)
 
 

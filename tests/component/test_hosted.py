@@ -304,7 +304,7 @@ async def test_close_ends_all_waits():
     await me.open()
     waiting = asyncio.create_task(me.deliver(PEER, ReportHeartbeatPulse()))
     await asyncio.sleep(0)
-    with pytest.raises(ProtocolError, match="nobody acknowledges"):
+    with pytest.raises(ProtocolError, match="which is not acknowledged"):
         await me.deliver(EVERYONE, ReportHeartbeatPulse())
     await me.close()
     with pytest.raises(TransportError, match="was closed"):

@@ -179,8 +179,11 @@ async def test_moved_component_reopens_under_its_new_id(root: Path, manager: Nod
 async def test_move_ends_registrations_of_others():
     hub = LoopbackHub()
     id = jauspy.JausID.parse("101.1.7")
-    async with jauspy.Component(id, [Liveness()], transport=LoopbackTransport(id, hub)) as me:
-        other = jauspy.JausID.parse("101.1.9")
+    other = jauspy.JausID.parse("101.1.9")
+    async with (
+        jauspy.Component(id, [Liveness()], transport=LoopbackTransport(id, hub)) as me,
+        jauspy.Component(other, [Liveness()], transport=LoopbackTransport(other, hub)),
+    ):
         register = RegisterServices([ServiceRec("urn:x:y", 1, 0)]).encode()
         me.host.receive(register, other, me.host.now)
         directory = me.service(Discovery).directory

@@ -180,7 +180,7 @@ def test_services_of_a_component_without_discovery_come_from_its_node():
 def test_responsive_target_without_services_is_not_reported_as_dead():
     report = examined("core-1.1", VirtualTarget([component(7, Liveness())]), JausID(101, 1, 7))
     assert report.status == 2
-    assert "101.1.7 does not say which services it offers: no ReportServices" in report.problem
+    assert "101.1.7 does not report its services: no ReportServices" in report.problem
 
 
 def test_offers_of_a_virtual_target_match_discovery():

@@ -95,7 +95,7 @@ def test_group_in_use_is_noted(free_port):
         stranger.bind(("", free_port))
         wire = UdpWire(peer=("127.0.0.1", free_port))
         wire.close()
-    assert f"no multicasts are heard: port {free_port} is held by another" in wire.notes[-1]
+    assert f"no multicasts are received: port {free_port} is held by another" in wire.notes[-1]
 
 
 def test_many_open_files_do_not_break_receiving(free_port):

@@ -72,9 +72,14 @@ def close(ours: Any, theirs: Any) -> bool:
     return bool(ours == theirs)
 
 
-def test_every_message_has_a_row(vectors: ModuleType) -> None:
+OWN_SERVICES = "urn:jauspy:"
+"""Beginning of the URNs of services that only this package defines, for which nobody else has rows."""
+
+
+def test_every_message_of_others_has_a_row(vectors: ModuleType) -> None:
     covered = {(row.code, row.message, row.version) for row in vectors.existing_rows(vectors.COMMITTED)}
-    assert covered == {(entry.code, entry.name, entry.version) for entry in registry.entries}
+    others = [entry for entry in registry.entries if not entry.service.startswith(OWN_SERVICES)]
+    assert covered == {(entry.code, entry.name, entry.version) for entry in others}
 
 
 def test_committed_rows_stay_small(vectors: ModuleType) -> None:

@@ -160,7 +160,11 @@ def test_binary_file_is_an_error(write, tmp_path):
             "[[cameras]]\nname = 'c'\nlink = 'l'\ndepth = { size = [1920, 1080] }\n[[modules]]",
             r"size: \[1920, 1080\] are too many points for one message; it has 1000000",
         ),
-        ("component = 33", "component = 33\nservices = []", r"none has the service Discovery; nobody could find"),
+        (
+            "component = 33",
+            "component = 33\nservices = []",
+            r"none has the service Discovery; without it the robot cannot be discovered",
+        ),
         ("component = 33", "component = 33\nservices = ['PrimitiveDriver']", r"none has the service Discovery"),
         (
             "component = 33",

@@ -214,7 +214,7 @@ async def test_mirror_pipe_needs_a_reader_and_never_blocks(
     monkeypatch.setattr(mirror, "STOP_TIMEOUT", 0.05)
     pipe = tmp_path / "pipe"
     os.mkfifo(pipe)
-    with pytest.raises(TransportError, match="a pipe that nobody reads yet"):
+    with pytest.raises(TransportError, match="a pipe without a reader"):
         await NodeManager(config(root, mirror=str(pipe))).open()
     reader = os.open(pipe, os.O_RDONLY | os.O_NONBLOCK)
     try:

@@ -236,7 +236,7 @@ async def test_vanished_robot_raises_response_timeout(virtual_network, robot, oc
 async def test_missing_result_raises_response_timeout(virtual_network, robot, client):
     virtual_network.lose(CommandEvent)
     with pytest.raises(
-        ResponseTimeout, match=r"101\.1\.1 took Standby and did not say within 5 s how it ended; it may have been"
+        ResponseTimeout, match=r"101\.1\.1 accepted Standby and did not report its result within 5 s; it may have been"
     ):
         await client.perform(Standby(), within=5)
 

@@ -80,7 +80,7 @@ async def test_refusal_names_the_holder_and_authorities(world):
             async with second.control(authority=200):
                 pytest.fail("two clients in control")
 
-    assert str(refusal.value) == "101.1.1 is held by 42.1.1 with authority 220; you asked with 200"
+    assert str(refusal.value) == "101.1.1 is held by 42.1.1 with authority 220; requested with 200"
     assert (refusal.value.holder, refusal.value.authority) == (HOLDER, 220)
 
 
@@ -88,7 +88,7 @@ async def test_insufficient_authority_error_names_the_minimum(world):
     await world.robot()
     driver = await driver_of(await world.ocu())
     with pytest.raises(
-        ControlRejected, match=r"101\.1\.1 gives control to authority 1 and above; you asked"
+        ControlRejected, match=r"101\.1\.1 gives control to authority 1 and above; requested with"
     ) as refusal:
         async with driver.control(authority=0):
             pytest.fail("controlled without authority")
@@ -317,7 +317,7 @@ async def test_restart_of_the_robot_loses_control(world):
         await crash(world, robot)
         again = await world.robot(timeout=1)
         await asyncio.wait_for(control.until_lost(), 2)
-        assert "nobody is in control; it was restarted" in control.lost
+        assert "no client in control; it was restarted" in control.lost
         with pytest.raises(ControlRejected, match="was lost"):
             await driver.send(FULL)
         assert again.host.controller is None

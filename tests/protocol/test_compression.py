@@ -158,6 +158,23 @@ def test_compression_off_accepts_proposals_as_plain_packets() -> None:
     assert core.counters["dropped.malformed.compressed"] == 2
 
 
+def test_a_template_in_use_is_not_redefined() -> None:
+    """Otherwise whoever forges the address of a peer gives its packets other destinations."""
+    core = node()
+    proposal = "02 401200 0509 01 02016400 01016500 0220 0700"
+    receive(core, proposal, PEER)
+    poisoned = "02 401200 0509 01 03016400 01016500 0220 0700"
+    compressed, meant = "02 c00900 0509 0520 0800", plain("02 001000 01 02016400 01016500 0520 0800")
+    for now in (1.0, 20.0, 40.0, 69.0):
+        assert not any(out.startswith("0280") for _, out in receive(core, poisoned, PEER, now))
+        assert receive(core, compressed, PEER, now) == [(OURS, meant)]
+        assert receive(core, proposal, PEER, now)[0][1].startswith("0280"), "the same one is confirmed"
+    assert core.counters["compression.not_accepted"] == 4
+    assert receive(core, poisoned, PEER, 100.0)[0][1].startswith("0280"), (
+        "of a peer that was restarted, after a silence"
+    )
+
+
 def test_broadcast_and_oversized_templates_are_rejected() -> None:
     core = node()
     broadcast = "02 401200 0509 09 ffffffff 01016500 0220 0700"
@@ -295,4 +312,4 @@ def test_restart_loses_few_packets_and_corrupts_none() -> None:
     for side in range(2):
         assert set(cable.arrived[side]) <= set(sent[side])
         assert len(set(sent[side]) - set(cable.arrived[side])) < 20
-    assert cable.nodes[1].counters["compression.refused"] > 0
+    assert cable.nodes[0].counters["compression.refused"] > 0, "the other one compressed until it was told"

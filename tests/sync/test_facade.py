@@ -94,7 +94,7 @@ def test_errors_equal_those_of_the_asynchronous_client(robot, node_manager, ocu)
     with (
         OCU("43.1.1", node_manager.local) as other,
         other.discover(101).service("PrimitiveDriver").control(authority=220),
-        pytest.raises(ControlRejected, match=r"is held by 43\.1\.1 with authority 220; you asked with 200"),
+        pytest.raises(ControlRejected, match=r"is held by 43\.1\.1 with authority 220; requested with 200"),
     ):
         mine.__enter__()
 

@@ -86,7 +86,7 @@ async def test_it(virtual_network):
 """
     result = run(source, *AUTO)
     result.assert_outcomes(passed=1, errors=1)
-    result.stdout.fnmatch_lines(["*an error that nobody saw*ZeroDivisionError*"])
+    result.stdout.fnmatch_lines(["*an unhandled error*ZeroDivisionError*"])
 
 
 def test_error_of_an_unawaited_task_fails_the_test(run):
@@ -103,7 +103,7 @@ async def test_it(virtual_network):
 """
     result = run(source, *AUTO)
     result.assert_outcomes(passed=1, errors=1)
-    result.stdout.fnmatch_lines(["*an error that nobody saw*ValueError*unseen*"])
+    result.stdout.fnmatch_lines(["*an unhandled error*ValueError*unseen*"])
 
 
 def test_the_node_manager_serves_a_test_without_asyncio(run):

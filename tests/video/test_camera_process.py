@@ -177,7 +177,7 @@ async def test_small_stills_are_anti_aliased(camera, size, smooth):
 async def test_too_many_stills_and_receivers_are_refused(camera):
     for _ in range(camera_process.MAX_PENDING_STILLS):
         camera.take(TINY, lambda _: None)
-    with pytest.raises(ConfigError, match="8 still images of this camera are under way"):
+    with pytest.raises(ConfigError, match="8 still images of this camera are pending"):
         camera.take(TINY, lambda _: None)
     for port in range(2000, 2000 + 2 * MAX_RECEIVERS, 2):
         camera.watch(("127.0.0.1", port), playing=False)

@@ -112,6 +112,8 @@ def run_one(result: Result, stage: Stage, seconds: float, seed: int) -> None:
     result.tasks = sum(max(0, each.tasks) for each in growth)
     result.lines = sum(each.lines for each in growth)
     result.compare()
+    if result.broken and (drops := arena.drops()):
+        result.broken.append(f"{result.attack.name}: the node manager has dropped meanwhile: {drops}")
 
 
 if __name__ == "__main__":

@@ -38,6 +38,7 @@ class Arena:
         """MiB at the peak of a command that the attack has run."""
         self.asked = self.lost = 0
         """Of an honest party other than the operator."""
+        self._counters = stage.counters()
         self._opened = contextlib.ExitStack()
         self._before = [victim.usage() for victim in stage.victims]
         self._seconds = seconds
@@ -101,6 +102,12 @@ class Arena:
         """Raise `BoundBroken` unless the condition holds."""
         if not condition:
             raise BoundBroken(f"{self.attack.name}: {sentence}")
+
+    def drops(self) -> str:
+        """What the robot's node manager has dropped since the start of the attack, by reason."""
+        found = self.stage.counters() - self._counters
+        drops = ((name.removeprefix("dropped."), n) for name, n in found.most_common() if name.startswith("dropped."))
+        return ", ".join(f"{count} {name}" for name, count in drops)
 
     def close(self) -> None:
         """Close what the attacker has opened."""

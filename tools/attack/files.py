@@ -12,10 +12,10 @@ from typing import Final
 from .arena import Arena
 
 READERS: Final = str(Path(__file__).with_name("readers.py"))
-TIMEOUT: Final = 60.0
+TIMEOUT: Final = 120.0
 """Seconds for all files of a round."""
 MAX_SECONDS: Final = 10.0
-"""Seconds for one of them; a large file that is read as it should takes one."""
+"""Seconds of CPU time for one of them; a large file that is read as it should takes one."""
 MAX_MEMORY: Final = 400.0
 """MiB at the peak of the program, with what Python and the libraries need."""
 CANARY: Final = "canary"

@@ -6,12 +6,16 @@ import contextlib
 import json
 import os
 import pty
+import socket
 import subprocess
 import sys
 import tty
+from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, Final
+
+from jauspy.node import status
 
 from .attack import BoundBroken, Layout, Victims
 from .hosts import Host, Lan
@@ -24,6 +28,7 @@ OPERATOR_ID: Final = "42.1.1"
 KEY: Final = b"the key of this network"
 MULTICAST: Final = "239.255.7.7"
 MULTICAST6: Final = "ff15::6a61:7573"
+_STATUS_TIMEOUT: Final = 5.0
 QUERY_RATE: Final = 50
 """Queries per second of the honest operator."""
 
@@ -64,6 +69,18 @@ class Stage:
     def key_file(self) -> Path:
         """The file with the key, on a network that has one."""
         return self.folder / "lan.key"
+
+    def counters(self) -> Counter[str]:
+        """The counters of the robot's node manager; empty if they cannot be read."""
+        path = str(self.root("robot") / status.SOCKET_NAME)
+        try:
+            with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as sock:
+                sock.settimeout(_STATUS_TIMEOUT)
+                sock.connect(path)
+                document = b"".join(iter(lambda: sock.recv(1 << 16), b""))
+            return Counter(json.loads(document)["counters"])
+        except (OSError, ValueError):
+            return Counter()
 
     # --- the operator ---------------------------------------------------------------------------------------------
 

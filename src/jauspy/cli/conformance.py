@@ -100,7 +100,8 @@ def conformance(
       jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
       jauspy conformance --list
     """
-    sys.path.append("")  # finds the user's profiles in the current directory; last, so that they hide no module
+    if profile is not None and ":" in profile:
+        sys.path.append("")  # the user's profile may be in the current directory; last, so that it hides no module
     try:
         if list_:
             show_steps(steps_of(find(profile), target, connect, timeout)) if profile else show_list()

@@ -352,7 +352,7 @@ class Registry:
     def message_from(self, data: object, nesting: Nesting, path: str) -> Message:
         """The same for a message inside another one, which is at `path`."""
         if not isinstance(data, Mapping) or not isinstance(data.get("message"), str):
-            raise EncodeError(f"{shown(data)} does not say which message it is", path=path)
+            raise EncodeError(f"{shown(data)} does not name its message", path=path)
         named = {key: data.get(key) for key in ("service", "version")}
         for key, value in named.items():
             if not isinstance(value, str | None):

@@ -290,7 +290,7 @@ class Component:
         """
         to = JausID.of(destination)
         if to.is_wildcard:
-            raise ProtocolError("not_acknowledged", f"{to} is a broadcast, which nobody acknowledges")
+            raise ProtocolError("not_acknowledged", f"{to} is a broadcast, which is not acknowledged")
         ticket = self._send(to, message, priority, Broadcast.NONE, Ack.REQUIRED)
         await self._acknowledgements.wait(ticket, f"{to} did not acknowledge {message.NAME}")
 

@@ -47,7 +47,7 @@ def carries_only(*fields: str) -> Check:
 
     def problem(message: Message) -> str:
         extra = [name for name, value in _optional(message).items() if value is not None and name not in fields]
-        return f"also carries {', '.join(extra)}, which was not asked for" if extra else ""
+        return f"also carries {', '.join(extra)}, which was not requested" if extra else ""
 
     return Check(what, problem)
 

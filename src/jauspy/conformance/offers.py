@@ -55,7 +55,7 @@ def discover(tester: Tester) -> Offers:
         if found.components:
             return found
         _probe(tester)
-        raise RequestError(f"{tester.target} does not say which services it offers: {error}") from error
+        raise RequestError(f"{tester.target} does not report its services: {error}") from error
     reports = [(tester.component, first)]
     if tester.target.is_wildcard:
         reports += client.answers(ALL_SERVICES, ReportServices, tester.timeout)

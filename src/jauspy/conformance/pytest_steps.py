@@ -50,7 +50,7 @@ def pytest_steps(
 
     chosen = find(profile) if isinstance(profile, str) else profile
     if chosen.asks_for_services and offers is None:
-        raise ConfigError(f"the steps of {chosen.name} depend on what the target offers; say it with offers=")
+        raise ConfigError(f"the steps of {chosen.name} depend on the services of the target; pass them as offers=")
     session = _Session(wire, JausID.parse(target), settings or Settings(), chosen.plan(offers or Offers({})))
     tests = [pytest.param(session.test_of(number), id=step.id) for number, step in enumerate(session.steps)]
     return pytest.mark.parametrize("step", tests)

@@ -29,7 +29,7 @@ class Verdict(StrEnum):
 
 
 DEPENDS_ON_TARGET: Final = (
-    "it depends on what only the target knows: it went the other way, or nobody can tell which way"
+    "it depends on internal state of the target: another transition was taken, or it is not known which"
 )
 """Why a transition was not seen although its input was sent."""
 

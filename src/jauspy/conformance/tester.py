@@ -390,7 +390,7 @@ class Tester:
         """The client with this id, which is reachable from then on."""
         wanted = JausID.of(id)
         if wanted == self.target:
-            raise ConfigError(f"{wanted} is an id that the test itself speaks as; give the target another one")
+            raise ConfigError(f"{wanted} is an id that the test itself uses; give the target another one")
         if wanted not in self._clients:
             self.wire.join(wanted)
             self._clients[wanted] = Client(self, wanted)

@@ -140,7 +140,7 @@ class UdpWire:
             sock = multicast.receiver(self._group)
         except OSError as error:
             self.notes.append(
-                f"no multicasts are heard: port {self._group[1]} is held by another user or program "
+                f"no multicasts are received: port {self._group[1]} is held by another user or program "
                 f"({error.strerror}); the queries of a robot that searches for the tester are not received"
             )
             return

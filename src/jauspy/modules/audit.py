@@ -10,7 +10,6 @@ import errno
 import fcntl
 import hashlib
 import json
-import logging
 import os
 import queue
 import threading
@@ -27,12 +26,13 @@ from typing import Any, BinaryIO, Final, Self
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, DecodeError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages import registry
 from jauspy.messages.operators import SealedCommand
 from jauspy.protocol.seal import Operator
 from jauspy.services.core.command_seal import CommandRecord
 
-_LOG: Final = logging.getLogger("jauspy.audit")
+_LOG: Final = get_logger("jauspy.audit")
 
 MAX_WAITING: Final = 1024
 """Records that wait for the disk; further ones are lost, and counted."""

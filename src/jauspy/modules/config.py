@@ -354,7 +354,9 @@ class RobotConfig(StrictConfig):
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
         if not any(module.offers("Discovery") for module in self.modules):
-            raise ValueError("modules: none has the service Discovery; nobody could find the robot; add it to services")
+            raise ValueError(
+                "modules: none has the service Discovery; without it the robot cannot be discovered; add it to services"
+            )
         for module in self.modules:
             if self.origin is None and (globe := module.needs().get(catalogue.ORIGIN)):
                 raise ValueError(

@@ -171,7 +171,8 @@ class NodeManager:
         reader = DatagramReader(self._local, counters, self._max_age)
         base.start_reading(self._loop, reader, self._from_component, self._socket_error, take_is_fast=True)
         authenticated = any(network.authenticator for network in self._networks.values())
-        self._ingress = Ingress(self._from_network if authenticated else self._receive, counters, self._max_age)
+        receive = self._from_network if authenticated else self._receive
+        self._ingress = Ingress(receive, counters, self._max_age, sources=self._router.sources)
         for name, network in self._networks.items():
             for sock in network.sockets:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
@@ -261,7 +262,7 @@ class NodeManager:
 
     def _from_network(self, data: bytes, port: UdpPort) -> None:
         network = self._networks.get(port.network)
-        datagram = None if network is None else network.authenticate(data)
+        datagram = None if network is None else network.authenticate(data, port)
         if datagram is not None:
             self._receive(datagram, port)
 

@@ -163,7 +163,7 @@ def _open_file(path: Path, limit: int) -> tuple[Callable[[bytes], object], Calla
     try:
         file = os.fdopen(_create(path), "wb", buffering=0)
     except OSError as error:
-        why = "it is a pipe that nobody reads yet" if error.errno == errno.ENXIO else error.strerror
+        why = "it is a pipe without a reader" if error.errno == errno.ENXIO else error.strerror
         raise TransportError(f"cannot write the mirror {path}: {why}") from error
     left = limit - len(writer.preamble())
 

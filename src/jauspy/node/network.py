@@ -15,6 +15,7 @@ from jauspy.errors import ProtocolError, TransportError
 from jauspy.logs import get_logger
 from jauspy.node.config import NetworkConfig
 from jauspy.protocol import authentication
+from jauspy.protocol.address_book import Address
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.authentication import Authenticator
 from jauspy.protocol.counters import Counters
@@ -57,6 +58,8 @@ class Network:
         self._unreachable = unreachable
         self.config = config
         self.authenticator = authenticator
+        if authenticator is not None:
+            authenticator.is_own = is_own_address
         self._counters = counters
         self._unicast = bind_udp(config.address, config.port, receive_buffer)
         self._group: socket.socket | None = None
@@ -99,23 +102,29 @@ class Network:
             return ReceiveBuffer(0, 0, 0)
         return ReceiveBuffer(info[0], info[1], info[8])
 
-    def authenticate(self, data: bytes) -> bytes | None:
+    def authenticate(self, data: bytes, source: UdpPort) -> bytes | None:
         """The datagram in received data; None, and counted, if authentication fails."""
         if self.authenticator is None:
             return data
         try:
-            return self.authenticator.verify(data, time.time())
+            return self.authenticator.verify(data, time.time(), source[:2])
         except ProtocolError as error:
             if error.reason == "own":
                 self._counters["echoes"] += 1
             else:
                 self._counters.drop(f"auth.{error.reason}", error)
             return None
+        finally:
+            for (host, port), datagram in self.authenticator.poll_output():
+                self._send(datagram, host, port)
 
     def send(self, datagram: bytes, host: str, port: int) -> None:
         """Send now; counted when dropped."""
         if self.authenticator is not None:
-            datagram = self.authenticator.sign(datagram, time.time())
+            datagram = self.authenticator.sign(datagram, time.time(), (host, port))
+        self._send(datagram, host, port)
+
+    def _send(self, datagram: bytes, host: str, port: int) -> None:
         sock = self._unicast
         if ":" in host:
             if self._ipv6 is None:
@@ -172,11 +181,13 @@ class Network:
 
     def multicast(self, datagram: bytes) -> None:
         """Send to the group on each interface."""
+        if self.authenticator is not None:
+            datagram = self.authenticator.sign(datagram, time.time(), None)
         for interface in self._memberships.current if self._memberships else self.config.interfaces:
             if self._select_interface(interface):
-                self.send(datagram, self.config.multicast_group, self.port)
+                self._send(datagram, self.config.multicast_group, self.port)
         for group in self._ipv6.groups() if self._ipv6 else ():
-            self.send(datagram, group, self.port)
+            self._send(datagram, group, self.port)
 
     def close(self) -> None:
         """Close the sockets; a second call does nothing."""
@@ -279,6 +290,18 @@ def bind_udp(address: str, port: int, receive_buffer: int) -> socket.socket:
             raise TransportError(f"{address} is no address of this machine; choose another with --address") from None
         raise TransportError(f"cannot bind UDP {address}:{port}: {error.strerror}") from error
     return sock
+
+
+def is_own_address(host: str, peer: Address) -> bool:
+    """True for an IP address of this machine; a link-local one is on the interface by which `peer` is reached."""
+    name = host.partition("%")[0]
+    zone = peer[0].partition("%")[2]
+    try:
+        with socket.socket(socket.AF_INET6 if ":" in name else socket.AF_INET, socket.SOCK_DGRAM) as probe:
+            probe.bind((name, 0, 0, int(zone or 0)) if ":" in name else (name, 0))
+    except (OSError, ValueError):
+        return False
+    return True
 
 
 def udp_port_owner(port: int) -> str:

@@ -119,6 +119,6 @@ class _PendingCommand:
                 "command allows more"
             )
         return ResponseTimeout(
-            f"{self._id} took {name} and did not say within {within} how it ended; it may have been carried out, for "
-            "not all components say that more than once; check that this one still runs"
+            f"{self._id} accepted {name} and did not report its result within {within}; it may have been carried out, "
+            "since not all components repeat the report; check that this one still runs"
         )

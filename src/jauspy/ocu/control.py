@@ -82,7 +82,7 @@ class ControlStatus:
 
     async def explain(self, code: int, authority: int) -> str:
         """Why it refused control to a client with this authority."""
-        asked = f"you asked with {authority}"
+        asked = f"requested with {authority}"
         if code == ConfirmControl.ResponseCode.NOT_AVAILABLE:
             status = await self.query(QueryStatus())
             now = f" (its status is {status_name(status)})" if isinstance(status, ReportStatus) else ""
@@ -281,7 +281,9 @@ class Control:
                 self._taken = True
                 self._lose(f"{self.id} {self._status.held_by()}")
             elif controller(control) == NO_CONTROLLER:
-                self._lose(f"{self.id} says that nobody is in control; it was restarted, or did not hear us in time")
+                self._lose(
+                    f"{self.id} reports no client in control; it was restarted, or renewals did not arrive in time"
+                )
             else:
                 self._answered_at = asyncio.get_running_loop().time()
         if isinstance(status, ReportStatus) and not self._may_leave_ready:

@@ -163,7 +163,7 @@ def _query_missing(connection: Connection, tree: SubsystemTree, subsystem: int |
 
 def _no_such_subsystem(subsystem: int, tree: SubsystemTree, timeout: float) -> str:
     others = sorted({each.subsystem for each in tree})
-    answered = f"subsystems {', '.join(map(str, others))} did" if others else "nobody else did either"
+    answered = f"subsystems {', '.join(map(str, others))} did" if others else "no other subsystem did either"
     return (
         f"subsystem {subsystem} did not answer QueryIdentification and QueryServices, sent to "
         f"{subsystem}.255.255 for {timeout:g} s ({answered}); start the robot, check its number and its node manager, "

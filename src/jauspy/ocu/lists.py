@@ -284,7 +284,7 @@ class Elements(Sequence[Element]):
         if not await self._client.becomes(lambda uids: uids == expected):
             raise ElementRejected(
                 f"{self._id} confirmed a new list in front of its old one, and now reports another one: "
-                "somebody else changes it, too, or it does not link as the standard says; the old list was left there"
+                "another client changes it, too, or its links differ from the standard; the old list was kept"
             )
 
     async def _remove_new(self, old: list[int], error: BaseException) -> None:

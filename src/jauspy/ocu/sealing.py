@@ -7,7 +7,6 @@ operators, is sent commands without a seal; so are all when a wildcard id is mea
 from __future__ import annotations
 
 import asyncio
-import logging
 import math
 import stat
 from collections import OrderedDict
@@ -19,11 +18,12 @@ from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages.operators import RejectCommand, ReportSealChallenge
 from jauspy.protocol.seal import OperatorKey
 from jauspy.services.core.command_seal import CHALLENGE_LIFETIME, explained, is_stop, needs_seal
 
-_LOG: Final = logging.getLogger("jauspy.ocu")
+_LOG: Final = get_logger("jauspy.ocu")
 
 REFRESH_AFTER: Final = 60.0
 """Seconds after which another challenge is asked for, while the old one is still used."""

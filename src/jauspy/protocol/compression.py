@@ -43,20 +43,26 @@ class Templates:
     """Templates that peers have proposed; the least recently used is forgotten first."""
 
     def __init__(self) -> None:
-        self._known: OrderedDict[tuple[UdpPort, int], bytes] = OrderedDict()
+        self._known: OrderedDict[tuple[UdpPort, int], tuple[bytes, float]] = OrderedDict()
+        """Templates, and when each was used."""
 
-    def find(self, port: UdpPort, number: int) -> bytes | None:
+    def find(self, port: UdpPort, number: int, now: float) -> bytes | None:
         """The template that a peer has proposed under this number, or None."""
-        template = self._known.get((port, number))
-        if template is not None:
-            self._known.move_to_end((port, number))
-        return template
+        known = self._known.get((port, number))
+        if known is None:
+            return None
+        self._known[port, number] = known[0], now
+        self._known.move_to_end((port, number))
+        return known[0]
 
-    def store(self, port: UdpPort, number: int, packet: bytes, length: int) -> bool:
-        """Store the first `length` bytes as a template; false when the length is out of range."""
-        if not 0 < length <= min(MAX_TEMPLATE_LENGTH, len(packet)):
+    def store(self, port: UdpPort, number: int, template: bytes, now: float) -> bool:
+        """Store a template; false when its length is out of range, or the number is in use for another one."""
+        if not 0 < len(template) <= MAX_TEMPLATE_LENGTH:
             return False
-        self._known[port, number] = packet[:length]
+        known, used_at = self._known.get((port, number), (template, now))
+        if known != template and now - used_at < REUSE_DELAY:
+            return False
+        self._known[port, number] = template, now
         self._known.move_to_end((port, number))
         if len(self._known) > MAX_TEMPLATES:
             self._known.popitem(last=False)
@@ -175,7 +181,7 @@ class Compression:
 
     def _body(self, sent: _FlaggedPacket, port: UdpPort, now: float) -> bytes:
         """Control, destination, source, message and sequence number; empty if the packet only negotiates."""
-        body = sent.rest if sent.kind != _COMPRESSED else self._template(sent.number, port) + sent.rest
+        body = sent.rest if sent.kind != _COMPRESSED else self._template(sent.number, port, now) + sent.rest
         if len(body) < _EMPTY:
             raise ProtocolError("size", f"{len(body)} bytes are too few for a packet")
         if sent.kind == _COMPRESSED:
@@ -183,24 +189,25 @@ class Compression:
             return body
         partner = self._partner(port)
         if sent.kind == _PROPOSED:
-            self._handle_proposal(sent, port)
+            self._handle_proposal(sent, port, now)
         else:
             partner.handle_answer(sent.number, sent.length, body, now)
         return body if len(body) > _EMPTY or body[0] & _ACK_MASK else b""
 
-    def _template(self, number: int, port: UdpPort) -> bytes:
-        template = self._templates.find(port, number)
+    def _template(self, number: int, port: UdpPort, now: float) -> bytes:
+        template = self._templates.find(port, number, now)
         if template is None:
             self._answer(number, 0, bytes(TEMPLATE_LENGTH), port)
             self._counters["compression.refused"] += 1
             raise ProtocolError("no_template", f"template {number} was not proposed")
         return template
 
-    def _handle_proposal(self, sent: _FlaggedPacket, port: UdpPort) -> None:
+    def _handle_proposal(self, sent: _FlaggedPacket, port: UdpPort, now: float) -> None:
         """Accept a proposal if its template can be stored and its answer has one receiver."""
         destination, source = struct.unpack_from("<II", sent.rest, 1)
         incomplete = addressing.is_incomplete(destination) or addressing.is_incomplete(source)
-        if incomplete or not self._templates.store(port, sent.number, sent.rest[:-2], sent.length):
+        template = sent.rest[:-2][: sent.length]
+        if incomplete or len(template) < sent.length or not self._templates.store(port, sent.number, template, now):
             self._counters["compression.not_accepted"] += 1
             return
         control = bytes([sent.rest[0] & ~_ACK_MASK])

@@ -77,13 +77,16 @@ class MulticastEchoes:
 
 
 class ReplayWindow:
-    """The numbers that one sender has used, to recognise replays; a bit for each of the last `REPLAY_WINDOW`."""
+    """The numbers that one sender has used, to recognise replays; a bit for each of the last `REPLAY_WINDOW`.
+
+    Numbers up to `used` count as used.
+    """
 
     __slots__ = ("_seen", "_top")
 
-    def __init__(self) -> None:
-        self._top = 0
-        self._seen = 0
+    def __init__(self, used: int = 0) -> None:
+        self._top = used
+        self._seen = (1 << REPLAY_WINDOW) - 1 if used else 0
 
     def is_new(self, number: int) -> bool:
         """False when the number is known or too old."""

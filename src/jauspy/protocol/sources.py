@@ -42,6 +42,11 @@ class TokenBuckets:
             self._buckets.popitem(last=False)
         return granted
 
+    def is_empty(self, key: Hashable, now: float) -> bool:
+        """True when `take` would be refused."""
+        tokens, last = self._buckets.get(key, (self._burst, now))
+        return tokens + (now - last) * self._rate < 1.0
+
 
 MOVE_TIMEOUT: Final = 30.0
 """Seconds without a packet after which an id may have any host. For as long, a wrong claim prevents others."""
@@ -198,6 +203,10 @@ class SourceChecks:
         Safety-critical messages have a budget of their own.
         """
         return self._buckets.take(id | _URGENT if priority == Priority.SAFETY_CRITICAL else id, now)
+
+    def is_over_rate(self, id: int, priority: int, now: float) -> bool:
+        """True when `within_rate` would be false; nothing is counted. Call only when `are_limited`."""
+        return self._buckets.is_empty(id | _URGENT if priority == Priority.SAFETY_CRITICAL else id, now)
 
     def is_verified(self, id: int, port: NetworkPort, now: float) -> bool:
         """True when this id had exactly this address a moment ago, so that there is nothing to check or learn."""

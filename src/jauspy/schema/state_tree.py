@@ -148,7 +148,7 @@ class MergedMachine:
         Raises `ConfigError` when no definition names one, or when definitions start in different branches.
         """
         if not self.starts:
-            raise ConfigError(f"no service says in which state {self.name} starts")
+            raise ConfigError(f"no service defines the state in which {self.name} starts")
         deepest, chooser = self._deepest()
         for state, owner in self.starts:
             if not f"{deepest}.".startswith(f"{state}."):

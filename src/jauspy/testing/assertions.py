@@ -48,4 +48,4 @@ async def no_leftovers() -> AsyncIterator[None]:
         raise AssertionError(f"still running at the end of the test: {', '.join(sorted(map(str, left)))}")
     if errors:
         error = errors[0].get("exception")
-        raise AssertionError(f"an error that nobody saw: {errors[0].get('message')}: {error!r}") from error
+        raise AssertionError(f"an unhandled error: {errors[0].get('message')}: {error!r}") from error

@@ -166,7 +166,7 @@ class PendingStills:
         """Raise `ConfigError` when there are too many."""
         if len(self._pending) >= MAX_PENDING_STILLS:
             raise ConfigError(
-                f"{MAX_PENDING_STILLS} still images of this camera are under way; ask again when one has come"
+                f"{MAX_PENDING_STILLS} still images of this camera are pending; try again when one has arrived"
             )
 
     def add(self, settings: StillSettings, callback: StillCallback) -> TakeStill:

@@ -73,7 +73,7 @@ def test_existing_file_is_not_overwritten():
         ),
         (["a:one", "--first-id", "D737"], "D738 is "),
         (["a:one", "--first-id", "D739"], "; D73A to D73F are free"),
-        (["a:one", "--first-id", "F933"], "; F937 to FD0F are free"),
+        (["a:one", "--first-id", "F933"], "; F937 to FA4F are free"),
         (["a:one", "--first-id", "FF39"], "; FF3A to FFFE are free"),
     ],
 )

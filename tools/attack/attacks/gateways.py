@@ -5,19 +5,23 @@ More broadcasts are sent than a gateway remembers, so that echoes come back to a
 
 from __future__ import annotations
 
+import contextlib
 import socket
 import struct
 import time
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import judp
+from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Broadcast, Packet
 
-from ..arena import Arena
+from ..arena import OPERATOR, Arena
 from ..attack import Attack, Attacker, Layout, NotPossible, Victims
 from ..stage import MULTICAST, PORT
 
-RATE = 3000
+RATE = 2000
+_BETWEEN = 40
+"""Broadcasts between two messages of the honest operator."""
+COMPONENT = JausID.parse("101.1.50")
 QUIET_TIME = 3.0
 """Seconds after which nothing of the attack may be on the networks any more."""
 MAX_COPIES = 4
@@ -49,12 +53,39 @@ def drain(sock: socket.socket) -> int:
     return count
 
 
+class Pair:
+    """An operator outside, and a component behind one of the gateways, which counts what it receives from there."""
+
+    def __init__(self, arena: Arena) -> None:
+        self._arena = arena
+        self._operator = arena.open(arena.hosts["operator"].udp())
+        self._component = arena.open(socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM))
+        self._component.setblocking(False)
+        self._component.bind(str(arena.root / str(int(COMPONENT))))
+        self._component.sendto(junior.connect(COMPONENT), str(arena.root / junior.SOCKET_NAME))
+        self._expected: set[bytes] = set()
+
+    def send(self) -> None:
+        """Send the next message."""
+        data = judp.pack(Packet(OPERATOR, COMPONENT, b"\x02\x20", self._arena.asked & 0xFFFF))
+        self._arena.asked += 1
+        self._expected.add(data)
+        self._operator.sendto(data, self._arena.where)
+
+    def receive(self) -> None:
+        """Count what has arrived."""
+        with contextlib.suppress(BlockingIOError):
+            while True:
+                self._expected.discard(self._component.recv(70000))
+        self._arena.lost = len(self._expected)
+
+
 def run(arena: Arena) -> None:
     """From both networks; what is heard on the other one is counted."""
     host = arena.attacker
     if not host.second:
         raise NotPossible("two networks with two gateways need network namespaces")
-    heard = arena.open(listener(arena, host.second))
+    heard, pair = arena.open(listener(arena, host.second)), Pair(arena)
     first, second = arena.open(host.udp(host.address)), arena.open(host.udp(host.second))
     copies = 0
     for number in arena.paced(RATE):
@@ -63,8 +94,12 @@ def run(arena: Arena) -> None:
         packet = Packet(source, EVERYONE, b"\x00\x2b\x04", number & 0xFFFF, broadcast=Broadcast.GLOBAL)
         arena.send(second if inside else first, judp.pack(packet), (MULTICAST, PORT))
         copies += drain(heard)
+        pair.receive()
+        if number % _BETWEEN == 0:
+            pair.send()
     time.sleep(QUIET_TIME)
     copies += drain(heard)
+    pair.receive()
     time.sleep(1.0)
     left = drain(heard)
     arena.require(left == 0, f"{left} broadcasts a second still go round {QUIET_TIME:g} s after the attack")

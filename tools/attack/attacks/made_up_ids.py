@@ -9,7 +9,7 @@ from jauspy.protocol.header import Ack, Broadcast, Packet
 from ..arena import OPERATOR, ROBOT, Arena
 from ..attack import Attack, Attacker
 
-RATE = 1500
+RATE = 1000
 QUERY_IDENTIFICATION = b"\x00\x2b\x04"
 
 

@@ -11,7 +11,7 @@ from jauspy.protocol.header import MAX_PAYLOAD, Packet
 from jauspy.schema import load_builtin
 
 from ..arena import STRANGER, Arena
-from ..attack import Attack, Attacker
+from ..attack import Attack, Attacker, Bounds
 
 RATE = 1000
 MODULES = tuple(JausID(101, 1, component) for component in range(102, 109))
@@ -34,4 +34,6 @@ def run(arena: Arena) -> None:
         arena.send(sock, judp.pack(Packet(STRANGER, destination, payload, number & 0xFFFF)))
 
 
-ATTACK = Attack("services", Attacker.REMOTE, "messages", run)
+BOUNDS = Bounds(descriptors=8, tasks=4, lines=1000)
+"""A camera that somebody asks for video starts a process; each kind of malformed message is logged once a component."""
+ATTACK = Attack("services", Attacker.REMOTE, "messages", run, BOUNDS)

@@ -9,7 +9,7 @@ from jauspy.protocol.header import Ack, Packet
 from ..arena import ROBOT, STRANGER, Arena
 from ..attack import Attack, Attacker
 
-RATE = 3000
+RATE = 1500
 QUERY_IDENTIFICATION = b"\x00\x2b\x04"
 
 

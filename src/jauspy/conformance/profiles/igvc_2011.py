@@ -82,7 +82,9 @@ def robot_asks_again(tester: Tester) -> None:
     first = tester.now
     robot_asks(tester)
     late = abs(tester.now - first - PERIOD)
-    tester.check("it asks every 5 s", "" if late < 0.2 * PERIOD else f"it asked after {tester.now - first:.1f} s")
+    tester.check(
+        "it repeats its query every 5 s", "" if late < 0.2 * PERIOD else f"it asked after {tester.now - first:.1f} s"
+    )
 
 
 def robot_is_answered(tester: Tester) -> None:
@@ -92,7 +94,7 @@ def robot_is_answered(tester: Tester) -> None:
     tester.wait(0.1 * tester.timeout)
     client.forget(QueryIdentification)
     came = client.collect(QueryIdentification, 1.2 * PERIOD)
-    tester.check("it asks no more once it is answered", f"it asked {len(came)} times" if came else "")
+    tester.check("it stops its queries once it is answered", f"it asked {len(came)} times" if came else "")
 
 
 # --- task 3: system management --------------------------------------------------------------------------------------
@@ -185,19 +187,19 @@ POSE: Final = ask(
 )
 
 _STEPS: Final = (
-    Step("1.1", "the robot asks the console who it is", robot_asks, points=3),
-    Step("1.2", "it asks every five seconds", robot_asks_again, points=2),
-    Step("1.3", "it is answered, and asks no more", robot_is_answered, points=2),
+    Step("1.1", "the robot queries the identification of the console", robot_asks, points=3),
+    Step("1.2", "it repeats the query every five seconds", robot_asks_again, points=2),
+    Step("1.3", "it is answered and stops its queries", robot_is_answered, points=2),
     Step("1.4", "identification", ask(COP, QueryIdentification(2), ReportIdentification, has(query_type=2)), points=3),
     Step("2", "services", ask(COP, ALL_SERVICES, ReportServices, OFFERS), points=10),
-    Step("3.1", "nobody is in control", ask(COP, QueryControl(), ReportControl, has(subsystem_id=0)), points=1),
+    Step("3.1", "no client is in control", ask(COP, QueryControl(), ReportControl, has(subsystem_id=0)), points=1),
     Step("3.2", "control", in_control, points=2),
     Step("3.3", "standby", becomes(Standby(), Status.STANDBY), points=2),
     Step("3.4", "resume", becomes(Resume(), Status.READY), points=2),
     Step("3.5", "the console is in control", ask(COP, QueryControl(), ReportControl, CONSOLE), points=1),
     Step(
         "4.1",
-        "velocity state, as judges asked",
+        "velocity state, as queried by judges",
         ask(
             COP,
             QueryVelocityState(0x0141),

@@ -276,9 +276,9 @@ def end_and_drive(tester: Tester) -> None:
 
 
 _TABLE: Final[tuple[tuple[str, Action], ...]] = (
-    ("who is there, asked of everybody", hello),
+    ("identification, queried from all components", hello),
     (
-        "all nodes, components and services, asked of everybody",
+        "all nodes, components and services, queried from all components",
         ask(COP, ALL_SERVICES, ReportServices, SERVICES, to=EVERYONE),
     ),
     (
@@ -302,7 +302,7 @@ _TABLE: Final[tuple[tuple[str, Action], ...]] = (
     ("configuration of the node", ask(COP, QueryConfiguration(3), ReportConfiguration, CONFIGURATION)),
     ("list of subsystems", ask(COP, QuerySubsystemList(), ReportSubsystemList, LISTED)),
     ("timeout of control", ask(C1, QueryTimeout(), ReportTimeout)),
-    ("nobody is in control", ask(C1, QueryControl(), ReportControl, in_control(None))),
+    ("no client is in control", ask(C1, QueryControl(), ReportControl, in_control(None))),
     ("control with no authority", control(C1, 0x00, ACCEPTED, INSUFFICIENT)),
     ("control with authority", control(C1, 0xDC, ACCEPTED)),
     ("the client is in control", ask(C1, QueryControl(), ReportControl, in_control(C1, 0xDC))),
@@ -316,7 +316,7 @@ _TABLE: Final[tuple[tuple[str, Action], ...]] = (
     ("emergency, by a client not in control", tell(C4, SetEmergency(STOP))),
     ("status: emergency", status(Status.EMERGENCY)),
     ("no control during an emergency", control(C1, 0xD2, NOT_AVAILABLE)),
-    ("the emergency is cleared by who set it", tell(C4, ClearEmergency(STOP))),
+    ("the emergency is cleared by the client that set it", tell(C4, ClearEmergency(STOP))),
     ("control afterwards", control(C1, 0xDC, ACCEPTED)),
     ("status: standby", status(Status.STANDBY)),
     ("resume", tell(C1, Resume())),
@@ -365,8 +365,8 @@ _TABLE: Final[tuple[tuple[str, Action], ...]] = (
     ),
     ("pose, nothing", ask(COP, QueryLocalPose(0), ReportLocalPose, carries_only())),
     ("release after the pose", release(COP)),
-    ("performance: who is there", hello),
-    ("performance: who is still there", hello),
+    ("performance: identification", hello),
+    ("performance: identification again", hello),
     *((f"performance: {report.NAME} at 1 Hz", stream(number, query, report)) for number, query, report in STREAMS),
     ("performance: a stream ends, and four waypoints are driven to in order", end_and_drive),
 )

@@ -57,7 +57,7 @@ def not_acknowledged(sender: RawSender) -> None:
     """A packet without ACK required is not acknowledged."""
     sender.send(sender.packet())
     sender.expect(1, "one answer")
-    sender.expect_acks([], "no ACK that was not asked for")
+    sender.expect_acks([], "no ACK that was not requested")
 
 
 def stray(ack: Ack) -> PacketTest:

@@ -195,7 +195,7 @@ def _carries(vectors: Iterable[str], asked: int, has: frozenset[Bit]) -> Check:
     def _right(bit: Bit) -> bool:
         return bit in has and bool(asked >> bit[1] & 1)
 
-    return Check("carries what was asked for and nothing else", problem)
+    return Check("has the requested fields and no others", problem)
 
 
 def _fields(report: Message, vectors: Iterable[str]) -> Iterator[tuple[Bit, str, object]]:

@@ -160,10 +160,10 @@ def _is_set(then: StimulusResult) -> None:
         try:
             off = (_date_and_time(report) - began).total_seconds() - explorer.tester.now - ahead
         except ValueError as error:
-            return f"it tells a time that there is not: {error}"
+            return f"it has an invalid time: {error}"
         return f"it is {off:+.1f} s off" if abs(off) > TOLERANCE * explorer.tester.timeout else ""
 
-    _ask(explorer, Check("tells the time that was set" if ahead else "tells the time as before", problem))
+    _ask(explorer, Check("has the time that was set" if ahead else "has the unchanged time", problem))
 
 
 def _put_back(explorer: Explorer, role: str) -> None:

@@ -58,7 +58,7 @@ RULES: tuple[LintRule, ...] = (
     LintRule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
     LintRule("unknown-state", "error", "a start, initial or end state that does not exist", behavior.unknown_state),
     LintRule("unreachable-state", "warning", "a state that nothing leads to", behavior.unreachable_state),
-    LintRule("no-description", "hint", "a message or field that nobody has described", messages.no_description),
+    LintRule("no-description", "hint", "a message or field without a description", messages.no_description),
 )
 
 

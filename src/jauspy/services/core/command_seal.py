@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import logging
 from collections import Counter, OrderedDict
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
@@ -13,6 +12,7 @@ from typing import Final, NamedTuple
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.messages.core import CancelEvent, CreateCommandEvent, CreateEvent, RegisterServices, UpdateEvent
 from jauspy.messages.operators import RejectCommand, ReportSealChallenge, SealedCommand
 from jauspy.protocol.duplicates import ReplayWindow
@@ -22,7 +22,7 @@ from jauspy.services.core.command_events import encoded
 from jauspy.services.service import Service
 from jauspy.services.state_machine import TriggerOutcome
 
-_LOG: Final = logging.getLogger("jauspy.operators")
+_LOG: Final = get_logger("jauspy.operators")
 
 MAX_AGE: Final = 2.0
 """Seconds from the sealing of a command to its arrival, with the way of the challenge."""
