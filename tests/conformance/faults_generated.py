@@ -229,7 +229,7 @@ GENERATED: Final = (
     ),
     core_fault(
         "lists are not carried out",
-        f"{READY}/ExecuteList/controller/from-one-that-is-there",
+        f"{READY}/ExecuteList/controller/from-an-existing-one",
         deaf_to(mobility.ExecuteList),
         profile="mobility-1.1",
     ),
