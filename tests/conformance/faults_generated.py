@@ -29,7 +29,7 @@ from tests.conformance.mistakes import (
     elsewhere,
     goes_on,
     idle,
-    not_told,
+    not_notified,
     reports_pass,
     sixty_hertz,
     skipping,
@@ -63,7 +63,7 @@ GENERATED: Final = (
         f"{STANDBY}/DeleteElement/other-client/an-unknown-one",
         patched(AccessControl, is_controlling_client=anybody),
     ),
-    core_fault("the loser is not told", f"{READY}/RequestControl/other-client/more-authority", says(not_told)),
+    core_fault("the loser is not told", f"{READY}/RequestControl/other-client/more-authority", says(not_notified)),
     core_fault(
         "any authority takes over",
         f"{READY}/RequestControl/other-client/less-authority",
@@ -229,7 +229,7 @@ GENERATED: Final = (
     ),
     core_fault(
         "lists are not carried out",
-        f"{READY}/ExecuteList/controller/from-one-that-is-there",
+        f"{READY}/ExecuteList/controller/from-an-existing-one",
         deaf_to(mobility.ExecuteList),
         profile="mobility-1.1",
     ),

@@ -55,7 +55,7 @@ def not_for_255(part: TargetComponent, datagram: bytes) -> Iterable[bytes]:
     return [] if any(each.destination.component == 255 for each in packets(datagram)) else [datagram]
 
 
-def not_told(payload: bytes, to: JausID) -> list[bytes]:
+def not_notified(payload: bytes, to: JausID) -> list[bytes]:
     return [] if payload[:2] == code(core.RejectControl) and str(to) == "42.2.1" else [payload]
 
 
@@ -190,7 +190,7 @@ def skipping() -> Injector:
 
 
 def to_winner() -> Injector:
-    """Who has lost control is not told, but who has won it."""
+    """The new controller is notified of the loss instead of the former one."""
 
     class Confused(TargetComponent):
         winner: Any = None

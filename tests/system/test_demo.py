@@ -8,6 +8,7 @@ import os
 import subprocess
 import sys
 from contextlib import AsyncExitStack, suppress
+from dataclasses import dataclass
 from pathlib import Path
 
 import psutil
@@ -30,7 +31,7 @@ from jauspy.modules.robot_files import load, robot_model
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
-from jauspy.platform.contract import Robot
+from jauspy.platform.contract import Command, DriveBase, PartId, Robot
 from jauspy.transport import LocalTransport
 
 INC1 = load("inc1")
@@ -88,7 +89,7 @@ async def test_can_is_lifted_in_the_simulation(root: Path, tmp_path: Path) -> No
         await stack.enter_async_context(runner)
         assert runner._realtime is not None
         simulated = runner._realtime._robot
-        runner._realtime.order("put", lambda robot: put(robot, 2.03, 0.04, math.pi / 2 - 0.04))
+        runner._realtime.submit(PutRobot(2.03, 0.04, math.pi / 2 - 0.04))
         ocu = await stack.enter_async_context(OCU("42.1.1", f"local:{root}", timeout=3.0))
         robot = await ocu.discover(101, timeout=20.0)
         arm_module, gripper_module = robot.component(104), robot.component(105)
@@ -97,7 +98,7 @@ async def test_can_is_lifted_in_the_simulation(root: Path, tmp_path: Path) -> No
             await stack.enter_async_context(management.control(plan.AUTHORITY))
             await management.resume(timeout=20.0)
         arm = Arm(robot, arm_module, gripper_module, ArmKinematics(model), state)
-        await stack.enter_async_context(arm.watched())
+        await stack.enter_async_context(arm.monitored())
         grasp = Grasp(arm, RobotFrames(robot, model), model, robot.component(106), (320, 240))
 
         can = simulated.data.body("can")
@@ -114,7 +115,19 @@ async def test_can_is_lifted_in_the_simulation(root: Path, tmp_path: Path) -> No
         assert can.xpos[2] - before[2] > plan.MIN_LIFT
 
 
-def put(robot: Robot, x: float, y: float, yaw: float) -> None:
-    """Stand the robot somewhere else on the floor."""
-    address = robot.model.joint("inc1/base").qposadr[0]
-    robot.data.qpos[address : address + 7] = (x, y, 0.0, math.cos(yaw / 2), 0.0, 0.0, math.sin(yaw / 2))
+@dataclass(frozen=True)
+class PutRobot(Command):
+    """Stands the robot somewhere else on the floor."""
+
+    x: float
+    y: float
+    yaw: float
+
+    @property
+    def part(self) -> PartId:
+        return PartId(DriveBase)
+
+    def apply(self, robot: Robot) -> None:
+        address = robot.model.joint("inc1/base").qposadr[0]
+        half = self.yaw / 2
+        robot.data.qpos[address : address + 7] = (self.x, self.y, 0.0, math.cos(half), 0.0, 0.0, math.sin(half))

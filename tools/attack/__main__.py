@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import os
 import shutil
 import sys
 import tempfile
@@ -45,6 +46,7 @@ def main() -> int:
         print(*(f"{each.name:24} {each.attacker.value}" for each in ALL), sep="\n")
         return 0
     chosen = [each for each in ALL if not options.only or each.name in options.only]
+    load = os.getloadavg()[1]
     with hosts.lan() as lan:
         if lan.why_loopback:
             print(f"on the loopback interface, because {lan.why_loopback}")
@@ -52,7 +54,8 @@ def main() -> int:
         results = run(chosen, lan, share, options.seed, keep=options.keep)
         network = "on the loopback interface" if lan.why_loopback else "in network namespaces"
     if options.write is not None:
-        circumstances = table.Run(options.seconds, options.seed, network, jauspy.__version__)
+        machine = f"{os.cpu_count()} processors with a load of {load:.1f} by others"
+        circumstances = table.Run(options.seconds, options.seed, network, jauspy.__version__, machine)
         table.write(options.write, table.as_markdown(results, circumstances))
     print(table.as_text(results))
     broken = [sentence for result in results for sentence in result.broken]

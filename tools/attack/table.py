@@ -26,6 +26,8 @@ class Run:
     seed: int
     network: str
     version: str
+    machine: str
+    """Its processors, and what else they had to do: a node manager that does not get a processor loses messages."""
 
 
 def rows(results: Sequence[Result]) -> list[tuple[str, ...]]:
@@ -60,7 +62,7 @@ def as_text(results: Sequence[Result]) -> str:
 def as_markdown(results: Sequence[Result], run: Run) -> str:
     """The table for the documentation, with the circumstances of the run."""
     day = datetime.now(UTC).date()
-    told = f"jauspy {run.version}, {day}, {run.seconds:g} s in all, seed {run.seed}, {run.network}:"
+    told = f"jauspy {run.version}, {day}, {run.seconds:g} s in all, seed {run.seed}, {run.network}, {run.machine}:"
     lines = [told, "", *("| " + " | ".join(row) + " |" for row in (*_HEAD, *rows(results)))]
     return "\n".join(lines)
 

@@ -56,7 +56,7 @@ def stderr() -> Console:
 
 
 def print_lines(*lines: str, file: TextIO | None = None) -> None:
-    """Print lines at once, on stdout unless told otherwise."""
+    """Print lines at once, on stdout unless `file` is another stream."""
     print(*map(printable, lines), sep="\n", file=file, flush=True)
 
 

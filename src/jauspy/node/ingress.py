@@ -137,7 +137,7 @@ class Ingress:
         if self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES:
             self._drop_excess()
         if not self._scheduled:
-            self._route()
+            self._route(now)
 
     def _exceeds_rate(self, data: bytes, skip: int, now: float) -> bool:
         """True, and counted, for a plain packet of a source that has exceeded its rate."""
@@ -178,10 +178,12 @@ class Ingress:
                 self._queued -= 1
                 self._counters.drop("overload", "more arrives than can be routed")
 
-    def _route(self) -> None:
+    def _route(self, now: float | None = None) -> None:
         self._scheduled = False
-        left = self._route_from(reversed(self._queues), ROUTE_BURST - LOW_PRIORITY_SHARE) + LOW_PRIORITY_SHARE
-        left = self._route_from(self._queues, left)
+        oldest = (time.monotonic() if now is None else now) - self._max_age
+        left = self._route_from(reversed(self._queues), ROUTE_BURST - LOW_PRIORITY_SHARE, oldest) + LOW_PRIORITY_SHARE
+        if self._queued > ROUTE_BURST - left:
+            left = self._route_from(self._queues, left, oldest)
         self._queued -= ROUTE_BURST - left
         if self._filtered and self._queued <= UNFILTER_BELOW:
             self._detach_filters()
@@ -189,9 +191,9 @@ class Ingress:
             self._scheduled = True
             self._loop.call_soon(self._route)
 
-    def _route_from(self, queues: Iterable[_Queue], left: int) -> int:
+    def _route_from(self, queues: Iterable[_Queue], left: int, oldest: float) -> int:
         """Route up to `left` datagrams; returns how many of them were not needed."""
-        receive, oldest, size = self._receive, time.monotonic() - self._max_age, 0
+        receive, size = self._receive, 0
         for queue in queues:
             count = min(left, len(queue))
             for _ in range(count):

@@ -312,8 +312,9 @@ class ServiceHost:
 
         One that `may_wait` is called later when many of them are due, so that everything else is done in time.
         """
-        self.cancel_timer(key)
-        (self._background if may_wait else self._timers).set(key, at, call)
+        timers, other = (self._background, self._timers) if may_wait else (self._timers, self._background)
+        other.cancel(key)
+        timers.set(key, at, call)
 
     def cancel_timer(self, key: Hashable) -> None:
         """Cancel the timer, if it is set."""

@@ -199,12 +199,12 @@ class LocalTransport:
     async def _keep_connected(self) -> None:
         interval = CONNECT_INTERVAL
         loop = asyncio.get_running_loop()
-        accepted_at, told = loop.time(), False
+        accepted_at, is_logged = loop.time(), False
         while self._sender is not None:
             if self.connected:
-                accepted_at, told = loop.time(), False
-            elif not told and loop.time() - accepted_at > REFUSED_AFTER and is_alive(Path(self._node)):
-                told = True
+                accepted_at, is_logged = loop.time(), False
+            elif not is_logged and loop.time() - accepted_at > REFUSED_AFTER and is_alive(Path(self._node)):
+                is_logged = True
                 _LOGGER.warning("%s", self._no_answer())
             if self.connected and self._unanswered >= MAX_UNANSWERED:
                 self._accepted.clear()

@@ -75,7 +75,7 @@ class RtpReceiver:
         self._counters: Counter[str] = Counter()
         self._candidates: OrderedDict[tuple[str, int, int], _Source] = OrderedDict()
         self._source: _Source | None = None
-        self._heard = 0.0
+        self._last_packet_at = 0.0
         self._now = clock
         self._ssrc = secrets.randbits(32)
         self._rtp, self._rtcp = _pair(host, port)
@@ -142,11 +142,11 @@ class RtpReceiver:
         now, source = self._now(), self._source
         if source is not None and (source.host, source.port, source.ssrc) == (host, port, packet.ssrc):
             pictures = source.depacketiser.feed(packet)
-            self._heard, source.pictures = now, source.pictures + len(pictures)
+            self._last_packet_at, source.pictures = now, source.pictures + len(pictures)
             return pictures
         if source is not None:
             self._counters["foreign"] += 1
-            if source.pictures >= CONFIRMED and now - self._heard < self._timeout(host):
+            if source.pictures >= CONFIRMED and now - self._last_packet_at < self._timeout(host):
                 return []
         return self._try(packet, host, port, now)
 
@@ -162,11 +162,11 @@ class RtpReceiver:
         if len(self._candidates) > MAX_CANDIDATES:
             self._candidates.popitem(last=False)
         candidate.hold(packet)
-        if not candidate.pictures or not self._is_replaceable(candidate, now - self._heard):
+        if not candidate.pictures or not self._is_replaceable(candidate, now - self._last_packet_at):
             return []
         if self._source is not None:
             self._counters += self._source.depacketiser.counters
-        self._source, self._heard = candidate, now
+        self._source, self._last_packet_at = candidate, now
         self._reporter = self._clock = None
         self._candidates.clear()
         pictures, candidate.held = candidate.held, []
