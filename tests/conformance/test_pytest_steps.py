@@ -55,7 +55,7 @@ def test_failures_and_skips_are_pytest_outcomes():
 
 
 def test_offers_are_required_for_generated_steps():
-    with pytest.raises(ConfigError, match="say it with offers="):
+    with pytest.raises(ConfigError, match="pass them as offers="):
         pytest_steps("core-1.1", robot, "105.1.1")
 
 
