@@ -216,6 +216,7 @@ async def test_hanging_process_is_ended(camera, monkeypatch):
     await until(lambda: camera.pid not in {hanging, None}, TIMEOUT)
 
 
+@pytest.mark.slow
 async def test_process_without_still_is_ended(camera, monkeypatch):
     camera.watch(("127.0.0.1", 2000))
     await until(lambda: camera.description, TIMEOUT)

@@ -66,6 +66,7 @@ def test_written_package_is_clean_and_its_tests_pass():
     assert f"{len(SOME)} passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", *folders)
 
 
+@pytest.mark.slow
 def test_package_of_a_user_defined_service():
     run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
     result = new("battery", "--service", "Battery", "--schemas", "battery.xml")
