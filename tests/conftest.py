@@ -3,8 +3,10 @@
 import contextlib
 import os
 import shutil
+import socket
 import subprocess
 import tempfile
+import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
 
@@ -14,6 +16,7 @@ from tests.helpers.ports import unused_port
 from tests.node.hosts.switch import Switch
 
 from jauspy.logs import LIMIT
+from jauspy.transport import age
 
 for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
     os.environ.pop(name, None)  # what tests read of a command has no colours
@@ -40,6 +43,23 @@ def root() -> Iterator[Path]:
 def free_port() -> int:
     """A port that nobody uses now, for UDP and TCP on any address."""
     return unused_port()
+
+
+@pytest.fixture
+def kernel_stamps() -> Iterator[None]:
+    """The kernel stamps datagrams; it begins to do so a moment after the first socket has asked for stamps."""
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver:
+        receiver.bind(("127.0.0.1", 0))
+        receiver.setsockopt(socket.SOL_SOCKET, age._SO_TIMESTAMPNS, 1)
+        deadline = time.monotonic() + 20
+        waited = 0.0
+        while waited < 0.002:
+            assert time.monotonic() < deadline
+            receiver.sendto(b"stamped", receiver.getsockname())
+            time.sleep(0.003)
+            _, control, *_ = receiver.recvmsg(16, 64)
+            waited = age._age(control)
+        yield
 
 
 @pytest.fixture

@@ -31,6 +31,7 @@ def command(number: int, ack: Ack = Ack.NONE) -> bytes:
     return judp.pack(Packet(OPERATOR, ROBOT, EFFORT, number, ack=ack))
 
 
+@pytest.mark.usefixtures("kernel_stamps")
 def test_a_node_manager_that_was_stopped_hands_on_only_what_is_acknowledged_or_new(daemon: Daemon, root: Path) -> None:
     robot, operator = daemon.component("101.1.30"), daemon.peer()
     operator.says(command(0).hex())
@@ -70,6 +71,7 @@ async def test_a_robot_that_was_stopped_does_not_drive_off_afterwards() -> None:
             network.reconnect(ocu.id)
 
 
+@pytest.mark.usefixtures("kernel_stamps")
 @pytest.mark.parametrize("kind", ["local", "udp"])
 async def test_a_component_whose_event_loop_hung_drops_what_waited(kind: str, root: Path, free_port: int) -> None:
     """While it handles its first command, others arrive; the last one is new."""

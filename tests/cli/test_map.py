@@ -1,16 +1,14 @@
 """`jauspy map`: wrong uses, and a map from a running robot."""
 
 import subprocess
-import sys
 
 import pytest
 import yaml
+from tests.helpers.command_line import JAUSPY
 
 from jauspy.cli import map as map_robot
 from jauspy.cli.main import app
 from jauspy.testing import LocalNode
-
-JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 
 
 def test_map_of_the_surroundings_is_written(robot, node_manager: LocalNode, tmp_path):

@@ -4,10 +4,11 @@ import contextlib
 import re
 import stat
 import subprocess
-import sys
+from pathlib import Path
 
 import psutil
 import pytest
+from tests.helpers.command_line import JAUSPY
 
 from jauspy.cli import operators
 from jauspy.errors import ConfigError
@@ -16,7 +17,6 @@ from jauspy.modules.operators import load
 
 pytest.importorskip("cryptography", reason="keys of operators need the extra 'operators'")
 
-JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 DRIVE = ("send", "101.1.102", "SetWrenchEffort", "propulsive_linear_effort_x=40", "--control", "200")
 
 
@@ -35,6 +35,8 @@ def test_keys(folder, capsys):
     assert capsys.readouterr().out in file.read_text()
     (alice,) = load(file)
     assert (alice.name, alice.role, alice.authority) == ("alice", "operator", 127)
+    with pytest.raises(ConfigError, match="operator /dev/zero: is not a regular file"):
+        operators.show(file=Path("/dev/zero"))
     with pytest.raises(ConfigError, match="exists"):
         operators.new(name="alice", output=key)
     with pytest.raises(ConfigError, match="letters"):

@@ -94,6 +94,7 @@ def test_what_waits_for_an_unknown_destination_is_not_delivered_late(counters: C
     assert counters["dropped.stale"] == 2
 
 
+@pytest.mark.usefixtures("kernel_stamps")
 def test_a_socket_that_was_empty_a_moment_ago_is_read_without_stamps(udp_pair, counters: Counters) -> None:
     receiver, sender = udp_pair
     reader = DatagramReader(receiver, counters, 0.05)

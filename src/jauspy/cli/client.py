@@ -14,7 +14,7 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.protocol.sources import MOVE_TIMEOUT
-from jauspy.transport import local as local_socket, multicast, node_status
+from jauspy.transport import local as local_socket, node_status
 
 SUBSYSTEM: Final = 42
 NODE: Final = 1
@@ -53,11 +53,13 @@ def ids_elsewhere(connect: str | None) -> set[str]:
     root = _local_root(connect)
     if root is None:
         return set()
-    own = multicast.own_addresses()
+    here = node_status.this_machine()
     return {
         str(peer["id"])
         for peer in node_status.read_at_once(root).get("peers", ())
-        if peer["heard"] is not None and peer["heard"] < MOVE_TIMEOUT and not _is_own(str(peer["address"]), own)
+        if peer["heard"] is not None
+        and peer["heard"] < MOVE_TIMEOUT
+        and not here.has(node_status.host_of(str(peer["address"])))
     }
 
 
@@ -66,11 +68,6 @@ def _local_root(connect: str | None) -> Path | None:
     if connect is None:
         return DEFAULT_ROOT
     return Path(connect.removeprefix("local:")) if connect.startswith("local:") else None
-
-
-def _is_own(address: str, own: frozenset[str]) -> bool:
-    host = address.rpartition(":")[0].strip("[]")
-    return host.startswith("127.") or host in own
 
 
 def make_ocu(

@@ -16,8 +16,6 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Final, TypeAlias
 
-import psutil
-
 from jauspy.protocol.addressing import NetworkPort, UdpPort
 from jauspy.protocol.sources import TokenBuckets
 from jauspy.transport import multicast
@@ -67,8 +65,7 @@ class LocalUsers:
             return True
         now = self._time()
         if now - self._own_addresses[0] > LIST_LIFETIME:
-            addresses = (each.address for interface in psutil.net_if_addrs().values() for each in interface)
-            self._own_addresses = (now, frozenset(addresses))
+            self._own_addresses = (now, multicast.own_addresses())
         return host in self._own_addresses[1]
 
     def _is_permitted(self, port: UdpPort, owners: PortOwners) -> bool:

@@ -22,6 +22,7 @@ from jauspy.logs import get_logger
 from jauspy.messages.operators import RejectCommand, ReportSealChallenge
 from jauspy.protocol.seal import OperatorKey
 from jauspy.services.core.command_seal import CHALLENGE_LIFETIME, explained, is_stop, needs_seal
+from jauspy.user_files import read_file
 
 _LOG: Final = get_logger("jauspy.ocu")
 
@@ -53,9 +54,11 @@ def load_key(path: str | Path) -> OperatorKey:
     path = Path(path)
     try:
         mode = path.stat().st_mode
-        content = path.read_bytes()
+        content = read_file(path)
     except OSError as error:
         raise ConfigError(f"operator {path}: {error.strerror}; `jauspy keys new NAME` writes a key") from error
+    except ConfigError as error:
+        raise ConfigError(f"operator {error}") from None
     if mode & (stat.S_IRWXG | stat.S_IRWXO):
         raise ConfigError(f"operator {path}: other users may read it; do: chmod 600 {path}")
     try:

@@ -233,16 +233,19 @@ class Router:
                 return
         for raw, datagram, legacy_version in judp.packets(data):
             verified = self.sources.is_verified(raw.source, port, now)
-            if (why := self._refusal(raw, datagram, port, now, verified=verified)) is not None:
+            sequence = None if verified else judp.sequence_number(raw, datagram)
+            if (why := self._refusal(raw, datagram, port, now, sequence, verified=verified)) is not None:
                 self.counters.drop(why, f"{JausID.from_int(raw.source)} from {port.host}:{port.port} on {port.network}")
                 continue
             if legacy_version is not None:
                 self._egress.peer_versions.learn(raw.source, legacy_version)
             if not verified:
-                self._learn(raw.source, port, now, judp.sequence_number(raw, datagram))
+                self._learn(raw.source, port, now, sequence)
             self._route_from_network(raw, datagram, port.network, now)
 
-    def _refusal(self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, *, verified: bool) -> str | None:
+    def _refusal(
+        self, raw: RawPacket, datagram: bytes, port: NetworkPort, now: float, sequence: int | None, *, verified: bool
+    ) -> str | None:
         """Why a packet from this address is not accepted, as a counter's name; None if it is."""
         source = raw.source
         if not verified and addressing.is_wildcard(source):
@@ -250,12 +253,11 @@ class Router:
         if self._registrar.is_in_use(source) or (not verified and self._is_own(source)):
             self._duplicate_ids.warn_duplicate(source, port)
             return "hijack"
-        if not verified and not addressing.is_incomplete(source):
-            sequence = judp.sequence_number(raw, datagram)
-            if not self.sources.check_address(source, port, now, sequence):
-                if self.sources.has_new_claim(source, now):
-                    self._changed(source)
-                return "address_mismatch"
+        is_checked = not verified and not addressing.is_incomplete(source)
+        if is_checked and not self.sources.check_address(source, port, now, sequence):
+            if self.sources.has_new_claim(source, now):
+                self._changed(source)
+            return "address_mismatch"
         if self.sources.are_limited and not self.sources.within_rate(source, raw.priority, now):
             return "rate"
         if self.gateway is not None and (why := self.gateway.refusal(raw, datagram, port.network, now)) is not None:

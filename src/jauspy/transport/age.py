@@ -28,8 +28,9 @@ Receive: TypeAlias = Callable[[int], tuple[bytes, Any]]
 class DatagramReader:
     """Reads a non-blocking socket, UDP or Unix; commands older than `max_age` seconds are dropped and counted.
 
-    Linux stamps each datagram when it arrives. The stamp is read only if the socket was not seen empty for a while, so
-    that reading costs the same as without. On other systems nothing is dropped. `skip` bytes precede the version byte.
+    Linux stamps each datagram when it arrives, from a moment after the first socket asked for stamps. The stamp is read
+    only if the socket was not seen empty for a while, so that reading costs the same as without. On other systems
+    nothing is dropped. `skip` bytes precede the version byte.
     """
 
     def __init__(self, sock: socket.socket, counters: Counters, max_age: float = MAX_AGE, *, skip: int = 0) -> None:

@@ -103,8 +103,13 @@ def this_machine() -> Location:
     return Location(is_here=True, hosts=multicast.own_addresses())
 
 
+def host_of(address: str) -> str:
+    """The host of an address in a status, as in `192.168.1.20:3794` and `[fe80::1]:3794`."""
+    return address.rpartition(":")[0].strip("[]")
+
+
 def _location(address: str | None, here: Location) -> Location:
     if address is None:
         return UNKNOWN_LOCATION
-    host = address.rpartition(":")[0].strip("[]")
+    host = host_of(address)
     return here if here.has(host) else Location(hosts=frozenset({host}))
