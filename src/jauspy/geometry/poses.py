@@ -169,3 +169,9 @@ def jaus_acceleration(acceleration: Acceleration) -> Acceleration:
 def wrap_angle(angle: float) -> float:
     """The same angle in -pi..pi, radians."""
     return math.remainder(angle, math.tau)
+
+
+IDENTITY: Final = Transform()
+ORIGIN: Final = Pose()
+AT_REST: Final = Twist()
+UNACCELERATED: Final = Acceleration()

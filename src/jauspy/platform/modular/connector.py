@@ -1,0 +1,87 @@
+"""Vacuum connectors, and the gripper, which is one: the contract, their states and commands."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from dataclasses import dataclass
+
+from jauspy.geometry.poses import IDENTITY, Transform
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
+
+
+@dataclass(frozen=True, slots=True)
+class ConnectorState:
+    """A vacuum connector at one moment."""
+
+    powered: bool = False
+    enabled: bool = False
+    """The pump runs. What is attached stays attached without power; only `disable` or overload releases it."""
+    attached_to: str = ""
+    """Name of the part; empty when nothing is attached."""
+    offset: Transform = IDENTITY
+    """Frame of the attached part in the frame of the connector, from contact on; the identity without error."""
+    force: float = 0.0
+    """Magnitude of what it holds, in newtons."""
+    moment: float = 0.0
+    """Magnitude about the middle of the plate, in newton metres."""
+    broken_off: int = 0
+    """How often an overload has released what was attached."""
+    last_error: str = ""
+    """Why the last attachment ended or did not come about, in words; empty after a success."""
+
+
+class VacuumConnector(OptionalPart):
+    """Attaches a part that it touches, if it is aligned, and holds it until it is disabled or overloaded."""
+
+    name: str
+    """The part that has it and the connector's own name, as in `servo_1/output`; `gripper` is that of the arm."""
+
+    @property
+    def id(self) -> PartId:
+        """Kind and name."""
+        return PartId(VacuumConnector, self.name)
+
+    @abstractmethod
+    def state(self) -> ConnectorState:
+        """What it measures."""
+
+    @abstractmethod
+    def set(self, enabled: bool) -> None:
+        """Start the pump, or let air in. Enabled, it attaches as soon as a part is in contact and aligned."""
+
+    def proxy(self, link: RobotLink) -> VacuumConnector:
+        """The connector for other threads."""
+        return _ConnectorProxy(self.name, link)
+
+
+@dataclass(frozen=True, slots=True)
+class ConnectorCommand(Command):
+    """Enable or disable a vacuum connector."""
+
+    name: str
+    enabled: bool
+
+    @property
+    def part(self) -> PartId:
+        """The connector."""
+        return PartId(VacuumConnector, self.name)
+
+    def apply(self, robot: Robot) -> None:
+        """Set it."""
+        for part in robot.optional_parts:
+            if isinstance(part, VacuumConnector) and part.name == self.name:
+                part.set(self.enabled)
+
+
+class _ConnectorProxy(VacuumConnector):
+    def __init__(self, name: str, link: RobotLink) -> None:
+        self.name = name
+        self._link = link
+
+    def state(self) -> ConnectorState:
+        state = self._link.snapshot.parts[self.id]
+        assert isinstance(state, ConnectorState)
+        return state
+
+    def set(self, enabled: bool) -> None:
+        self._link.submit(ConnectorCommand(self.name, enabled))

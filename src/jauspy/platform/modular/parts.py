@@ -1,0 +1,176 @@
+"""Types of parts that modular robots are made of, with their geometry and mass.
+
+The frame of a part is its input flange: the origin is in the middle of the plate, z points into the part, away from
+what it is mounted on. A vacuum connector's frame has z pointing out of it. A part that is attached without error has
+its frame where the connector's frame is. Metres, kilograms, radians, newton metres.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from enum import Enum
+
+from jauspy.errors import ConfigError
+from jauspy.geometry.poses import IDENTITY, Pose, Transform
+from jauspy.geometry.vectors import Vector
+
+
+class PartKind(Enum):
+    """What a part is for."""
+
+    BASE = "base"
+    """Stands on the ground, a platform or wheels, has power of its own, and connectors."""
+    SERVO = "servo"
+    BRACKET = "bracket"
+    TUBE = "tube"
+    WHEEL = "wheel"
+    BOX = "box"
+    """A load without a connector."""
+
+
+class Shape(Enum):
+    """A primitive whose frame is in its middle."""
+
+    CUBOID = "cuboid"
+    CYLINDER = "cylinder"
+
+
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """A homogeneous primitive of a part: for collisions, and for inertia.
+
+    `size`: x, y, z of a cuboid; radius, radius, length along z of a cylinder.
+    """
+
+    shape: Shape
+    size: Vector
+    mass: float
+    pose: Transform = IDENTITY
+    """Its middle in the frame of the part, or of the servo's output link."""
+
+
+@dataclass(frozen=True, slots=True)
+class Inertia:
+    """Mass, centre of mass, and moments of inertia about it along the axes of the frame (kg, m, kg m^2)."""
+
+    mass: float
+    center: Vector
+    moments: tuple[Vector, Vector, Vector]
+    """The rows of the matrix."""
+
+
+@dataclass(frozen=True, slots=True)
+class ServoData:
+    """The motor, gear and limits of a servo module, as in a data sheet."""
+
+    max_torque: float
+    """Newton metres."""
+    max_speed: float
+    """rad/s."""
+    friction: float
+    """Coulomb friction of the gear at the output, newton metres."""
+    damping: float
+    """Newton metres per rad/s at the output."""
+    stiffness: float
+    """Of the spring between gear and output, newton metres per radian."""
+    rotor_inertia: float
+    """Of motor and gear, at the output, kg m^2."""
+    torque_constant: float
+    """Newton metres at the output per ampere."""
+    axis: Vector = (0.0, 0.0, 1.0)
+    """Of the joint, in the frame of the part, through `joint`."""
+    joint: Transform = IDENTITY
+    """Frame of the output link at position zero, in the frame of the part; solids and connectors of the output link are
+    given in it."""
+    output: tuple[Solid, ...] = ()
+    """The link that turns."""
+
+
+@dataclass(frozen=True, slots=True)
+class PartType:
+    """One type of part. A servo's connectors are on its output link; those of other parts on the part itself."""
+
+    name: str
+    kind: PartKind
+    solids: tuple[Solid, ...]
+    connectors: Mapping[str, Transform] = field(default_factory=dict)
+    """Frames of the vacuum connectors, by name; of a servo in the frame of its output link."""
+    servo: ServoData | None = None
+    grasp: Transform = IDENTITY
+    """Where the gripper's frame is when it holds the part, in the frame of the part; z points away from the part."""
+
+
+@dataclass(frozen=True, slots=True)
+class ConnectorLimits:
+    """When a vacuum connector attaches, and what it holds."""
+
+    max_distance: float = 0.004
+    """Between the middles of the plates, in metres."""
+    max_angle: float = math.radians(4.0)
+    """Between the plates' normals, in radians."""
+    max_force: float = 180.0
+    """Newtons, any direction."""
+    max_moment: float = 18.0
+    """Newton metres about any axis."""
+
+
+@dataclass(frozen=True, slots=True)
+class PlacedPart:
+    """One part of a cell, and where it is at the start."""
+
+    name: str
+    type: str
+    pose: Pose
+    """Of its frame in the world."""
+    fixed: bool = False
+    """True for a base that is bolted to the world."""
+
+
+@dataclass(frozen=True, slots=True)
+class ConveyorSetup:
+    """A straight conveyor: the middle of its upper surface, whose x axis is the direction of travel."""
+
+    pose: Pose
+    length: float
+    width: float
+    max_speed: float
+    """m/s."""
+
+
+@dataclass(frozen=True, slots=True)
+class PartSensorSetup:
+    """A sensor of part poses. Noise: standard deviations in metres and radians; `rate` in hertz."""
+
+    rate: float = 5.0
+    position_noise: float = 0.0
+    angle_noise: float = 0.0
+    seed: int = 0
+
+
+@dataclass(frozen=True, slots=True)
+class CellSetup:
+    """What is in a factory cell beside the robot that the URDF describes."""
+
+    types: Mapping[str, PartType]
+    parts: tuple[PlacedPart, ...]
+    conveyor: ConveyorSetup | None = None
+    sensor: PartSensorSetup = PartSensorSetup()
+    limits: ConnectorLimits = ConnectorLimits()
+    gripper: str = ""
+    """Link of the URDF with the vacuum gripper, whose z axis points out of it; empty without one."""
+    pose_error: tuple[float, float] = (0.0, 0.0)
+    """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
+    attach_failure: float = 0.0
+    """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
+    seed: int = 0
+    car: str = ""
+    """Name of the base that is a car once wheels are attached to it; empty without one."""
+
+    def type_of(self, part: str) -> PartType:
+        """The type of a part. Raises `ConfigError` for an unknown name."""
+        for each in self.parts:
+            if each.name == part:
+                return self.types[each.type]
+        raise ConfigError(f"no part {part!r}; there are: {', '.join(sorted(each.name for each in self.parts))}")
