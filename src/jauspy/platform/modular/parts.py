@@ -15,6 +15,7 @@ from enum import Enum
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
 from jauspy.geometry.vectors import Vector
+from jauspy.platform.description import JointGains
 
 
 class PartKind(Enum):
@@ -86,6 +87,8 @@ class ServoData:
     given in it."""
     output: tuple[Solid, ...] = ()
     """The link that turns."""
+    gains: JointGains | None = None
+    """Of its own controllers at the start; None for those that the backend computes from the limits."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -165,6 +168,8 @@ class CellSetup:
     attach_failure: float = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
     seed: int = 0
+    arm: str = "arm"
+    """Name of the modular arm; empty without one."""
     car: str = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
 
