@@ -7,10 +7,10 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from jauspy.testing.assertions import until as until
+    from jauspy.testing.node import LocalNode as LocalNode
     from jauspy.virtual.clock import VirtualClock as VirtualClock
     from jauspy.virtual.environment import Environment as TestEnvironment
     from jauspy.virtual.network import VirtualNetwork as VirtualNetwork
-    from jauspy.testing.node import LocalNode as LocalNode
 
 _EXPORTS = {
     "LocalNode": "jauspy.testing.node:LocalNode",

@@ -17,8 +17,8 @@ from jauspy.modules import robot_files
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
-from jauspy.virtual.environment import Environment
 from jauspy.transport import LocalTransport
+from jauspy.virtual.environment import Environment
 
 T = TypeVar("T")
 

@@ -16,9 +16,9 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
+from jauspy.transport import LoopbackHub, LoopbackTransport
 from jauspy.virtual.clock import VirtualClock
 from jauspy.virtual.environment import Environment, VirtualTime
-from jauspy.transport import LoopbackHub, LoopbackTransport
 
 if TYPE_CHECKING:
     from jauspy.modules.robot import RobotRunner
