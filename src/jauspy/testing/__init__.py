@@ -9,8 +9,10 @@ if TYPE_CHECKING:
     from jauspy.testing.assertions import until as until
     from jauspy.testing.node import LocalNode as LocalNode
     from jauspy.virtual.clock import VirtualClock as VirtualClock
-    from jauspy.virtual.environment import Environment as TestEnvironment
+    from jauspy.virtual.environment import Environment
     from jauspy.virtual.network import VirtualNetwork as VirtualNetwork
+
+    TestEnvironment = Environment
 
 _EXPORTS = {
     "LocalNode": "jauspy.testing.node:LocalNode",

@@ -1,1 +1,1 @@
-"""Virtual time: an event loop whose clock advances to the next timer, a network in memory, and robots stepped by both."""
+"""Virtual time: an event loop that does not wait, a network in memory, and robots that are stepped by the loop."""
