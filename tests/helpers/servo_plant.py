@@ -5,7 +5,7 @@ It integrates rotors and links with steps of 0.25 ms. What is attached to what i
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 import pinocchio as pin
@@ -114,7 +114,7 @@ class PlantConnector(VacuumConnector):
 
     name: str
     plant: "ServoPlant"
-    current: ConnectorState = ConnectorState(powered=True)
+    current: ConnectorState = field(default_factory=lambda: ConnectorState(powered=True))
 
     def state(self) -> ConnectorState:
         return self.current

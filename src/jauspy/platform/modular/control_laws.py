@@ -1,4 +1,4 @@
-"""How the joints of a modular arm follow their setpoints: a PID controller each (stage 1), or the arm's model (stage 2).
+"""How the joints of a modular arm follow their setpoints: a PID each (stage 1), or the arm's model (stage 2).
 
 Both return the torques of the motors. Vectors are in the order of the chain; rad, rad/s, N m.
 """
