@@ -13,7 +13,7 @@ from jauspy.messages.ugv import QueryOdometry
 from jauspy.modules import catalogue, robot_files
 from jauspy.modules.robot import RobotRunner
 from jauspy.testing import VirtualNetwork
-from jauspy.testing.environment import VirtualTime
+from jauspy.virtual.environment import VirtualTime
 
 MODULE = """
 import jauspy

@@ -1,25 +1,28 @@
 """The table `[cell]` of a robot's TOML file: the factory cell around the robot, and the types of its parts.
 
 The keys are the fields of the dataclasses in `jauspy.platform.modular.parts`; units are metres, kilograms, seconds and
-radians. A pose is written `{ x = 0.1, yaw = 1.57 }`, or `[x, y, z]`, or `[x, y, z, roll, pitch, yaw]`.
+radians. A pose is written `{ xyz = [1.0, 0.0, 0.2], rpy = [0.0, 0.0, 1.57] }`; what is left out is zero.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from typing import Annotated, Any, Literal, Self, TypeAlias
+from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import Field, model_validator
 
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector
 from jauspy.modules.config_base import GainsConfig, StrictConfig
-from jauspy.platform.description import JointGains
 from jauspy.platform.modular.parts import (
+    POSITION_GAINS,
+    VELOCITY_GAINS,
+    BinSetup,
     CellSetup,
     ConnectorLimits,
     ConveyorSetup,
+    Fixture,
     PartKind,
     PartSensorSetup,
     PartType,
@@ -27,53 +30,35 @@ from jauspy.platform.modular.parts import (
     ServoData,
     Shape,
     Solid,
+    TargetArea,
 )
 
 Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=60, pattern=r"^[A-Za-z0-9_.+-]+$")]
 """Of a part, type or connector; names of connectors are joined with a slash, as in `servo_1/output`."""
 
 Number: TypeAlias = Annotated[float, Field(allow_inf_nan=False)]
+Position: TypeAlias = tuple[Number, Number, Number]
 Positive: TypeAlias = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NotNegative: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 Seed: TypeAlias = Annotated[int, Field(ge=0)]
 
-MAX_PARTS = 250
+MAX_PARTS: Final = 250
 """Every part with a connector is a component of one node, which has 254 at most."""
 
 
 class PoseConfig(StrictConfig):
     """A position in metres, and fixed-axis roll, pitch and yaw in radians."""
 
-    x: Number = 0.0
-    y: Number = 0.0
-    z: Number = 0.0
-    roll: Number = 0.0
-    pitch: Number = 0.0
-    yaw: Number = 0.0
-
-    @model_validator(mode="before")
-    @classmethod
-    def _from_list(cls, given: Any) -> Any:
-        if isinstance(given, list):
-            if len(given) not in (3, 6):
-                raise ValueError("a pose has the numbers x, y, z, or x, y, z, roll, pitch, yaw")
-            return dict(zip(("x", "y", "z", "roll", "pitch", "yaw"), given, strict=False))
-        return given
+    xyz: Position = (0.0, 0.0, 0.0)
+    rpy: Position = (0.0, 0.0, 0.0)
 
     def pose(self) -> Pose:
         """Return the pose."""
-        return Pose(self.x, self.y, self.z, self.roll, self.pitch, self.yaw)
+        return Pose(*self.xyz, *self.rpy)
 
     def transform(self) -> Transform:
         """Return the frame of the pose."""
         return Transform.from_pose(self.pose())
-
-
-class ServoGainsConfig(StrictConfig):
-    """The controllers of a servo module."""
-
-    position: GainsConfig
-    velocity: GainsConfig
 
 
 class SolidConfig(StrictConfig):
@@ -81,7 +66,7 @@ class SolidConfig(StrictConfig):
 
     shape: Shape
     size: tuple[Positive, Positive, Positive]
-    mass: Positive
+    mass: NotNegative = 0.0
     pose: PoseConfig = PoseConfig()
 
     @model_validator(mode="after")
@@ -105,10 +90,11 @@ class ServoConfig(StrictConfig):
     stiffness: Positive
     rotor_inertia: Positive
     torque_constant: Positive
-    axis: tuple[Number, Number, Number] = (0.0, 0.0, 1.0)
+    axis: Position = (0.0, 0.0, 1.0)
     joint: PoseConfig = PoseConfig()
     output: tuple[SolidConfig, ...] = ()
-    gains: ServoGainsConfig | None = None
+    position_gains: GainsConfig | None = None
+    velocity_gains: GainsConfig | None = None
 
     @model_validator(mode="after")
     def _check_axis(self) -> Self:
@@ -120,7 +106,6 @@ class ServoConfig(StrictConfig):
         """Return the data sheet; the axis is of length 1."""
         length = math.hypot(*self.axis)
         axis: Vector = (self.axis[0] / length, self.axis[1] / length, self.axis[2] / length)
-        gains = JointGains(self.gains.position.gains(), self.gains.velocity.gains()) if self.gains else None
         return ServoData(
             self.max_torque,
             self.max_speed,
@@ -132,7 +117,8 @@ class ServoConfig(StrictConfig):
             axis,
             self.joint.transform(),
             tuple(each.solid() for each in self.output),
-            gains,
+            POSITION_GAINS if self.position_gains is None else self.position_gains.gains(),
+            VELOCITY_GAINS if self.velocity_gains is None else self.velocity_gains.gains(),
         )
 
 
@@ -151,6 +137,8 @@ class PartTypeConfig(StrictConfig):
             raise ValueError("servo: parts of the kind servo need this table, and no others have it")
         if self.kind is PartKind.BOX and self.connectors:
             raise ValueError("connectors: a box has none")
+        if not sum(each.mass for each in self.solids):
+            raise ValueError("solids: they need a mass; only what is fixed to the world has none")
         return self
 
     @property
@@ -189,6 +177,45 @@ class ConveyorConfig(StrictConfig):
         return ConveyorSetup(self.pose.pose(), self.length, self.width, self.max_speed)
 
 
+class BinConfig(StrictConfig):
+    """A bin with a slanted floor; see `BinSetup`."""
+
+    name: Name
+    pose: PoseConfig
+    length: Positive
+    width: Positive
+    wall: Positive = 0.05
+    thickness: Positive = 0.008
+
+    def setup(self) -> BinSetup:
+        """Return the setup for the backend."""
+        return BinSetup(self.name, self.pose.pose(), self.length, self.width, self.wall, self.thickness)
+
+
+class FixtureConfig(StrictConfig):
+    """Something that stands in the cell; see `Fixture`."""
+
+    name: Name
+    solids: Annotated[tuple[SolidConfig, ...], Field(min_length=1)]
+    pose: PoseConfig = PoseConfig()
+
+    def setup(self) -> Fixture:
+        """Return the setup for the backend."""
+        return Fixture(self.name, tuple(each.solid() for each in self.solids), self.pose.pose())
+
+
+class TargetConfig(StrictConfig):
+    """A rectangle on the ground into which boxes are thrown."""
+
+    pose: PoseConfig
+    length: Positive
+    width: Positive
+
+    def setup(self) -> TargetArea:
+        """Return the area."""
+        return TargetArea(self.pose.pose(), self.length, self.width)
+
+
 class PartSensorConfig(StrictConfig):
     """The sensor of part poses."""
 
@@ -224,6 +251,9 @@ class CellConfig(StrictConfig):
     node: Annotated[int, Field(ge=1, le=254)] = 2
     """The JAUS node of the modules, one for each part with a servo or connectors."""
     conveyor: ConveyorConfig | None = None
+    bins: tuple[BinConfig, ...] = ()
+    fixtures: tuple[FixtureConfig, ...] = ()
+    target: TargetConfig | None = None
     sensor: PartSensorConfig = PartSensorConfig()
     limits: ConnectorLimitsConfig = ConnectorLimitsConfig()
     gripper: Annotated[str, Field(max_length=80)] = ""
@@ -255,15 +285,18 @@ class CellConfig(StrictConfig):
     def setup(self) -> CellSetup:
         """Return the setup for the backend."""
         return CellSetup(
-            {name: each.part_type(name) for name, each in self.types.items()},
-            tuple(PlacedPart(each.name, each.type, each.pose.pose(), each.fixed) for each in self.parts),
-            self.conveyor.setup() if self.conveyor else None,
-            self.sensor.setup(),
-            self.limits.limits(),
-            self.gripper,
-            self.pose_error,
-            self.attach_failure,
-            self.seed,
-            self.arm,
-            self.car,
+            types={name: each.part_type(name) for name, each in self.types.items()},
+            parts=tuple(PlacedPart(each.name, each.type, each.pose.pose(), each.fixed) for each in self.parts),
+            conveyor=self.conveyor.setup() if self.conveyor else None,
+            bins=tuple(each.setup() for each in self.bins),
+            fixtures=tuple(each.setup() for each in self.fixtures),
+            target=self.target.setup() if self.target else None,
+            sensor=self.sensor.setup(),
+            limits=self.limits.limits(),
+            gripper=self.gripper,
+            pose_error=self.pose_error,
+            attach_failure=self.attach_failure,
+            seed=self.seed,
+            arm=self.arm,
+            car=self.car,
         )

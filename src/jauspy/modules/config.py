@@ -50,6 +50,8 @@ IN_CELLS: Final = frozenset({SERVO, CONNECTOR, CONVEYOR, PART_SENSOR, MODULAR_AR
 OF_PARTS: Final = frozenset({SERVO, CONNECTOR, MODULAR_ARM})
 """Types that name their `part`."""
 
+_PARTS: Final = {SERVO: "servo", CONNECTOR: "connectors of", MODULAR_ARM: "modular arm"}
+
 GRIPPER: Final = "gripper"
 """The `part` of the CM-CON that is the robot's vacuum gripper."""
 
@@ -366,7 +368,7 @@ class RobotConfig(StrictConfig):
         if self.cell is None:
             return ()
         node, types = self.cell.node, self.cell.types
-        named = {module.part for module in self.modules}
+        named = {module.part for module in self.modules if module.type in (SERVO, CONNECTOR)}
         taken = {module.component for module in self.modules if (module.node or self.node) == node}
         free = [number for number in range(1, 255) if number not in taken]
         parts = [part for part in self.cell.parts if types[part.type].is_module and part.name not in named]
@@ -434,7 +436,7 @@ class RobotConfig(StrictConfig):
         if module.moves is not None:
             return f"group {module.moves!r}"
         if module.part is not None:
-            return f"part {module.part!r}"
+            return f"{_PARTS.get(module.type, 'car')} {module.part!r}"
         return "conveyor" if module.type == CONVEYOR else "chassis"
 
     def _check_cell(self) -> None:

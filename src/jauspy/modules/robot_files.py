@@ -76,7 +76,7 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
 def _read_part_types(cell: object, folder: Path) -> None:
     """Replace the path of a file with types of parts by what it has."""
     if isinstance(cell, dict) and isinstance(path := cell.get("types"), str):
-        cell["types"] = read_toml(folder / path)
+        cell["types"] = read_toml(folder / path).get("types", {})
 
 
 def _find(name_or_path: str | Path, folder: Path) -> Traversable:

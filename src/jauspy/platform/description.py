@@ -74,4 +74,4 @@ class RobotModel:
     cameras: tuple[CameraSetup, ...] = ()
     force_torque: tuple[ForceTorqueSetup, ...] = ()
     cell: CellSetup | None = None
-    """The factory cell around the robot; None without one."""
+    """What is in the factory cell around it; None for a robot that is not in one."""

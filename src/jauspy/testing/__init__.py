@@ -7,17 +7,19 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from jauspy.testing.assertions import until as until
-    from jauspy.testing.clock import VirtualClock as VirtualClock
-    from jauspy.testing.environment import TestEnvironment as TestEnvironment
-    from jauspy.testing.network import VirtualNetwork as VirtualNetwork
     from jauspy.testing.node import LocalNode as LocalNode
+    from jauspy.virtual.clock import VirtualClock as VirtualClock
+    from jauspy.virtual.environment import Environment
+    from jauspy.virtual.network import VirtualNetwork as VirtualNetwork
+
+    TestEnvironment = Environment
 
 _EXPORTS = {
-    "LocalNode": "jauspy.testing.node",
-    "TestEnvironment": "jauspy.testing.environment",
-    "until": "jauspy.testing.assertions",
-    "VirtualClock": "jauspy.testing.clock",
-    "VirtualNetwork": "jauspy.testing.network",
+    "LocalNode": "jauspy.testing.node:LocalNode",
+    "TestEnvironment": "jauspy.virtual.environment:Environment",
+    "until": "jauspy.testing.assertions:until",
+    "VirtualClock": "jauspy.virtual.clock:VirtualClock",
+    "VirtualNetwork": "jauspy.virtual.network:VirtualNetwork",
 }
 """Public names, imported on first use: pytest loads this package in every project that has jauspy installed."""
 
@@ -25,7 +27,8 @@ _EXPORTS = {
 def __getattr__(name: str) -> object:
     if name not in _EXPORTS:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(import_module(_EXPORTS[name]), name)
+    module, _, member = _EXPORTS[name].partition(":")
+    return getattr(import_module(module), member)
 
 
 def __dir__() -> list[str]:

@@ -17,13 +17,13 @@ from jauspy.modules import robot_files
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.sync.portal import Portal
-from jauspy.testing.environment import TestEnvironment
 from jauspy.transport import LocalTransport
+from jauspy.virtual.environment import Environment
 
 T = TypeVar("T")
 
 
-class LocalNode(TestEnvironment):
+class LocalNode(Environment):
     """`with LocalNode() as node: ...`: a node manager in a thread, which serves while the test blocks.
 
     It listens on a free UDP port of 127.0.0.1 only, and has its sockets in a temporary folder. `settings` are those of

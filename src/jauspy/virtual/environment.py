@@ -1,4 +1,4 @@
-"""What test environments have in common, in memory and on a real node manager; and the stepping of their robots."""
+"""What environments in memory and on a real node manager have in common; and the stepping of robots on virtual time."""
 
 from __future__ import annotations
 
@@ -23,11 +23,11 @@ if TYPE_CHECKING:
     from jauspy.modules.robot import RobotRunner
 
 
-class TestEnvironment(ABC):
+class Environment(ABC):
     """Makes components and OCUs that reach each other; each is to be used with `async with`."""
 
     __test__ = False
-    """Not collected by pytest."""
+    """Not collected by pytest, whatever name it is imported by."""
 
     @abstractmethod
     def transport(self, id: str | JausID) -> Transport:

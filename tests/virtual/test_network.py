@@ -13,7 +13,7 @@ from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack, unpack
 from jauspy.services.core import AccessControl, Liveness
 from jauspy.testing import LocalNode, VirtualClock, VirtualNetwork, until
-from jauspy.testing.clock import START_TIME
+from jauspy.virtual.clock import START_TIME
 
 PULSE = QueryHeartbeatPulse()
 

@@ -16,9 +16,9 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
-from jauspy.testing.clock import VirtualClock
-from jauspy.testing.environment import TestEnvironment, VirtualTime
 from jauspy.transport import LoopbackHub, LoopbackTransport
+from jauspy.virtual.clock import VirtualClock
+from jauspy.virtual.environment import Environment, VirtualTime
 
 if TYPE_CHECKING:
     from jauspy.modules.robot import RobotRunner
@@ -29,7 +29,7 @@ MAX_LOG: Final = 100_000
 """Packets that `log` remembers: the latest."""
 
 
-class VirtualNetwork(TestEnvironment):
+class VirtualNetwork(Environment):
     """`async with VirtualNetwork(loss=0.2, delay=0.05) as network: ...`; everything inside uses virtual time.
 
     `loss`, `duplication` and `reordering` are fractions of the datagrams (0..1), `delay` and `jitter` seconds; jitter
