@@ -3,26 +3,15 @@
 from __future__ import annotations
 
 import re
-import textwrap
 from pathlib import Path
 from typing import Any
 
-import pytest
+from tests.helpers.documentation import DOCS, program
 
 from jauspy.messages.core import Standby
 from jauspy.testing import LocalNode, VirtualNetwork
 
-DOCS = Path(__file__).parents[1] / "docs"
 GATE = Path(__file__).parent / "vendor" / "Gate.xml"
-
-
-def program(name: str, beginning: str) -> str:
-    """The indented block of a page that begins so."""
-    blocks = (
-        textwrap.dedent(each) for each in re.findall(r"(?:^ {4}.*\n|^\n)+", (DOCS / name).read_text(), re.MULTILINE)
-    )
-    (found,) = [each.strip() for each in blocks if each.strip().startswith(beginning)]
-    return found
 
 
 def test_documented_synchronous_ocu_runs(node_manager: LocalNode, robot) -> None:
@@ -57,14 +46,6 @@ async def test_documented_gate_runs(virtual_network: VirtualNetwork) -> None:
             assert (await changes.get()).opening == 0
             assert virtual_network.now() - began < 1.0
     assert "host.action_failed" not in component.counters
-
-
-def test_documented_component_test_runs(pytester: pytest.Pytester) -> None:
-    first = program("testing.md", "from jauspy.messages.core import QueryHeartbeatPulse")
-    without_asyncio = program("testing.md", "def test_it_is_found")
-    pytester.makepyfile("\n\n".join([first, "import jauspy", without_asyncio]))
-    result = pytester.runpytest_subprocess("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=auto")
-    result.assert_outcomes(passed=2)
 
 
 def test_index_of_decisions_is_complete() -> None:

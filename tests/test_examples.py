@@ -57,6 +57,7 @@ async def test_sync_ocu(node_manager: LocalNode) -> None:
     assert numbers(output.splitlines()[-1])[0] >= 90.0
 
 
+@pytest.mark.slow
 async def test_waypoints(node_manager: LocalNode) -> None:
     async with node_manager.robot() as robot:
         output = await run("waypoints.py", node_manager.local)
@@ -66,6 +67,7 @@ async def test_waypoints(node_manager: LocalNode) -> None:
     assert "heading for waypoint 2" in output
 
 
+@pytest.mark.slow
 async def test_two_robots(node_manager: LocalNode) -> None:
     async with node_manager.robot(), node_manager.robot("inc1_pprm"):
         lines = (await run("two_robots.py", node_manager.local)).splitlines()
@@ -73,6 +75,7 @@ async def test_two_robots(node_manager: LocalNode) -> None:
     assert all(numbers(line)[1] > 0.5 for line in lines)
 
 
+@pytest.mark.slow
 async def test_video_opencv(node_manager: LocalNode) -> None:
     pytest.importorskip("cv2", reason="needs the extra 'video'")
     async with node_manager.robot():

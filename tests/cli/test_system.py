@@ -248,6 +248,7 @@ def test_unknown_robot_error_lists_the_known_ones(local_root):
     assert "known are: igvc, inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
 
 
+@pytest.mark.slow
 def test_the_demo(free_port):
     text = jauspy("demo", "--backend", "kinematic", "--port", str(free_port)).stdout
     for step in (

@@ -219,8 +219,8 @@ def _fill(item: Any, out: bytearray) -> None:
 def impatient() -> Injector:
     """Timers of control and of events are half as long as is said."""
 
-    def hurried(self: Host, name: Any, at: float, action: Any) -> None:
-        SET_TIMER(self, name, self.now + (at - self.now) / 2, action)
+    def hurried(self: Host, name: Any, at: float, action: Any, **options: Any) -> None:
+        SET_TIMER(self, name, self.now + (at - self.now) / 2, action, **options)
 
     return patched(Host, set_timer=hurried)
 
@@ -283,7 +283,7 @@ LIES: Final = says(
 FAMILIES: Final = (
     Family("talks back", "nothing else comes|there is no answer|what comes is", talks_back()),
     Family("is in another state", "^the state is", LIES),
-    Family("sends all fields", "and nothing else$", answers(full)),
+    Family("sends all fields", "and (nothing else|no others)$", answers(full)),
     Family("is silent", " comes$", answers(silence)),
     Family("is short", "^[A-Z].* is as its definition says", answers(spoilt)),
     Family("is late", "in time$", delays(lambda payload, to: to in ROLES)),
@@ -320,7 +320,7 @@ FAMILIES: Final = (
     Family("tells of changes late", "^Event .* in time", delays(lambda payload, to: payload.endswith(LOWER))),
     Family("sends no events", "^Event .* comes$", answers(silence, *STREAM)),
     Family("tells of other changes", "carries the new value", answers(changed(wrong_report), *STREAM)),
-    Family("knows other events", "lists the event", answers(changed(other_events), core.ReportEvents)),
+    Family("knows other events", "lists? the event", answers(changed(other_events), core.ReportEvents)),
     Family("gives other ids to events", "keeps its id", answers(changed(another_id), core.ConfirmEventRequest)),
     Family("does not end events", "^the events stop", goes_on()),
     Family("has another list", "^ReportElementList", shown(instead_of(core.ReportElementList, other_elements))),

@@ -108,6 +108,7 @@ async def drive(robot: Robot, which: str) -> None:
                 await asyncio.sleep(0.05)
 
 
+@pytest.mark.slow
 async def test_an_ocu_finds_and_drives_both_parts(folders: dict[str, Path]) -> None:
     async with OCU("42.1.1", connect=f"local:{folders['ocu']}") as ocu:
         async with asyncio.timeout(30):

@@ -67,6 +67,7 @@ async def test_two_robots_on_loopback_addresses(root: Path, free_port: int) -> N
         await drive_both(await stack.enter_async_context(OCU(connect=f"local:{root / '101'}")))
 
 
+@pytest.mark.slow
 async def test_two_robots_on_two_hosts(cable: tuple[str, str], root: Path, start: Callable[..., object]) -> None:
     """Each in a network namespace with `jauspy up`; the OCU is on the first, by its local socket."""
     for namespace, subsystem in zip(cable, EFFORTS, strict=True):

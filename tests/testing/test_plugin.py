@@ -1,14 +1,18 @@
-"""The plugin as a user's project sees it."""
+"""The plugin as a user's project sees it: one run of pytest over small test files, whose results are judged here."""
 
 from __future__ import annotations
 
 import subprocess
 import sys
+import xml.etree.ElementTree as ET
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
 
 import pytest
+from tests.helpers.documentation import program
 
-STRICT = ("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=strict")
-AUTO = ("-p", "jauspy.testing.plugin", "-o", "asyncio_mode=auto")
+PLUGIN = ("-p", "jauspy.testing.plugin")
 
 TALK = """
 import pytest
@@ -22,27 +26,10 @@ async def test_it(PLACE, ocu):
         assert report.NAME == "ReportHeartbeatPulse"
 """
 
-
-@pytest.fixture
-def run(pytester, monkeypatch):
-    """Runs a test file in a process of its own."""
-    monkeypatch.setenv("PYTHONPATH", ":".join(sys.path))
-
-    def go(source: str, *options: str) -> pytest.RunResult:
-        pytester.makepyfile(source)
-        return pytester.runpytest_subprocess("-p", "no:cacheprovider", *options)
-
-    return go
-
-
-@pytest.mark.parametrize("mode", [STRICT, pytest.param(AUTO, marks=pytest.mark.slow)])
-@pytest.mark.parametrize("place", ["virtual_network", "node_manager"])
-def test_an_ocu_reaches_a_component(run, mode, place):
-    run(TALK.replace("PLACE", place), *mode).assert_outcomes(passed=1)
-
-
-def test_virtual_hour_takes_no_time(run):
-    source = """
+FILES = {
+    "virtual_network": TALK.replace("PLACE", "virtual_network"),
+    "node_manager": TALK.replace("PLACE", "node_manager"),
+    "virtual_hour": """
 import asyncio, time
 
 async def test_it(virtual_network):
@@ -50,47 +37,25 @@ async def test_it(virtual_network):
     await asyncio.sleep(3600)
     assert virtual_network.clock.elapsed >= 3600
     assert time.monotonic() - started < 60
-"""
-    run(source, *AUTO).assert_outcomes(passed=1)
-
-
-def test_mixing_real_and_virtual_time_is_an_error(run):
-    source = """
+""",
+    "two_times": """
 async def test_it(virtual_network, node_manager, ocu):
     pass
-"""
-    result = run(source, *AUTO)
-    result.assert_outcomes(errors=1)
-    result.stdout.fnmatch_lines(["*either node_manager, on real time, or virtual_network*"])
-
-
-def test_leftover_task_fails_the_test(run):
-    source = """
+""",
+    "leftover_task": """
 import asyncio
 
 async def test_it(virtual_network):
     virtual_network.task = asyncio.create_task(asyncio.sleep(1), name="forgotten")
-"""
-    result = run(source, *AUTO)
-    result.assert_outcomes(passed=1, errors=1)
-    result.stdout.fnmatch_lines(["*still running at the end of the test: *forgotten*"])
-
-
-def test_unhandled_error_fails_the_test(run):
-    source = """
+""",
+    "unhandled_error": """
 import asyncio
 
 async def test_it(virtual_network):
     asyncio.get_running_loop().call_soon(lambda: 1 / 0)
     await asyncio.sleep(1)
-"""
-    result = run(source, *AUTO)
-    result.assert_outcomes(passed=1, errors=1)
-    result.stdout.fnmatch_lines(["*an unhandled error*ZeroDivisionError*"])
-
-
-def test_error_of_an_unawaited_task_fails_the_test(run):
-    source = """
+""",
+    "unawaited_task": """
 import asyncio
 
 async def fail():
@@ -100,23 +65,26 @@ async def fail():
 async def test_it(virtual_network):
     asyncio.create_task(fail())
     await asyncio.sleep(1)
-"""
-    result = run(source, *AUTO)
-    result.assert_outcomes(passed=1, errors=1)
-    result.stdout.fnmatch_lines(["*an unhandled error*ValueError*unseen*"])
+""",
+    "documented": "\n\n".join(
+        (
+            program("testing.md", "from jauspy.messages.core import QueryHeartbeatPulse"),
+            "import jauspy",
+            program("testing.md", "def test_it_is_found"),
+        )
+    ),
+}
+"""Test files of a project with pytest-asyncio, by name."""
 
-
-def test_the_node_manager_serves_a_test_without_asyncio(run):
-    source = """
+WITHOUT_ASYNCIO = """
 def test_it(node_manager):
     assert node_manager.components == ()
     assert node_manager.port > 0
+
+def test_ocu(ocu):
+    pass
 """
-    run(source, *STRICT, "-p", "no:asyncio").assert_outcomes(passed=1)
-
-
-def test_missing_pytest_asyncio_is_explained(run, pytester):
-    pytester.makeconftest("""
+WITHOUT_ASYNCIO_CONFTEST = """
 from jauspy.testing import plugin
 
 async def ocu():
@@ -124,10 +92,106 @@ async def ocu():
 
 plugin.find_spec = lambda name: None
 ocu = plugin._asynchronous(ocu)
-""")
-    result = run("def test_it(ocu): pass", *STRICT)
-    result.assert_outcomes(errors=1)
-    result.stdout.fnmatch_lines(["*pip install pytest-asyncio*"])
+"""
+
+
+@dataclass(frozen=True)
+class Outcome:
+    """Of one test: whether its function passed, and the text of its error or failure."""
+
+    passed: bool
+    problem: str
+
+
+def outcomes(folder: Path, *options: str) -> dict[str, Outcome]:
+    """Run pytest over a folder; the outcomes by the name of file and test."""
+    report = folder / "report.xml"
+    command = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--junit-xml={report}", *options)
+    environment = {"PYTHONPATH": ":".join(sys.path), "PATH": "/usr/bin:/bin"}
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    assert report.exists(), done.stdout + done.stderr
+    found: dict[str, Outcome] = {}
+    for case in ET.parse(report).iter("testcase"):
+        name = f"{case.get('classname', '').rpartition('.')[2].removeprefix('test_')}:{case.get('name')}"
+        problems = [*case.iter("failure"), *case.iter("error")]
+        text = "\n".join(f"{each.get('message')}\n{each.text}" for each in problems)
+        passed = not any(True for _ in case.iter("failure")) and "failed on setup" not in text
+        before = found.get(name, Outcome(True, ""))  # an error of the teardown is a second entry
+        found[name] = Outcome(before.passed and passed, before.problem + text)
+    return found
+
+
+def written(folder: Path, files: Mapping[str, str]) -> Path:
+    for name, source in files.items():
+        (folder / f"test_{name}.py").write_text(source)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def automatic(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Outcome]:
+    """A project where pytest-asyncio runs every asynchronous test."""
+    return outcomes(written(tmp_path_factory.mktemp("auto"), FILES), *PLUGIN, "-o", "asyncio_mode=auto")
+
+
+@pytest.fixture(scope="module")
+def strict(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Outcome]:
+    """A project where it runs marked ones only."""
+    files = {name: FILES[name] for name in ("virtual_network", "node_manager")}
+    return outcomes(written(tmp_path_factory.mktemp("strict"), files), *PLUGIN, "-o", "asyncio_mode=strict")
+
+
+@pytest.fixture(scope="module")
+def without_asyncio(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Outcome]:
+    """A project without pytest-asyncio."""
+    folder = written(tmp_path_factory.mktemp("plain"), {"plain": WITHOUT_ASYNCIO})
+    (folder / "conftest.py").write_text(WITHOUT_ASYNCIO_CONFTEST)
+    return outcomes(folder, *PLUGIN, "-p", "no:asyncio")
+
+
+@pytest.mark.parametrize("mode", ["strict", "automatic"])
+@pytest.mark.parametrize("place", ["virtual_network", "node_manager"])
+def test_an_ocu_reaches_a_component(request: pytest.FixtureRequest, mode: str, place: str) -> None:
+    assert request.getfixturevalue(mode)[f"{place}:test_it"] == Outcome(True, "")
+
+
+def test_virtual_hour_takes_no_time(automatic: dict[str, Outcome]) -> None:
+    assert automatic["virtual_hour:test_it"] == Outcome(True, "")
+
+
+def test_documented_component_test_runs(automatic: dict[str, Outcome]) -> None:
+    found = [outcome for name, outcome in automatic.items() if name.startswith("documented:")]
+    assert found == [Outcome(True, "")] * 2
+
+
+def test_mixing_real_and_virtual_time_is_an_error(automatic: dict[str, Outcome]) -> None:
+    outcome = automatic["two_times:test_it"]
+    assert not outcome.passed
+    assert "either node_manager, on real time, or virtual_network" in outcome.problem
+
+
+def test_leftover_task_fails_the_test(automatic: dict[str, Outcome]) -> None:
+    outcome = automatic["leftover_task:test_it"]
+    assert outcome.passed
+    assert "still running at the end of the test: " in outcome.problem
+    assert "forgotten" in outcome.problem
+
+
+@pytest.mark.parametrize(("file", "error"), [("unhandled_error", "ZeroDivisionError"), ("unawaited_task", "unseen")])
+def test_unhandled_error_fails_the_test(automatic: dict[str, Outcome], file: str, error: str) -> None:
+    outcome = automatic[f"{file}:test_it"]
+    assert outcome.passed
+    assert "an unhandled error" in outcome.problem
+    assert error in outcome.problem
+
+
+def test_the_node_manager_serves_a_test_without_asyncio(without_asyncio: dict[str, Outcome]) -> None:
+    assert without_asyncio["plain:test_it"] == Outcome(True, "")
+
+
+def test_missing_pytest_asyncio_is_explained(without_asyncio: dict[str, Outcome]) -> None:
+    outcome = without_asyncio["plain:test_ocu"]
+    assert not outcome.passed
+    assert "pip install pytest-asyncio" in outcome.problem
 
 
 def test_plugin_imports_no_unused_modules():
