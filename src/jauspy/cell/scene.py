@@ -150,6 +150,15 @@ class PlanningScene:
         """The arm holds nothing."""
         self._held, self._held_name = [], ""
 
+    @property
+    def held(self) -> tuple[str, Sequence[Any]]:
+        """What the arm holds, for `restore`."""
+        return self._held_name, self._held
+
+    def restore(self, held: tuple[str, Sequence[Any]]) -> None:
+        """Hold again what `held` was."""
+        self._held_name, self._held = held[0], list(held[1])
+
     @contextmanager
     def without(self, *names: str) -> Iterator[None]:
         """Ignore things in the block: those that the arm is about to touch."""
