@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.frames import Array, offset_between, se3, shifted, tilt_between, turned
+from jauspy.cell.frames import Array, offset_between, se3, se3_of_pose, shifted, tilt_between, turned
 from jauspy.cell.handling import Handling, PickPlan
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
 from jauspy.cell.layout import Layout
@@ -45,6 +45,10 @@ MAX_MOVED: Final = 0.05
 CHECK_ANGLE: Final = 0.06
 """Radians that a joint turns to and fro when it is checked."""
 CHECK_TIME: Final = 0.5
+PUT_DOWN: Final = ((-0.45, 0.0), (-0.45, 0.12), (-0.45, -0.12), (0.5, 0.0), (0.0, 0.45), (0.0, -0.45))
+"""Places on the floor where parts are put down that could not be joined, metres."""
+PUT_DOWN_HEIGHT: Final = 0.2
+"""Of the gripper above the floor, metres."""
 SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
 """Metres beside the connector at which the attempts to join press the part down."""
 
@@ -334,7 +338,7 @@ class Assembler:
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
                 if attempt == 0:
-                    await self._put_down(part, held)
+                    await self._put_down(part)
                     return False
                 continue
             await self.go(plan.transfer)
@@ -349,7 +353,7 @@ class Assembler:
             await self.cell.enable(tip.connector, False)
             await self.go(Path(plan.insert.points[::-1]), speed=0.3, contact=True)
         if self._held is not None:
-            await self._put_down(part, self._held)
+            await self._put_down(part)
         return False
 
     def _joined_wrongly(self, part: str, state: ConnectorState) -> str:
@@ -379,23 +383,20 @@ class Assembler:
         row.joint_force, row.joint_moment = after.force, after.moment
         tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
 
-    async def _put_down(self, part: str, held: _Held) -> None:
+    async def _put_down(self, part: str) -> None:
         """Let the part lie where there is room on the floor, so that another one can be taken."""
         self.rejected.add(part)
-        for x, y in ((-0.45, 0.0), (-0.45, 0.12), (-0.45, -0.12), (0.45, 0.0)):
-            down = shifted(x, y, 0.12) * turned("x", math.pi)
-            for posture in self.layout.kinematics.solve(down, self.at):
-                try:
-                    path = self.planner.to_posture(self.at, posture.positions)
-                except NoPath:
-                    continue
-                await self.go(path)
-                await self.cell.enable(GRIPPER, False)
-                await self.cell.sleep(0.3)
-                self._drop(part)
-                await self.go(self.handling.retreat(self.at, 0.15), contact=True)
-                return
-        raise TaskFailed(f"{part} cannot be joined, and there is no free place to put it down")
+        solve, down = self.layout.kinematics.solve, turned("x", math.pi)
+        postures = [each for x, y in PUT_DOWN for each in solve(shifted(x, y, PUT_DOWN_HEIGHT) * down, self.at)]
+        try:
+            path = self.planner.to_any(self.at, postures)
+        except NoPath as error:
+            raise TaskFailed(f"{part} cannot be joined, and cannot be put down: {error}") from error
+        await self.go(path)
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.3)
+        self._drop(part)
+        await self.go(self.handling.retreat(self.at, 0.05), contact=True)
 
     # --- verifying ------------------------------------------------------------------------------------------------
 
@@ -415,7 +416,7 @@ class Assembler:
         until = self.cell.now() + 3.0
         while part not in (state := await self.cell.arm()).joints:
             if self.cell.now() > until:
-                raise TaskFailed(f"{part} was joined and has not become a joint of the arm after 3 s; is it without power?")
+                raise TaskFailed(f"{part} was joined and is no joint of the arm 3 s later; is it without power?")
             await self.cell.sleep(0.1)
         index = state.joints.index(part)
         for angle in (CHECK_ANGLE, 0.0):
@@ -429,8 +430,6 @@ class Assembler:
         await self.look()
         for each in self.layout.setup.parts:
             if each.name == base and each.fixed:
-                from jauspy.cell.frames import se3_of_pose  # noqa: PLC0415
-
                 return se3_of_pose(each.pose)
         if base not in self._seen:
             raise TaskFailed(f"the sensor does not see {base}, on which the arm is to be built")

@@ -14,8 +14,8 @@ from jauspy.cell.layout import Layout
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
 from jauspy.cell.scene import PlanningScene, pieces_of_part
 
-O = TypeVar("O")
-P = TypeVar("P")
+Option = TypeVar("Option")
+Plan = TypeVar("Plan")
 
 TURNS: Final = 12
 """Angles of the gripper about its axis that are tried; the suction plate is round."""
@@ -87,9 +87,11 @@ class Handling:
         with self.scene.without(part):
             for grasp in self.grasps(part):
                 over = pose * grasp * shifted(z=-APPROACH)
-                for posture in k.solve(over, start, condition=CONDITION):
-                    if self.scene.is_free(posture.positions, self.planner.margin):
-                        options.append((k.distance(posture.positions, start), grasp, posture.positions))
+                options += [
+                    (k.distance(posture.positions, start), grasp, posture.positions)
+                    for posture in k.solve(over, start, condition=CONDITION)
+                    if self.scene.is_free(posture.positions, self.planner.margin)
+                ]
         options.sort(key=lambda each: each[0])
         options = [each for each in options if not goals or self._reaches(each[1], each[2], goals)]
         if not options:
@@ -134,9 +136,11 @@ class Handling:
         options: list[tuple[float, pin.SE3, Array, pin.SE3]] = []
         for goal in goals:
             before = along * goal if along is not None else goal * shifted(z=distance)
-            for posture in k.solve(before * grasp, start, condition=CONDITION):
-                if self.scene.is_free(posture.positions, self.planner.margin):
-                    options.append((k.distance(posture.positions, start), goal, posture.positions, before))
+            options += [
+                (k.distance(posture.positions, start), goal, posture.positions, before)
+                for posture in k.solve(before * grasp, start, condition=CONDITION)
+                if self.scene.is_free(posture.positions, self.planner.margin)
+            ]
         options.sort(key=lambda each: each[0])
         if not options:
             raise NoPath(f"{part} cannot be brought to where it belongs: no posture of the arm is free there")
@@ -174,7 +178,7 @@ class Handling:
         return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
 
 
-def _first(options: Sequence[O], plan: Callable[[O], P]) -> P:
+def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:
     """The plan of the first option that has one."""
     reasons = []
     for option in options:

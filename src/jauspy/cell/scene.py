@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any, Final
 
 import coal
@@ -183,7 +184,7 @@ class PlanningScene:
         self.checks += 1
         self._place(positions)
         best = Clearance(min(enough, FAR))
-        for each in (*self._links, *self._held):
+        for each in (*self._held, *reversed(self._links)):
             if each.joint == 0 and each not in self._held:
                 continue  # the foot of the arm does not move
             best = self._nearest(each, best)
@@ -204,7 +205,7 @@ class PlanningScene:
     def along(self, path: Sequence[Array], step: float, *, enough: float = FAR) -> Clearance:
         """The smallest distance along straight joint motions, looked at every `step` radians."""
         best, where = Clearance(enough), None
-        for a, b in zip(path, path[1:], strict=False):
+        for a, b in pairwise(path):
             count = max(1, math.ceil(float(np.max(np.abs(b - a))) / step))
             for number in range(count + 1):
                 q = a + (b - a) * (number / count)
@@ -216,15 +217,15 @@ class PlanningScene:
     def explain(self, positions: Array) -> Clearance:
         """As `clearance`, with the names of both things, which takes longer."""
         best = self.clearance(positions)
-        if best.distance < FAR and not all(best.between):
-            for name, objects in self._things.items():
-                for each in objects if name not in self._ignored else ():
-                    for moving in (*self._links, *self._held):
-                        if moving.name == best.between[0]:
-                            near = _pair_distance(moving, each, Clearance(best.distance + 1e-6))
-                            if near.distance < best.distance + 1e-6:
-                                return Clearance(best.distance, near.between)
-        return best
+        if best.distance >= FAR or all(best.between):
+            return best
+        moving = [each for each in (*self._links, *self._held) if each.name == best.between[0]]
+        things = [each for name, found in self._things.items() if name not in self._ignored for each in found]
+        nearest = Clearance(math.inf)
+        for a in moving:
+            for b in things:
+                nearest = _pair_distance(a, b, nearest)
+        return Clearance(best.distance, nearest.between)
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
@@ -255,16 +256,16 @@ class PlanningScene:
         self._manager.setup()
 
     def _self_pairs(self) -> list[tuple[_Object, _Object]]:
-        found = []
-        for a in self._links:
-            for b in self._links:
-                if b.joint - a.joint > (NEIGHBOURS if b.joint <= HAND else NEIGHBOURS_AT_WRIST):
-                    found.append((a, b))
-        return found
+        return [
+            (a, b)
+            for a in self._links
+            for b in self._links
+            if b.joint - a.joint > (NEIGHBOURS if b.joint <= HAND else NEIGHBOURS_AT_WRIST)
+        ]
 
 
 def _pair_distance(a: _Object, b: _Object, best: Clearance) -> Clearance:
-    if a.body.getAABB().distance(b.body.getAABB()) >= best.distance:
+    if a.body.getAABB().distance(b.body.getAABB()) > max(best.distance, 0.0):
         return best
     result = coal.DistanceResult()
     found = coal.distance(a.body, b.body, coal.DistanceRequest(), result)
