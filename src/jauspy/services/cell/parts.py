@@ -47,10 +47,10 @@ class ModulePowerService(Service, urn="urn:jauspy:cell:ModulePower"):
             if each.name not in known:
                 self.host.count("unknown_module", f"{each}")
             else:
-                self._power.switch(each.name, each.power == _Record.Power.SWITCHED_ON)
+                self._power.switch(each.name, each.power == ReportModulePower.Power.SWITCHED_ON)
 
     def report_module_power(self) -> ReportModulePower:
         """Which modules are switched on."""
         return ReportModulePower(
-            [_Record(sent_text(name), _Record.Power(on)) for name, on in self._power.state().items()]
+            [_Record(sent_text(name), ReportModulePower.Power(on)) for name, on in self._power.state().items()]
         )
