@@ -58,7 +58,7 @@ BELT_THICKNESS: Final = 0.02
 
 WELD_TIME: Final = 2.0 * TIMESTEP
 """Time constant of a weld: the shortest that is stable."""
-WELD_IMPEDANCE: Final = (0.99, 0.999, 0.001, 0.5, 2.0)
+WELD_IMPEDANCE: Final = (0.9998, 0.9999, 0.001, 0.5, 2.0)
 """Nearly rigid: a module gives way by less than 0.02 degrees under its rated moment."""
 
 CONTACT_TIME: Final = 2.5 * TIMESTEP

@@ -48,7 +48,8 @@ class SimulatedCell:
     """A cell and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
     def __init__(self, cell: CellModel, robot: RobotModel) -> None:
-        self._model, setup = cell.model, cell.setup
+        self._model = cell.model
+        self._setup = setup = cell.setup
         self._data = data = mujoco.MjData(cell.model)
         random = np.random.default_rng(setup.seed)
         self._groups = {
@@ -93,6 +94,11 @@ class SimulatedCell:
     def data(self) -> mujoco.MjData:
         """MuJoCo's state; writing to it moves the world."""
         return self._data
+
+    @property
+    def setup(self) -> CellSetup:
+        """What is in it."""
+        return self._setup
 
     @property
     def truth(self) -> Truth:
