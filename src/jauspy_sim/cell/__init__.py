@@ -1,1 +1,0 @@
-"""The modular factory cell in MuJoCo: servo modules, vacuum connectors, conveyor, car."""
