@@ -203,9 +203,7 @@ class RealTime:
 
 
 def stop(robot: Robot) -> None:
-    """Brake the chassis, hold all joints where they are, and stop the optional parts."""
+    """Brake the chassis, and hold all joints where they are."""
     robot.drive.stop()
     for group in robot.groups.values():
         group.hold()
-    for part in robot.optional_parts:
-        part.stop()

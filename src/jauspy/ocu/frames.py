@@ -138,8 +138,7 @@ class RobotFrames:
     @property
     def assumed(self) -> list[str]:
         """The joints that no service reported to the last `read`, without track belts, whose frames do not move."""
-        tracks = self._model.tracks
-        belts = {*tracks.left, *tracks.right} if tracks else set()
+        belts = {*self._model.tracks.left, *self._model.tracks.right}
         reported = {joint for reader in self._readers or () for joint in reader.joints}
         moving = (each for each in self._tree.joints if each.kind is not JointKind.FIXED and each.mimics is None)
         return [joint.name for joint in moving if joint.name not in reported | belts]

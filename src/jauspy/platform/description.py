@@ -67,8 +67,7 @@ class RobotModel:
     """All that a backend needs to make a robot."""
 
     description: RobotDescription
-    tracks: TrackSetup | None
-    """None: the base is fixed to the world."""
+    tracks: TrackSetup
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()
     cameras: tuple[CameraSetup, ...] = ()
