@@ -232,9 +232,9 @@ class Assembler:
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
 
-    async def look(self) -> None:
+    async def look(self, *, fresh: bool = False) -> None:
         """Measure where the parts are, and put them there in the scene."""
-        self._seen = await self.cell.observe()
+        self._seen = await self.cell.observe(fresh=fresh)
         for name, seen in self._seen.items():
             if name not in self.used and (self._held is None or name != self._held.name):
                 self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
@@ -260,7 +260,7 @@ class Assembler:
             if not why:
                 return True
             row.attempts.append(f"{part}: {why}")
-            await self.look()
+            await self.look(fresh=True)
             if part not in self._seen:
                 row.attempts.append(f"{part}: it is lost, the sensor does not see it")
                 return False
