@@ -141,8 +141,8 @@ class CellClient:
         kind = SetJointMotionProfile.RevoluteJointMotionProfileRec
         rows = zip(found.speeds, found.accelerations, strict=True)
         await limits.send(SetJointMotionProfile([kind(float(v), float(a), float(a)) for v, a in rows]), ack=True)
-        links = self._geometry.links
-        await driver.send(SetJointPositions(position_records(self._geometry.from_urdf(list(map(float, goal))), links)), ack=True)
+        values = self._geometry.from_urdf([float(each) for each in goal])
+        await driver.send(SetJointPositions(position_records(values, self._geometry.links)), ack=True)
         await asyncio.sleep(max(0.0, found.duration - POLL))
         before, until = await self.posture(), self.now() + LATE
         while True:

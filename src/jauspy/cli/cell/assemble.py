@@ -43,11 +43,10 @@ def assemble(
         async with connected(ocu) as session:
             return await runs.assemble(session, seed)
 
-    if connect is None:
-        task = runs.run_one("assemble", seed, NONE if exact else None, film=record)
-    else:
-        task = elsewhere()
-    found = run(task)
+    async def here() -> runs.Measured:
+        return await runs.run_one("assemble", seed, NONE if exact else None, film=record)
+
+    found = run(here() if connect is None else elsewhere())
     if found is None:
         return
     if json:
