@@ -63,6 +63,10 @@ class FakeCell:
             self.errors[GRIPPER] = "broken off"
         self._attach()
 
+    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
+        await self.follow(path, speed=speed)
+        return await self.connector(connector)
+
     async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
         self.time += 0.8 if fresh else 0.0
         return {

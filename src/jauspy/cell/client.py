@@ -131,9 +131,28 @@ class CellClient:
         for start, goal in pairwise(path.points):
             await self._move(start, goal, speed)
 
+    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
+        """As `follow`, but stop as soon as a connector has attached something; returns the connector's state.
+
+        The arm then holds where it is: pressing on would load the joint.
+        """
+        for start, goal in pairwise(path.points):
+            motion = asyncio.create_task(self._move(start, goal, speed))
+            try:
+                while not motion.done():
+                    state = await self.connector(connector)
+                    if state.attached_to:
+                        await self._send(await self.posture())
+                        return state
+                    await asyncio.sleep(POLL)
+                motion.result()
+            finally:
+                await _cancel(motion)
+        return await self.connector(connector)
+
     async def _move(self, start: Array, goal: Array, speed: float) -> None:
         arm = self._module("CM-MAN")
-        driver = await self._control(arm, "ManipulatorJointPositionDriver")
+        await self._control(arm, "ManipulatorJointPositionDriver")
         limits = await self._service(arm, "ManipulatorJointMotionProfile")
         found = profile(start, goal, self.layout.speeds * speed, self.layout.accelerations)
         if not found.duration:
@@ -141,8 +160,7 @@ class CellClient:
         kind = SetJointMotionProfile.RevoluteJointMotionProfileRec
         rows = zip(found.speeds, found.accelerations, strict=True)
         await limits.send(SetJointMotionProfile([kind(float(v), float(a), float(a)) for v, a in rows]), ack=True)
-        values = self._geometry.from_urdf([float(each) for each in goal])
-        await driver.send(SetJointPositions(position_records(values, self._geometry.links)), ack=True)
+        await self._send(goal)
         await asyncio.sleep(max(0.0, found.duration - POLL))
         before, until = await self.posture(), self.now() + LATE
         while True:
@@ -157,6 +175,11 @@ class CellClient:
                     raise MotionFailed(f"{joint} of the UR10 is {off:.3f} rad off after {LATE:g} s; is it blocked?")
                 return
             before = at
+
+    async def _send(self, goal: Array) -> None:
+        driver = await self._control(self._module("CM-MAN"), "ManipulatorJointPositionDriver")
+        values = self._geometry.from_urdf([float(each) for each in goal])
+        await driver.send(SetJointPositions(position_records(values, self._geometry.links)), ack=True)
 
     # --- parts and connectors -------------------------------------------------------------------------------------
 

@@ -7,24 +7,43 @@ from typing import Protocol, runtime_checkable
 
 import pinocchio as pin
 
-from jauspy.cell.frames import offset_between, se3_of_pose, tilt_between
-from jauspy.cell.layout import Layout
-from jauspy.cell.scene import connector_frame
+from jauspy.cell.frames import offset_between, se3, se3_of_pose, tilt_between
 from jauspy.errors import ConfigError
-from jauspy.geometry.poses import Pose
+from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.connector import VacuumConnector
-from jauspy.platform.modular.servo import ServoModule
+
+
+class Truth(Protocol):
+    """What is really the case in a simulation."""
+
+    def pose(self, part: str) -> Pose:
+        """The pose of a part's frame in the world."""
+        ...
+
+    def connector(self, name: str) -> Transform:
+        """The frame of a connector in the world, or of the gripper."""
+        ...
+
+    def velocity(self, body: str) -> tuple[Vector, Vector]:
+        """Linear and angular velocity of a part, in its own frame: m/s and rad/s."""
+        ...
+
+    def penetration(self) -> float:
+        """Metres of the deepest overlap of shapes in the last step."""
+        ...
 
 
 @runtime_checkable
 class KnowsTruth(Protocol):
-    """A robot of a simulation that tells where parts really are."""
+    """A robot of a simulation."""
 
-    def true_pose(self, part: str) -> Pose:
-        """The pose of a part's frame in the world. Raises `ConfigError` for an unknown name."""
+    @property
+    def truth(self) -> Truth:
+        """What is really the case."""
         ...
 
 
@@ -44,12 +63,11 @@ class Placement:
 class Judge:
     """Reads the simulation's true state."""
 
-    def __init__(self, robot: Robot, layout: Layout) -> None:
+    def __init__(self, robot: Robot) -> None:
         if not isinstance(robot, KnowsTruth):
             raise ConfigError("this backend does not tell where parts really are; use the backend `sim`")
-        self._truth: KnowsTruth = robot
+        self._truth = robot.truth
         self._robot = robot
-        self._layout = layout
 
     @property
     def time(self) -> float:
@@ -58,7 +76,15 @@ class Judge:
 
     def pose(self, part: str) -> pin.SE3:
         """The true frame of a part in the world."""
-        return se3_of_pose(self._truth.true_pose(part))
+        return se3_of_pose(self._truth.pose(part))
+
+    def connector(self, name: str) -> pin.SE3:
+        """The true frame of a connector in the world."""
+        return se3(self._truth.connector(name))
+
+    def velocity(self, part: str) -> tuple[Vector, Vector]:
+        """Linear and angular velocity of a part, in its own frame: m/s and rad/s."""
+        return self._truth.velocity(part)
 
     def attached(self) -> dict[str, str]:
         """Which part each connector holds."""
@@ -69,14 +95,8 @@ class Judge:
         return found
 
     def placement(self, connector: str, part: str) -> Placement:
-        """How far a part is off a connector, as in `servo_1/output`; the servo's position is taken into account."""
-        owner, _, name = connector.partition("/")
-        position = 0.0
-        for each in self._robot.optional_parts:
-            if isinstance(each, ServoModule) and each.name == owner:
-                position = each.state().position
-        frame = self.pose(owner) * connector_frame(self._layout.type_of(owner), name, position)
-        there = self.pose(part)
+        """How far a part is off a connector, as in `servo_1/output`."""
+        frame, there = self.connector(connector), self.pose(part)
         distance, angle = offset_between(frame, there)
         tilt = tilt_between(frame, there)
         turn = max(0.0, angle * angle - tilt * tilt) ** 0.5

@@ -86,7 +86,7 @@ async def simulated(
         runner = RobotRunner(config, network.transport, backend=backend, realtime=VirtualTime)
         await stack.enter_async_context(runner)
         assert backend.robot is not None
-        judge = Judge(backend.robot, layout)
+        judge = Judge(backend.robot)
         recording = None
         if film is not None:
             recording = Film(film, judge.camera())
