@@ -37,6 +37,10 @@ class JointController:
         """The active controller."""
         return self._setpoint.target.mode
 
+    def set_gains(self, gains: JointGains) -> None:
+        """Set the gains; what is integrated is kept."""
+        self._position_pid.gains, self._velocity_pid.gains = gains.position, gains.velocity
+
     def follow(self, target: Target, position: float, velocity: float) -> None:
         """Follow a target; a change of mode starts at the present `position` and `velocity`, without a jerk."""
         if target.mode is not self.mode:
