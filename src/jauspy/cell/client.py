@@ -272,6 +272,9 @@ class CellClient:
     async def command_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
         """Have the modular arm begin a motion; NaN leaves a joint as it is, 0 seconds is as fast as limits allow."""
         service = await self._control(self._module("CM-ARM"), "ModularArm")
+        if any(map(math.isnan, positions)):
+            targets = (await self.arm()).targets
+            positions = [b if math.isnan(a) else a for a, b in zip(positions, targets, strict=True)]
         rows = [MoveModularArm.JointPositionRec(float(each)) for each in positions]
         await service.send(MoveModularArm(MoveModularArm.MotionDurationRec(duration), rows), ack=True)
 
