@@ -187,7 +187,8 @@ class Evaluator:
                 return _sequence(value(holder))[value(lower) : value(upper) : value(step)]
             case ast.Subscript(value=holder, slice=key):
                 found = value(holder)
-                return self._bounded(_item(found, value(key)) if isinstance(found, dict) else _sequence(found)[value(key)])
+                at = value(key)
+                return self._bounded(_item(found, at) if isinstance(found, dict) else _sequence(found)[at])
             case ast.List(elts=parts) | ast.Tuple(elts=parts):
                 return self._bounded([value(part) for part in parts])
             case ast.Dict(keys=keys, values=parts) if None not in keys:
