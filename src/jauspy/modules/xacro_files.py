@@ -73,7 +73,7 @@ def _rounded(value: float, digits: int | None = None) -> float:
     return round(value, digits)
 
 
-def _sum(values: Any) -> float:
+def _sum(values: Any) -> Any:
     """Of numbers: Python's also joins lists, each time into a new one."""
     if not all(isinstance(each, int | float) for each in _sequence(values)):
         raise ExpressionError("sum is not evaluated for texts and lists")
