@@ -532,7 +532,11 @@ class Connection:
 
 def _refused(destination: JausID, message: Message, reject: RejectCommand) -> RequestError:
     kind = ControlRejected if message.CODE == RequestControl.CODE else RequestError
-    hint = "; give the OCU an operator's key (`operator`)" if reject.reason == RejectCommand.Reason.NO_SEAL else ""
+    hint = (
+        "; give an operator's key (`OCU(operator=)`, `--operator-key`)"
+        if reject.reason == RejectCommand.Reason.NO_SEAL
+        else ""
+    )
     return kind(f"{destination} refused {message.NAME}: {explained(reject.reason)}{hint}")
 
 
