@@ -37,6 +37,7 @@ ATTACH_TIME: Final = 0.06
 PRESSES: Final = 3
 """How often the arm presses on while a connector does not attach."""
 NEAR_SPEED: Final = 0.3
+INSERT_SPEED: Final = 0.15
 LIFT_SPEED: Final = 0.3
 TOUCH_SPEED: Final = 0.015
 """Fractions of the UR10's speed on the way to what it is about to touch, and for the last millimetres."""
@@ -348,9 +349,11 @@ class Assembler:
                     return False
                 continue
             await self.go(plan.transfer)
-            await self.cell.enable(tip.connector, True)
-            await self.go(plan.insert, speed=NEAR_SPEED, contact=True)
-            state = await self._touch(plan.contact, tip.connector, plan.goal)
+            await self.go(plan.insert, speed=INSERT_SPEED, contact=True)
+            await self.go(plan.contact, speed=TOUCH_SPEED, contact=True)
+            await self.cell.enable(tip.connector, True)  # in contact: enabled before, it would leave a gap of its lip
+            await self.cell.sleep(ATTACH_TIME)
+            state = await self._touch(Path((self.at,)), tip.connector, plan.goal)
             why = self._joined_wrongly(part, state)
             if not why:
                 await self._let_go(part, row, tip, slot, state)
