@@ -55,6 +55,8 @@ PUT_DOWN: Final = ((-0.45, 0.0), (-0.45, 0.12), (-0.45, -0.12), (0.5, 0.0), (0.0
 """Places on the floor where parts are put down that could not be joined, metres."""
 PUT_DOWN_HEIGHT: Final = 0.2
 """Of the gripper above the floor, metres."""
+PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
+"""The UR10's posture away from platforms and conveyor, in radians."""
 SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
 """Metres beside the connector at which the attempts to join press the part down."""
 
@@ -136,7 +138,7 @@ class Assembler:
         self.cell = cell
         self.layout = layout
         self.scene = layout.scene()
-        self.planner = MotionPlanner(self.scene, seed=seed)
+        self.planner = MotionPlanner(self.scene, layout.kinematics, seed=seed)
         self.handling = Handling(layout, self.scene, self.planner)
         self.at: Array = layout.home
         """The UR10's present posture."""
@@ -190,6 +192,11 @@ class Assembler:
     async def go_home(self) -> None:
         """Move the UR10 to its posture at the start."""
         await self.go(self.planner.to_posture(self.at, self.layout.home))
+
+    async def park(self) -> None:
+        """Move the UR10 out of the way of what stands on the platforms and on the conveyor."""
+        await self.look()
+        await self.go(self.planner.to_posture(self.at, PARKED))
 
     async def go(self, path: Path, *, speed: float = 1.0, contact: bool = False) -> None:
         """Move along a path; paths that do not end in contact count for the smallest distance."""
