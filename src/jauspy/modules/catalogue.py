@@ -117,6 +117,15 @@ class VisionContext:
         return self.pan_tilt
 
 
+@dataclass(frozen=True, slots=True)
+class CellContext:
+    """Parts from which the services of a factory cell's modules are made."""
+
+    module: ClassVar[str] = "CM-PRT"
+    moving: ClassVar[None] = None
+    robot: RobotParts
+
+
 class Context(Protocol):
     """Parts from which the services of a module are made."""
 
@@ -247,6 +256,11 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "PanTiltMotionProfileService": _pan_tilt(manipulator.PanTiltMotionProfile),
         "PanTiltSpecificationService": _pan_tilt(manipulator.PanTiltSpecification),
     },
+    "CM-SRV": {},
+    "CM-CON": {},
+    "CM-CNV": {},
+    "CM-PRT": {},
+    "CM-ARM": {},
 }
 """By type of module, in the order in which hosts have them."""
 

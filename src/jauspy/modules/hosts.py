@@ -13,7 +13,7 @@ from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.modules import catalogue
 from jauspy.modules.catalogue import Context, Stoppable
-from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.config import IN_CELLS, ModuleConfig, RobotConfig
 from jauspy.modules.mounting import frame_of, mounted_camera, mounted_force_torque_sensors, mounted_lidars
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
@@ -105,6 +105,8 @@ def _context(
     if module.moves is not None and module.moves not in robot.groups:
         id = config.id_of(module)
         raise ConfigError(f"{id} moves the group {module.moves!r}, and the backend has no such joints")
+    if module.type in IN_CELLS:
+        return catalogue.CellContext(robot)
     if module.type == "CM-SEN":
         return catalogue.SensorContext(
             robot, mounted_lidars(config, model, robot), mounted_force_torque_sensors(model, robot)

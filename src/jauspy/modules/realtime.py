@@ -203,7 +203,9 @@ class RealTime:
 
 
 def stop(robot: Robot) -> None:
-    """Brake the chassis, and hold all joints where they are."""
+    """Brake the chassis, hold all joints where they are, and stop the optional parts."""
     robot.drive.stop()
     for group in robot.groups.values():
         group.hold()
+    for part in robot.optional_parts:
+        part.stop()

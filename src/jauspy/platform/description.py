@@ -8,11 +8,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
+
+if TYPE_CHECKING:
+    from jauspy.platform.modular.parts import CellSetup
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,8 +67,11 @@ class RobotModel:
     """All that a backend needs to make a robot."""
 
     description: RobotDescription
-    tracks: TrackSetup
+    tracks: TrackSetup | None
+    """None: the base is fixed to the world."""
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()
     cameras: tuple[CameraSetup, ...] = ()
     force_torque: tuple[ForceTorqueSetup, ...] = ()
+    cell: CellSetup | None = None
+    """What is in the factory cell around it; None for a robot that is not in one."""

@@ -84,6 +84,10 @@ class ModularArm(OptionalPart):
     def set_order(self, joints: Sequence[str]) -> None:
         """Fix the order of the joints by names; empty finds it by attachments. Unknown names are refused."""
 
+    def stop(self) -> None:
+        """Hold."""
+        self.hold()
+
     def proxy(self, link: RobotLink) -> ModularArm:
         """The arm for other threads."""
         return _ModularArmProxy(self.name, link)

@@ -11,10 +11,12 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import Enum
+from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.poses import IDENTITY, Pose, Transform
+from jauspy.geometry.poses import IDENTITY, ORIGIN, Pose, Transform
 from jauspy.geometry.vectors import Vector
+from jauspy.platform.description import Gains
 
 
 class PartKind(Enum):
@@ -46,9 +48,10 @@ class Solid:
 
     shape: Shape
     size: Vector
-    mass: float
+    mass: float = 0.0
+    """Zero for what is fixed to the world."""
     pose: Transform = IDENTITY
-    """Its middle in the frame of the part, or of the servo's output link."""
+    """Its middle in the frame of the part, of the servo's output link, of the bin or of the fixture."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -59,6 +62,10 @@ class Inertia:
     center: Vector
     moments: tuple[Vector, Vector, Vector]
     """The rows of the matrix."""
+
+
+POSITION_GAINS: Final = Gains(40.0, 30.0, 2.0, 5.0)
+VELOCITY_GAINS: Final = Gains(4.0, 30.0, 0.0, 5.0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -86,6 +93,10 @@ class ServoData:
     given in it."""
     output: tuple[Solid, ...] = ()
     """The link that turns."""
+    position_gains: Gains = POSITION_GAINS
+    """Of its own position loop, which acts at 500 Hz: newton metres per radian."""
+    velocity_gains: Gains = VELOCITY_GAINS
+    """Newton metres per rad/s."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -99,7 +110,7 @@ class PartType:
     """Frames of the vacuum connectors, by name; of a servo in the frame of its output link."""
     servo: ServoData | None = None
     grasp: Transform = IDENTITY
-    """Where the gripper's frame is when it holds the part, in the frame of the part; z points away from the part."""
+    """Where the gripper's frame is when it holds the part, in the frame of the part; its z points into the part."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,9 +118,9 @@ class ConnectorLimits:
     """When a vacuum connector attaches, and what it holds."""
 
     max_distance: float = 0.004
-    """Between the middles of the plates, in metres."""
+    """Between the middles of the plates, in metres; on a box, which may be held anywhere, along its face's normal."""
     max_angle: float = math.radians(4.0)
-    """Between the plates' normals, in radians."""
+    """Between the plates' normals, in radians; the angle about the normal is free."""
     max_force: float = 180.0
     """Newtons, any direction."""
     max_moment: float = 18.0
@@ -140,6 +151,61 @@ class ConveyorSetup:
 
 
 @dataclass(frozen=True, slots=True)
+class BinSetup:
+    """A bin with a slanted floor, whose parts slide to its lower edge and rest there.
+
+    Its frame: the origin is in the middle of the floor's surface, x points along the lower edge, y up the slope, z away
+    from the floor.
+    """
+
+    name: str
+    pose: Pose
+    length: float
+    """Inside, along x."""
+    width: float
+    """Inside, along y."""
+    wall: float = 0.05
+    """Height of the walls above the floor."""
+    thickness: float = 0.008
+
+    def solids(self) -> tuple[Solid, ...]:
+        """The floor and the walls: lower, upper, left, right; in the frame of the bin."""
+        x, y, t = self.length, self.width, self.thickness
+        height = self.wall + t
+        middle = self.wall / 2.0 - t / 2.0
+        along, across = (x + 2.0 * t, t, height), (t, y, height)
+        return (
+            _cuboid((x, y, t), (0.0, 0.0, -t / 2.0)),
+            _cuboid(along, (0.0, -(y + t) / 2.0, middle)),
+            _cuboid(along, (0.0, (y + t) / 2.0, middle)),
+            _cuboid(across, (-(x + t) / 2.0, 0.0, middle)),
+            _cuboid(across, ((x + t) / 2.0, 0.0, middle)),
+        )
+
+
+def _cuboid(size: Vector, position: Vector) -> Solid:
+    return Solid(Shape.CUBOID, size, 0.0, Transform(position=position))
+
+
+@dataclass(frozen=True, slots=True)
+class Fixture:
+    """Something that stands in the cell: a table, a ramp. Solids are given in its frame."""
+
+    name: str
+    solids: tuple[Solid, ...]
+    pose: Pose = ORIGIN
+
+
+@dataclass(frozen=True, slots=True)
+class TargetArea:
+    """A rectangle marked on the ground, into which boxes are thrown: its middle, and its size along x and y."""
+
+    pose: Pose
+    length: float
+    width: float
+
+
+@dataclass(frozen=True, slots=True)
 class PartSensorSetup:
     """A sensor of part poses. Noise: standard deviations in metres and radians; `rate` in hertz."""
 
@@ -156,6 +222,9 @@ class CellSetup:
     types: Mapping[str, PartType]
     parts: tuple[PlacedPart, ...]
     conveyor: ConveyorSetup | None = None
+    bins: tuple[BinSetup, ...] = ()
+    fixtures: tuple[Fixture, ...] = ()
+    target: TargetArea | None = None
     sensor: PartSensorSetup = PartSensorSetup()
     limits: ConnectorLimits = ConnectorLimits()
     gripper: str = ""
@@ -165,6 +234,8 @@ class CellSetup:
     attach_failure: float = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
     seed: int = 0
+    arm: str = "arm"
+    """Name of the modular arm; empty without one."""
     car: str = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
 

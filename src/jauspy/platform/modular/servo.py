@@ -70,6 +70,11 @@ class ServoModule(OptionalPart):
     def gains(self) -> tuple[Gains, Gains]:
         """The gains of its controllers: of position and of velocity."""
 
+    def stop(self) -> None:
+        """Hold, unless a modular arm commands it, which then stops it."""
+        if not self.state().claimed_by:
+            self.hold()
+
     def proxy(self, link: RobotLink) -> ServoModule:
         """The module for other threads."""
         return _ServoProxy(self.name, self.gains(), link)

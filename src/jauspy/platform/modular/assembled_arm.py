@@ -1,0 +1,348 @@
+"""The controller of a modular arm: it follows what is attached to what, plans motions, and commands the modules."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from jauspy.geometry.poses import IDENTITY, Pose, Transform
+from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
+from jauspy.platform.modular.connector import VacuumConnector
+from jauspy.platform.modular.control_laws import ControlLaw, ModelLaw, PidLaw, smooth_step
+from jauspy.platform.modular.drive import ServoDrive
+from jauspy.platform.modular.dynamics import ArmModel
+from jauspy.platform.modular.graph import Chain, attachments, find_chain
+from jauspy.platform.modular.parts import CellSetup, ServoData
+from jauspy.platform.modular.trajectory import Limits, Motion, MotionError, Setpoint, plan_within_torques
+
+Array = NDArray[np.float64]
+
+FADE_TIME: Final = 0.05
+"""Seconds in which the torques go over from one model or controller to the next."""
+
+RESERVE: Final = 0.9
+"""Fraction of a module's speed, and of its torque, that planned motions use; the rest is for control."""
+
+ACCELERATION: Final = 25.0
+"""rad/s^2: the largest acceleration of a planned motion; torque usually allows less."""
+
+JERK_TIME: Final = 0.12
+"""Seconds in which a planned motion builds up its full acceleration."""
+
+POSITION_TOLERANCE: Final = 0.005
+"""Radians: a joint follows if it is that close to its setpoint."""
+
+STANDSTILL: Final = 0.05
+"""rad/s: a joint at rest is slower."""
+
+RELAXATION_TIME: Final = 0.3
+"""Seconds in which an arm that is held at both ends gives way."""
+
+SETTLING_TIME: Final = 2.0
+"""Seconds after its end that a motion may take to come within tolerance."""
+
+
+class AssembledArm(ModularArm):
+    """Moves the longest chain of servo modules that a base carries, whatever hangs on what.
+
+    The backend calls `control` at a fixed rate (250 to 500 Hz), all in the robot's thread. It reads the states of
+    connectors again only when `revision` has changed, which counts attachments and releases of the whole cell.
+    `base_pose` returns the pose of a base in the world, given its name; without it, bases stand where `cell` says.
+    """
+
+    def __init__(
+        self,
+        name: str,
+        cell: CellSetup,
+        servos: Mapping[str, ServoDrive],
+        connectors: Sequence[VacuumConnector],
+        *,
+        revision: Callable[[], int],
+        base_pose: Callable[[str], Pose] | None = None,
+    ) -> None:
+        self.name = name
+        self._cell = cell
+        self._servos = servos
+        self._connectors = connectors
+        self._count_changes = revision
+        self._revision: int | None = None
+        placed = {part.name: part.pose for part in cell.parts}
+        self._base_pose = base_pose or placed.__getitem__
+        self._controller = ArmController.MODEL
+        self._order: tuple[str, ...] = ()
+        self._error = ""
+        self._motion: Motion | None = None
+        self._since_end = 0.0
+        self._chain = Chain()
+        none = np.zeros(0)
+        self._setpoint = Setpoint(none, none, none)
+        self._measured = none, none, none
+        self._last_torques = self._fade_from = none
+        self._take(Chain())
+
+    @property
+    def chain(self) -> Chain:
+        """The arm as it is assembled now."""
+        return self._chain
+
+    def state(self) -> ModularArmState:
+        """Its joints and motion."""
+        chain, at = self._chain, self._index
+        readings = self._readings
+        targets = self._motion.target if self._motion is not None else tuple(self._setpoint.q.tolist())
+        return ModularArmState(
+            base=chain.base,
+            tip=chain.tip,
+            joints=tuple(chain.joints[each] for each in at),
+            parts=chain.parts,
+            positions=tuple(readings[each].position for each in at),
+            velocities=tuple(readings[each].velocity for each in at),
+            efforts=tuple(readings[each].torque for each in at),
+            targets=tuple(targets[each] for each in at),
+            moving=self._motion is not None,
+            controller=self._controller,
+            payload=self._model.load_mass,
+            tip_pose=self._tip_pose(),
+            error=self._error,
+        )
+
+    def move(self, positions: Sequence[float], duration: float) -> None:
+        """Move the joints; see `ModularArm.move`. With NaN as duration it takes as long as the limits demand."""
+        error = self._refusal(positions, duration)
+        if error:
+            self._error = error
+            return
+        targets = list(self._motion.target if self._motion is not None else self._setpoint.q.tolist())
+        for at, position in zip(self._index, positions, strict=True):
+            if not math.isnan(position):
+                targets[at] = float(position)
+        wanted = 0.0 if math.isnan(duration) else duration
+        try:
+            self._motion = plan_within_torques(self._setpoint, targets, self._limits, wanted, self._torque_ratio)
+        except MotionError as error_found:
+            self._error = str(error_found)
+            return
+        self._error, self._since_end = "", 0.0
+
+    def hold(self) -> None:
+        """Brake along the present path, and hold all joints."""
+        if self._motion is not None:
+            self._motion.brake()
+
+    def set_controller(self, controller: ArmController) -> None:
+        """Choose how the joints follow; the torques fade over from one controller to the other."""
+        if controller is not self._controller:
+            self._controller = controller
+            self._law = self._make_law()
+            self._begin_fade()
+
+    def set_order(self, joints: Sequence[str]) -> None:
+        """Fix the order of the joints by names; those that are not named follow in the order of the chain."""
+        unknown = [name for name in joints if name not in self._servos]
+        if unknown or len(set(joints)) != len(joints):
+            problem = f"no servo module {unknown[0]!r}" if unknown else "a servo module is named twice"
+            self._error = f"order of joints refused: {problem}; there are: {', '.join(sorted(self._servos))}"
+            return
+        self._order = tuple(joints)
+        self._index = self._find_index()
+        self._error = ""
+
+    def control(self, now: float, dt: float) -> None:  # noqa: ARG002 - backends pass their time to all controllers
+        """Command the servo modules for the next `dt` seconds."""
+        revision = self._count_changes()
+        if revision != self._revision:
+            self._revision = revision
+            self._follow_attachments()
+        if not self._drives:
+            return
+        self._read()
+        setpoint = self._next_setpoint(dt)
+        q, v, spring = self._measured
+        torques = self._law.torques(setpoint, q, v, spring, dt)
+        if self._fade < FADE_TIME:
+            if self._fade == 0.0:
+                self._fade_from = self._last_torques - torques
+            torques = torques + self._fade_from * (1.0 - smooth_step(self._fade / FADE_TIME))
+            self._fade += dt
+        torques = np.clip(torques, -self._torque_limits, self._torque_limits)
+        self._last_torques = torques
+        for drive, reading, torque in zip(self._drives, self._readings, torques.tolist(), strict=True):
+            if reading.powered:
+                drive.set_torque(torque)
+
+    def _follow_attachments(self) -> None:
+        """Take the arm that is assembled now; joints that it had before keep setpoints and torques."""
+        connected = attachments((each.name, each.state()) for each in self._connectors)
+        chain = find_chain(self._cell, connected, self._chain.base)
+        if chain != self._chain:
+            self._take(chain)
+
+    def _take(self, chain: Chain) -> None:
+        before, setpoint = self._chain, self._setpoint
+        kept = {name: at for at, name in enumerate(before.joints)}
+        for name, drive in self._servos.items():
+            if name in kept and name not in chain.joints:
+                drive.claim("")
+                drive.hold()
+        self._chain = chain
+        self._drives = [self._servos[name] for name in chain.joints]
+        self._readings = [drive.read() for drive in self._drives]
+        self._data = [_servo_data(self._cell, name) for name in chain.joints]
+        self._torque_limits = np.array([each.max_torque for each in self._data])
+        self._limits = _limits(self._data)
+        rows = [
+            (float(setpoint.q[kept[name]]), float(setpoint.v[kept[name]]), float(setpoint.a[kept[name]]))
+            if name in kept
+            else (reading.position, 0.0, 0.0)
+            for name, reading in zip(chain.joints, self._readings, strict=True)
+        ]
+        self._last_torques = np.array(
+            [
+                self._last_torques[kept[name]] if name in kept else reading.torque
+                for name, reading in zip(chain.joints, self._readings, strict=True)
+            ]
+        )
+        table = np.array(rows).reshape(len(rows), 3)
+        self._setpoint = Setpoint(table[:, 0].copy(), table[:, 1].copy(), table[:, 2].copy())
+        self._powered = [reading.powered for reading in self._readings]
+        side = {name: self._servos[name].read().position for name in chain.side_joints}
+        self._model = ArmModel(self._cell, chain, side)
+        self._place_base()
+        self._index = self._find_index()
+        for drive in self._drives:
+            drive.claim(self.name)
+        if self._motion is not None and chain.joints != before.joints:
+            if not self._motion.ended:
+                self._error = "the motion ended early: modules were attached or released"
+            self._motion = Motion(self._setpoint, None, self._limits)
+        if chain.held_by and self._motion is not None:
+            self._motion.brake()
+        self._law = self._make_law()
+        self._begin_fade()
+
+    def _make_law(self) -> ControlLaw:
+        if self._controller is ArmController.MODEL:
+            return ModelLaw(self._model, self._data)
+        gains = [drive.gains()[0] for drive in self._drives]
+        return PidLaw(gains, [each.max_torque for each in self._data])
+
+    def _begin_fade(self) -> None:
+        self._fade = 0.0
+
+    def _place_base(self) -> None:
+        """Take the pose of the base, which turns gravity in its frame."""
+        ground = self._chain.ground
+        self._base = Transform.from_pose(self._base_pose(ground)) if ground else IDENTITY
+        self._model.set_base(self._base)
+
+    def _find_index(self) -> tuple[int, ...]:
+        """Where the joints are in the chain, in the order that commands and states have."""
+        joints = self._chain.joints
+        named = [name for name in self._order if name in joints]
+        return tuple(joints.index(name) for name in (*named, *(name for name in joints if name not in named)))
+
+    def _read(self) -> None:
+        self._readings = [drive.read() for drive in self._drives]
+        table = np.array([reading[1:] for reading in self._readings])
+        self._measured = table[:, 0], table[:, 1], table[:, 2]
+        powered = [reading.powered for reading in self._readings]
+        if powered != self._powered:
+            self._follow_power(powered)
+
+    def _follow_power(self, powered: list[bool]) -> None:
+        """Brake if a module has fallen silent in a motion; one that reports again holds where it is."""
+        silent = [
+            name
+            for name, before, now in zip(self._chain.joints, self._powered, powered, strict=True)
+            if before and not now
+        ]
+        self._powered = powered
+        if silent and self._motion is not None:
+            self._error = f"the motion ended early: no report of {', '.join(silent)}"
+            self._motion.brake()
+        self._law = self._make_law()
+        self._last_torques = np.where(powered, self._last_torques, self._measured[2])
+        self._begin_fade()
+
+    def _next_setpoint(self, dt: float) -> Setpoint:
+        setpoint, motion = self._setpoint, self._motion
+        q, v, _ = self._measured
+        if motion is not None:
+            setpoint = motion.advance(dt)
+            if motion.ended:
+                self._since_end += dt
+                self._end_motion(setpoint)
+        if not all(self._powered):
+            silent = ~np.array(self._powered)
+            setpoint = Setpoint(
+                np.where(silent, q, setpoint.q), np.where(silent, v, setpoint.v), np.where(silent, 0.0, setpoint.a)
+            )
+        if self._chain.held_by and self._motion is None:
+            # a closed loop: what its other end demands is followed, so that no force is built up between the ends
+            follow = min(1.0, dt / RELAXATION_TIME)
+            setpoint = Setpoint(setpoint.q + follow * (q - setpoint.q), np.zeros_like(v), np.zeros_like(v))
+        self._setpoint = setpoint
+        return setpoint
+
+    def _end_motion(self, setpoint: Setpoint) -> None:
+        """End the motion once the joints follow, or have had time enough."""
+        q, v, _ = self._measured
+        off = np.where(self._powered, np.abs(q - setpoint.q), 0.0)
+        still = np.where(self._powered, np.abs(v), 0.0) < STANDSTILL
+        if bool(np.all(off < POSITION_TOLERANCE)) and bool(np.all(still)):
+            self._motion = None
+        elif self._since_end > SETTLING_TIME:
+            self._motion = None
+            worst = int(np.argmax(off))
+            if off[worst] >= POSITION_TOLERANCE and not self._error:
+                self._error = (
+                    f"{self._chain.joints[worst]} is {off[worst]:.3f} rad from its target {SETTLING_TIME:.0f} s after "
+                    "the motion"
+                )
+
+    def _refusal(self, positions: Sequence[float], duration: float) -> str:
+        """Why a motion is refused; empty if it is not."""
+        names = [self._chain.joints[at] for at in self._index]
+        if not names:
+            return "motion refused: no servo module is attached to a base"
+        if len(positions) != len(names):
+            return f"motion refused: {len(positions)} positions for {len(names)} joints ({', '.join(names)})"
+        if any(map(math.isinf, positions)):
+            return "motion refused: a position is infinite"
+        if math.isinf(duration) or duration < 0.0:
+            return f"motion refused: a duration of {duration} s"
+        if self._chain.held_by:
+            return f"motion refused: the arm is also held by {', '.join(self._chain.held_by)}"
+        silent = [
+            name
+            for name, at, position in zip(names, self._index, positions, strict=True)
+            if not (self._powered[at] or math.isnan(position))
+        ]
+        return f"motion refused: no report of {', '.join(silent)}" if silent else ""
+
+    def _torque_ratio(self, setpoint: Setpoint) -> float:
+        """The largest torque that a setpoint demands of a motor, as a fraction of what planned motions may use."""
+        torques = np.abs(self._model.inverse_dynamics(setpoint.q, setpoint.v, setpoint.a))
+        return float(np.max(torques / (RESERVE * self._torque_limits), initial=0.0))
+
+    def _tip_pose(self) -> Pose:
+        if self._chain.tip_body is None:
+            return Pose()
+        q = np.array([reading.position for reading in self._readings])
+        return (self._base @ self._model.tip_pose(q)).to_pose()
+
+
+def _servo_data(cell: CellSetup, name: str) -> ServoData:
+    servo = cell.type_of(name).servo
+    assert servo is not None
+    return servo
+
+
+def _limits(servos: Sequence[ServoData]) -> Limits:
+    count = len(servos)
+    speeds = tuple(RESERVE * each.max_speed for each in servos)
+    return Limits(speeds, (ACCELERATION,) * count, (ACCELERATION / JERK_TIME,) * count)

@@ -1,0 +1,160 @@
+"""The rigid-body model of an arm as it is assembled, by pinocchio. SI units; vectors in the order of its joints."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import Any, Final
+
+import numpy as np
+import pinocchio as pin
+from numpy.typing import NDArray
+
+from jauspy.geometry.poses import IDENTITY, Transform
+from jauspy.geometry.vectors import Vector, rotated, rotation_about, scaled, transposed
+from jauspy.platform.modular.graph import Body, Chain, Link
+from jauspy.platform.modular.parts import CellSetup, Shape, Solid
+
+Array = NDArray[np.float64]
+
+GRAVITY: Final = 9.81
+"""m/s^2, downward along the world's z axis."""
+
+
+class ArmModel:
+    """Kinematics and dynamics of a chain, with what hangs on it, in the frame of its base."""
+
+    def __init__(self, cell: CellSetup, chain: Chain, side_positions: Mapping[str, float] | None = None) -> None:
+        """Build it; `side_positions` (rad) are those of servo modules in branches, which count as rigid."""
+        self.chain = chain
+        self._model, self._frames = _build(cell, chain, side_positions or {})
+        self._data = self._model.createData()
+        self._load = _load_inertia(cell, chain)
+        self._load_joint, self._load_mass, self._without_load = 0, 0.0, None
+        tip = chain.tip_body
+        self._tip_joint, self._tip_pose = 0, pin.SE3.Identity()
+        if tip is not None:
+            joint, pose = self._frames[tip]
+            self._tip_joint, self._tip_pose = joint, pose * se3(chain.tip_pose)
+        if chain.load_at_tip:
+            self._load_joint, self._load_pose = self._frames[Body(chain.load_at_tip)]
+            self._without_load = pin.Inertia(self._model.inertias[self._load_joint])
+
+    @property
+    def load_mass(self) -> float:
+        """Mass of the box at the tip in the model, in kilograms."""
+        return self._load_mass
+
+    def set_load(self, mass: float) -> None:
+        """Set the mass of the box at the tip (kg); its shape is that of its type. Without a box it has no effect."""
+        if self._without_load is None or not self._load_joint:
+            return
+        self._load_mass = mass
+        scale = mass / self._load.mass if self._load.mass else 0.0
+        load = pin.Inertia(mass, self._load.lever, self._load.inertia * scale)
+        self._model.inertias[self._load_joint] = self._without_load + self._load_pose.act(load)
+
+    def set_base(self, base: Transform) -> None:
+        """Set where the base is in the world, which turns gravity in its frame."""
+        down = rotated(transposed(base.rotation), (0.0, 0.0, -GRAVITY))
+        self._model.gravity.linear = np.array(down)
+
+    def inverse_dynamics(self, q: Array, v: Array, a: Array) -> Array:
+        """Torques (N m) at the outputs for accelerations `a`."""
+        found: Array = pin.rnea(self._model, self._data, q, v, a)
+        return found
+
+    def gravity(self, q: Array) -> Array:
+        """Torques (N m) that hold the arm at rest."""
+        found: Array = pin.computeGeneralizedGravity(self._model, self._data, q)
+        return found
+
+    def mass_matrix(self, q: Array) -> Array:
+        """The mass matrix (kg m^2), symmetric."""
+        found: Array = pin.crba(self._model, self._data, q)
+        return found
+
+    def load_regressor(self, q: Array, v: Array, a: Array) -> Array:
+        """Torques (N m) for each kilogram of the box at the tip."""
+        if self._without_load is None or not self._load_joint:
+            return np.zeros(len(q))
+        mass = self._load_mass
+        self.set_load(0.0)
+        without = self.inverse_dynamics(q, v, a)
+        self.set_load(1.0)
+        found = self.inverse_dynamics(q, v, a) - without
+        self.set_load(mass)
+        return found
+
+    def tip_pose(self, q: Array) -> Transform:
+        """The tip's frame in the frame of the base."""
+        pin.forwardKinematics(self._model, self._data, q)
+        return transform(self._data.oMi[self._tip_joint] * self._tip_pose)
+
+
+def _build(
+    cell: CellSetup, chain: Chain, side_positions: Mapping[str, float]
+) -> tuple[Any, dict[Body, tuple[int, Any]]]:
+    """The model, and for each body the joint that moves it and its frame in that joint's frame."""
+    model = pin.Model()
+    model.gravity.linear = np.array((0.0, 0.0, -GRAVITY))
+    frames: dict[Body, tuple[int, Any]] = {}
+    if chain.root is not None:
+        frames[chain.root] = (0, se3(chain.mount))
+    for link in chain.links:
+        joint, parent = frames[link.parent]
+        placement = parent * se3(link.joint_pose)
+        if link.joint and link.joint not in chain.side_joints:
+            axis = np.array(joint_axis(cell, link))
+            joint = model.addJoint(joint, pin.JointModelRevoluteUnaligned(axis), placement, link.joint)
+            placement = pin.SE3.Identity()
+        elif link.joint:
+            turned = rotation_about(joint_axis(cell, link), side_positions.get(link.joint, 0.0))
+            placement *= se3(Transform(turned))
+        frames[link.body] = (joint, placement * se3(link.body_pose))
+    for body, (joint, pose) in frames.items():
+        if body.part != chain.load_at_tip and joint:
+            for solid in _solids(cell, body):
+                model.appendBodyToJoint(joint, solid_inertia(solid), pose)
+    return model, frames
+
+
+def _solids(cell: CellSetup, body: Body) -> Iterable[Solid]:
+    kind = cell.type_of(body.part)
+    return kind.servo.output if body.output and kind.servo is not None else kind.solids
+
+
+def _load_inertia(cell: CellSetup, chain: Chain) -> Any:
+    if not chain.load_at_tip:
+        return pin.Inertia.Zero()
+    return sum((solid_inertia(solid) for solid in cell.type_of(chain.load_at_tip).solids), pin.Inertia.Zero())
+
+
+def joint_axis(cell: CellSetup, link: Link) -> Vector:
+    """The axis of a link's joint, in the frame at `joint_pose`, that turns the link by plus the servo's position."""
+    servo = cell.type_of(link.joint).servo
+    assert servo is not None
+    axis = rotated(transposed(servo.joint.rotation), servo.axis)
+    return scaled(axis, -1.0) if link.reversed else axis
+
+
+def solid_inertia(solid: Solid) -> Any:
+    """The inertia of a homogeneous primitive as pinocchio's `Inertia`, in the frame in which its pose is given."""
+    x, y, z = solid.size
+    if solid.shape is Shape.CYLINDER:
+        inertia = pin.Inertia.FromCylinder(solid.mass, x, z)
+    else:
+        inertia = pin.Inertia.FromBox(solid.mass, x, y, z)
+    return se3(solid.pose).act(inertia)
+
+
+def se3(frame: Transform) -> Any:
+    """The same transform as pinocchio's `SE3`."""
+    return pin.SE3(np.array(frame.rotation), np.array(frame.position))
+
+
+def transform(frame: Any) -> Transform:
+    """The same transform as jauspy has it."""
+    if frame is None:
+        return IDENTITY
+    a, b, c = (tuple(row) for row in frame.rotation.tolist())
+    return Transform((a, b, c), tuple(frame.translation.tolist()))
