@@ -11,10 +11,12 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.modules.audit import AuditLog
 from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.faults import FaultMonitor, reason
 from jauspy.modules.hosts import Announcement, host_of
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
@@ -26,13 +28,15 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.core import Discovery, Identity
+from jauspy.services.core import Discovery, FailureRecovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
 from jauspy.services.service import Service
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
+
+_LOG: Final = get_logger("jauspy.robot")
 
 HEARTBEAT_TIMEOUT: Final = 1.0
 """Seconds without a heartbeat of the event loop after which the robot is stopped."""
@@ -102,6 +106,15 @@ class RobotRunner:
     def snapshot(self) -> Snapshot | None:
         """The robot's state after its last step; None before it was opened."""
         return self._realtime.snapshot if self._realtime else None
+
+    @property
+    def faults(self) -> Mapping[str, str]:
+        """What has failed and why, by the id of the component that is in Failure for it."""
+        if self._realtime is None or not self._realtime.faults:
+            return {}
+        rows = zip(self._components, self.config.modules, strict=True)
+        found = {str(each.id): reason(module, self._realtime.faults) for each, module in rows}
+        return {id: why for id, why in found.items() if why}
 
     @property
     def counters(self) -> Mapping[str, int]:
@@ -183,8 +196,15 @@ class RobotRunner:
 
     def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
         backend = self._backend or backends.find(self.config.backend)
-        robot = backend.open(model, self.config.world)
-        stack.callback(robot.close)
+        try:
+            robot = backend.open(model, self.config.world)
+        except JausError:
+            raise
+        except Exception as error:
+            raise ConfigError(
+                f"the backend {self.config.backend!r} cannot open the robot: {type(error).__name__}: {error}"
+            ) from error
+        stack.callback(_close, robot)
         return stack.enter_context(self._make_realtime(robot))
 
 
@@ -203,7 +223,8 @@ def _host(
         NODE: Identity(f"{config.name} node {config.node}", _NODE),
         COMPONENT: Identity(module.type, _COMPONENT),
     }
-    return host_of(
+    recovery = FailureRecovery()
+    host = host_of(
         config,
         module,
         model,
@@ -212,8 +233,10 @@ def _host(
         videos=videos,
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
-        more=more,
+        more=(*more, recovery),
     )
+    FaultMonitor(host, recovery, module, robot)
+    return host
 
 
 def _share_discovery(hosts: Sequence[Host]) -> None:
@@ -233,6 +256,13 @@ def _share_operators(hosts: Sequence[Host]) -> None:
 def announcement(host: Host, module: ModuleConfig) -> Intercept | None:
     """Announce the component to the configured console; returns the intercept for its answer."""
     return Announcement(host, JausID.parse(module.announce_to)).intercept if module.announce_to else None
+
+
+def _close(robot: Robot) -> None:
+    try:
+        robot.close()
+    except Exception:  # noqa: BLE001 - whatever a backend raises
+        _LOG.exception("the backend could not close the robot")
 
 
 async def _heartbeat(realtime: RealTime) -> None:
