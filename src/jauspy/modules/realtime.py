@@ -30,7 +30,7 @@ MAX_DELAY: Final = 0.1
 SLOW_STEP: Final = 0.05
 """Seconds; a step that takes longer causes a warning."""
 WARNING_INTERVAL: Final = 10.0
-"""Seconds between two warnings of the same kind."""
+"""Seconds between two warnings."""
 
 WHOLE_ROBOT: Final = PartId(Robot)
 """Stands for all parts where `RealTime.faults` says that the robot itself has failed."""
@@ -100,7 +100,7 @@ class RealTime:
         self._pending: dict[PartId, Command] = {}
         self._faults: Mapping[PartId, str] = {}
         self._retried: set[PartId] = set()
-        self._warned: dict[str, float] = {}
+        self._warned_at = -math.inf
         self._abandoned = False
         self._snapshot = Snapshot.of(robot)
         self._closing = threading.Event()
@@ -228,7 +228,7 @@ class RealTime:
             self._try(WHOLE_ROBOT, self._advance)
         if (duration := self._clock() - began) > SLOW_STEP:
             self._timer.counters["slow"] += 1
-            self._warn("slow", f"a step of the robot took {duration:.2f} s; it should take less than {self._step:g} s")
+            self._warn(f"a step of the robot took {duration:.2f} s; it should take less than {self._step:g} s")
 
     def _advance(self) -> None:
         self._robot.advance(self._step)
@@ -263,20 +263,18 @@ class RealTime:
                 self._fail(part, error)
 
     def _stop_if_abandoned(self) -> None:
-        silence = self._clock() - self._alive
-        abandoned = silence > self._heartbeat_timeout
+        abandoned = self._clock() - self._alive > self._heartbeat_timeout
         if abandoned:
             self._timer.counters["abandoned"] += 1
             self._try(CHASSIS, self._robot.drive.stop)
             if not self._abandoned:  # repeated holds would follow joints that sag
                 self._stop_all()
-                self._warn("abandoned", f"the event loop has not run for {silence:.1f} s: the robot was stopped")
         self._abandoned = abandoned
 
-    def _warn(self, kind: str, text: str) -> None:
+    def _warn(self, text: str) -> None:
         now = self._clock()
-        if now - self._warned.get(kind, -math.inf) > WARNING_INTERVAL:
-            self._warned[kind] = now
+        if now - self._warned_at > WARNING_INTERVAL:
+            self._warned_at = now
             _LOG.warning("%s", text)
 
 

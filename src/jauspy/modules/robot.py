@@ -135,7 +135,7 @@ class RobotRunner:
         async with AsyncExitStack() as stack:
             model = robot_model(self.config)
             realtime = self._start_robot(stack, model)
-            stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
+            stack.push_async_callback(_cancel, asyncio.create_task(self._send_heartbeats(realtime)))
             videos = await self._open_cameras(stack, realtime)
             components = []
             audit = None
@@ -193,6 +193,15 @@ class RobotRunner:
             video = CameraProcess(source, camera.settings(), stamped=camera.stamped)
             videos[camera.name] = await stack.enter_async_context(video)
         return videos
+
+    async def _send_heartbeats(self, realtime: RealTime) -> None:
+        clock = asyncio.get_running_loop().time
+        while True:
+            sent_at = clock()
+            realtime.alive()
+            await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
+            if self._components and clock() - sent_at > HEARTBEAT_TIMEOUT:
+                _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
 
     def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
         backend = self._backend or backends.find(self.config.backend)
@@ -263,12 +272,6 @@ def _close(robot: Robot) -> None:
         robot.close()
     except Exception:  # noqa: BLE001 - whatever a backend raises
         _LOG.exception("the backend could not close the robot")
-
-
-async def _heartbeat(realtime: RealTime) -> None:
-    while True:
-        realtime.alive()
-        await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
 
 
 async def _cancel(task: asyncio.Task[None]) -> None:

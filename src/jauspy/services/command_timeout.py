@@ -33,14 +33,14 @@ class ContinuousCommands(Service):
     def expect_next_command(self, stop: Callable[[], None]) -> None:
         """Call `stop` unless this is called again in time; it must do nothing if another service moves by then."""
         if self.command_timeout is not None:
-            self.host.set_timer(self._timer, self.host.now + self.command_timeout, lambda: self._time_out(stop))
+            self.host.set_timer(self._command_timer, self.host.now + self.command_timeout, lambda: self._time_out(stop))
 
     def expect_no_command(self) -> None:
         """The motion has ended."""
-        self.host.cancel_timer(self._timer)
+        self.host.cancel_timer(self._command_timer)
 
     @property
-    def _timer(self) -> tuple[str, str]:
+    def _command_timer(self) -> tuple[str, str]:
         return ("command timeout", self.urn)
 
     def _time_out(self, stop: Callable[[], None]) -> None:
