@@ -55,7 +55,7 @@ def prefix(robot: str) -> str:
 
 def build(robot: RobotModel, world: str) -> mujoco.MjModel:
     """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are."""
-    spec = _world(world)
+    spec = world_spec(world)
     spec.attach(robot_spec(robot), prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
@@ -84,7 +84,8 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     return spec
 
 
-def _world(name: str) -> mujoco.MjSpec:
+def world_spec(name: str) -> mujoco.MjSpec:
+    """An included world; `ConfigError` lists the worlds there are."""
     names = known_worlds()
     if name not in names:
         raise ConfigError(f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}")

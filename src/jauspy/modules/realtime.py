@@ -27,7 +27,7 @@ STEP: Final = 0.002
 MAX_DELAY: Final = 0.1
 """Seconds that the robot may fall behind the clock before missed steps are skipped."""
 
-SLOW_STEP: Final = 0.05
+SLOW_STEP: Final = 0.15
 """Seconds; a step that takes longer causes a warning."""
 WARNING_INTERVAL: Final = 10.0
 """Seconds between two warnings."""

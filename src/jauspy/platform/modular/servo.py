@@ -6,7 +6,7 @@ from abc import abstractmethod
 from dataclasses import dataclass
 
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
 from jauspy.platform.description import Gains
 from jauspy.platform.joints import Target
 
@@ -123,7 +123,7 @@ class ServoGains(Command):
             servo.set_gains(self.position, self.velocity)
 
 
-def find(robot: Robot, name: str) -> ServoModule | None:
+def find(robot: RobotParts, name: str) -> ServoModule | None:
     """The servo module of that name."""
     parts = (part for part in robot.optional_parts if isinstance(part, ServoModule))
     return next((part for part in parts if part.name == name), None)
