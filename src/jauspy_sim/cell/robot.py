@@ -18,7 +18,7 @@ from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, redirect_warnings
-from jauspy_sim.cameras import SimulatedCamera
+from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.cell.assembly import CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
@@ -78,6 +78,7 @@ class SimulatedCell:
         self._run(SETTLING_STEPS)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
+        self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot.cameras)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedCell:
@@ -127,8 +128,8 @@ class SimulatedCell:
 
     @property
     def cameras(self) -> Mapping[str, SimulatedCamera]:
-        """None."""
-        return {}
+        """Its cameras, by name."""
+        return self._cameras.cameras
 
     @property
     def servos(self) -> Mapping[str, SimulatedServo]:
@@ -159,6 +160,7 @@ class SimulatedCell:
         if steps:
             self._owed -= steps
             self._run(steps)
+            self._cameras.show()
 
     def close(self) -> None:
         """Stop. What connectors hold stays held. May be called twice."""
@@ -168,6 +170,7 @@ class SimulatedCell:
             servo.hold()
         if self._conveyor is not None:
             self._conveyor.set_speed(0.0)
+        self._cameras.close()
 
     def _run(self, steps: int) -> None:
         model, data = self._model, self._data
