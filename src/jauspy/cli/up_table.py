@@ -102,7 +102,7 @@ class StatusSampler:
         routed = 0 if status is None else sum(n for name, n in status["counters"].items() if name.startswith("routed."))
         counted = {**counters, "time": snapshot.time, "routed": routed}
         self._before.append((now, counted))
-        pairs = list(zip(self.runner.components, self.runner.config.modules, strict=True))
+        pairs = self.runner.running
         shown = {module.camera: str(each.id) for each, module in pairs}
         return RobotStatus(
             snapshot,
@@ -123,7 +123,7 @@ class StatusSampler:
         subscriptions = events.subscriptions.all() if events else []
         return ModuleStatus(
             str(component.id),
-            module.type,
+            f"{module.type} {module.part}" if module.part else module.type,
             host.status.name.lower() if host.status is not None else "",
             f"{access.controller} ({access.authority})" if access and access.controller else "",
             len(subscriptions),

@@ -7,11 +7,12 @@ from jauspy.modules import catalogue
 from jauspy.modules.catalogue import Context
 from jauspy.modules.config import CONNECTOR, CONVEYOR, GRIPPER, MODULAR_ARM, SERVO, ModuleConfig
 from jauspy.platform.chassis import Chassis
-from jauspy.platform.contract import RobotParts
+from jauspy.platform.contract import PartId, RobotParts, Snapshot
 from jauspy.platform.modular import arm, servo
-from jauspy.platform.modular.cell import Car, Conveyor
-from jauspy.platform.modular.connector import VacuumConnector
+from jauspy.platform.modular.cell import CAR, Car, CarState, Conveyor
+from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
 from jauspy.platform.modular.parts import CellSetup, PartKind, Shape
+from jauspy.platform.modular.servo import ServoModule, ServoState
 from jauspy.services.cell import ArmMotionControl, ServoControl
 
 
@@ -42,12 +43,34 @@ def cell_context(module: ModuleConfig, cell: CellSetup, robot: RobotParts) -> Co
 
 def connectors_of(part: str, cell: CellSetup, robot: RobotParts) -> tuple[VacuumConnector, ...]:
     """The connectors of a part, in the order of its type; the gripper is one. Raises `ConfigError` without one."""
-    names = [GRIPPER] if part == GRIPPER else [f"{part}/{name}" for name in cell.type_of(part).connectors]
+    names = connector_names(part, cell)
     there = {each.name: each for each in robot.optional_parts if isinstance(each, VacuumConnector)}
     for name in names:
         if name not in there:
             raise _missing(f"vacuum connector {name!r}")
     return tuple(there[name] for name in names)
+
+
+def is_present(module: ModuleConfig, cell: CellSetup | None, snapshot: Snapshot) -> bool:
+    """True if a module has a component now: those of parts while they have power, the car while it is assembled."""
+    if cell is None or module.part is None:
+        return True
+    parts = snapshot.parts
+    if module.type == SERVO:
+        servo_state = parts.get(PartId(ServoModule, module.part))
+        return isinstance(servo_state, ServoState) and servo_state.powered
+    if module.type == CONNECTOR and module.part != GRIPPER:
+        states = (parts.get(PartId(VacuumConnector, name)) for name in connector_names(module.part, cell))
+        return any(isinstance(state, ConnectorState) and state.powered for state in states)
+    if module.type == "CM-MOB":
+        car = parts.get(CAR)
+        return isinstance(car, CarState) and car.assembled
+    return True
+
+
+def connector_names(part: str, cell: CellSetup) -> list[str]:
+    """The full names of the connectors of a part, in the order of its type; the gripper is one."""
+    return [GRIPPER] if part == GRIPPER else [f"{part}/{name}" for name in cell.type_of(part).connectors]
 
 
 def car_of(robot: RobotParts) -> Car:

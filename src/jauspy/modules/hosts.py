@@ -63,6 +63,11 @@ def host_of(
     return module_host(id, module, context, identities=identities, utc_now=utc_now, now=now, more=more)
 
 
+def check_parts(config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RobotParts) -> None:
+    """Check that the backend has what a module needs that is not present yet; raises `ConfigError`."""
+    _context(config, module, model, robot, NO_VIDEOS)
+
+
 def module_host(
     id: JausID,
     config: ModuleConfig,
