@@ -199,11 +199,23 @@ class SimulatedCell:
 
     def _follow_attachments(self) -> None:
         self._revision = self._attachments.revision
+        self._let_sleep()
         self._power.update()
         if self._payload is not None:
             self._payload.update()
         if self._car is not None:
             self._car.update()
+
+    def _let_sleep(self) -> None:
+        """Let parts sleep that no connector holds; of the others, forces are measured."""
+        model, policy = self._model, mujoco.mjtSleepPolicy
+        for part in self._setup.parts:
+            if not part.fixed:
+                model.tree_sleep_policy[model.body_treeid[model.body(part.name).id]] = int(policy.mjSLEEP_ALLOWED)
+        for connector, face in self._attachments.attached():
+            for body in (connector.body, face.body):
+                if (tree := model.body_treeid[body]) >= 0:
+                    model.tree_sleep_policy[tree] = int(policy.mjSLEEP_NEVER)
 
     def _make_arm(self, setup: CellSetup) -> AssembledArm | None:
         """The controller of the modular arm, which needs the libraries of the extra `cell`."""
@@ -231,12 +243,9 @@ class SimulatedCell:
                 yield connector.part, face.part
 
     def _set_powered(self, powered: Mapping[str, bool]) -> None:
-        """Pass on which modules have power; those with power do not sleep."""
-        policy = mujoco.mjtSleepPolicy
+        """Pass on which modules have power."""
         for name, servo in self._servos.items():
-            now = powered.get(name, False)
-            servo.set_powered(now)
-            self._model.tree_sleep_policy[servo.tree] = int(policy.mjSLEEP_NEVER if now else policy.mjSLEEP_ALLOWED)
+            servo.set_powered(powered.get(name, False))
         self._powered = tuple(servo for servo in self._servos.values() if servo.powered)
         self._attachments.set_powered(powered)
 
