@@ -53,9 +53,9 @@ VERBS: Final = {
 KEY_VERBS: Final = {
     "new": (
         "jauspy.cli.operators:new",
-        "Write a new key, and print the line for the robots' operators file.",
+        "Write a new key, and print what to add to the robots' operators file.",
     ),
-    "show": ("jauspy.cli.operators:show", "Print the line for the robots' operators file again."),
+    "show": ("jauspy.cli.operators:show", "Print the lines for the robots' operators file again."),
 }
 NEW_VERBS: Final = {
     "component": (
