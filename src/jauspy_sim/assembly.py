@@ -55,7 +55,7 @@ def prefix(robot: str) -> str:
 
 def build(robot: RobotModel, world: str) -> mujoco.MjModel:
     """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are."""
-    spec = _world(world)
+    spec = world_spec(world)
     spec.attach(robot_spec(robot), prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
@@ -65,14 +65,14 @@ def build(robot: RobotModel, world: str) -> mujoco.MjModel:
 
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
-    """The robot alone, free to move, with a motor at each joint."""
+    """The robot alone, with a motor at each joint; free to move if it has tracks, or else fixed to the world."""
     spec = _from_urdf(robot.description)
-    base = spec.body(robot.description.root())
-    base.add_freejoint(name="base")
     for joint in robot.description.joints.values():
         _dynamics(spec, joint)
-    for belt in robot.tracks.left + robot.tracks.right:
-        _belt(spec, robot.description.joint(belt), robot.tracks)
+    if (tracks := robot.tracks) is not None:
+        spec.body(robot.description.root()).add_freejoint(name="base")
+        for belt in tracks.left + tracks.right:
+            _belt(spec, robot.description.joint(belt), tracks)
     for link, coefficient in robot.description.friction.items():
         _set_friction(spec, link, coefficient)
     for camera in robot.cameras:
@@ -84,7 +84,8 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     return spec
 
 
-def _world(name: str) -> mujoco.MjSpec:
+def world_spec(name: str) -> mujoco.MjSpec:
+    """An included world; `ConfigError` lists the worlds there are."""
     names = known_worlds()
     if name not in names:
         raise ConfigError(f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}")

@@ -40,6 +40,10 @@ class MujocoBackend:
                 "unset MUJOCO_GL, or set it to 'disable' to draw camera pictures without GL"
             )
         try:
+            if robot.cell is not None:
+                from jauspy_sim.cell.robot import SimulatedCell  # noqa: PLC0415 - only where MuJoCo is installed
+
+                return SimulatedCell.open(robot, world)
             from jauspy_sim.robot import SimulatedRobot  # noqa: PLC0415 - only where MuJoCo is installed
         except (ImportError, AttributeError, RuntimeError) as error:  # no GL library
             setting = f" with MUJOCO_GL={way}" if way else ""

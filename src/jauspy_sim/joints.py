@@ -38,6 +38,9 @@ class SimulatedJoints:
             JointController(joint, setup.gains[joint.name], start)
             for joint, start in zip(self._joints, setup.start, strict=True)
         ]
+        self.load = np.zeros(model.nv)
+        """Further efforts that the controllers compensate, by degree of freedom: of a payload."""
+        self._load = view(self.load)
         self._rows = list(zip(self._controllers, self._positions, self._dofs, self._motors, strict=True))
 
     @property
@@ -74,8 +77,9 @@ class SimulatedJoints:
     def control(self) -> None:
         """Set the motors' efforts for the next `every` physics steps; MuJoCo's bias compensates gravity and motion."""
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
+        load = self._load
         for controller, position, dof, motor in self._rows:
-            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, bias[dof])
+            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, bias[dof] + load[dof])
 
 
 def _set_initial_positions(

@@ -8,6 +8,7 @@ from typing import Final
 
 import mujoco
 
+from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
@@ -34,7 +35,8 @@ class SimulatedRobot:
         self._model = model
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
-        self._drive = TrackedDrive(model, data, name_prefix, robot.tracks)
+        self._tracked = TrackedDrive(model, data, name_prefix, robot.tracks) if robot.tracks else None
+        self._drive = self._tracked or FixedBase()
         self._groups = {
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
@@ -70,8 +72,8 @@ class SimulatedRobot:
         return self._data
 
     @property
-    def drive(self) -> TrackedDrive:
-        """The tracked chassis."""
+    def drive(self) -> TrackedDrive | FixedBase:
+        """The tracked chassis, or a base that does not move."""
         return self._drive
 
     @property
@@ -115,7 +117,8 @@ class SimulatedRobot:
         self._owed -= steps
         before = self._drive.twist()
         self._run(steps)
-        self._drive.update_acceleration(before, steps * TIMESTEP)
+        if self._tracked is not None:
+            self._tracked.update_acceleration(before, steps * TIMESTEP)
         for lidar in self._lidars.values():
             lidar.wait(self.time)
         self._cameras.show()
@@ -138,7 +141,8 @@ class SimulatedRobot:
             mujoco.mj_step(self._model, self._data, count)
             self._steps += count
             if phase + count == every:
-                self._drive.reset_belts()
+                if self._tracked is not None:
+                    self._tracked.reset_belts()
                 self._update_sensors()
 
     def _control(self) -> None:

@@ -207,3 +207,26 @@ def test_user_defined_profile_runs(tmp_path, monkeypatch):
     for name, problem in (("my_test:NONE", "is no Profile"), ("my_tset:PROFILE", "No module named 'my_tset'")):
         result = invoke(name, "--list")
         assert (result.exit_code, problem in " ".join(result.output.split())) == (2, True)
+
+
+def test_named_services_include_those_that_they_inherit_from():
+    result = invoke("core-1.1", "--target", "126.1.11", "--services", "Liveness@1.0", "--list")
+    assert result.exit_code == 0
+    assert "QueryHeartbeatPulse from the other client" in result.stdout
+    assert "CreateEvent" in result.stdout
+    assert "Resume" not in result.stdout
+
+
+@pytest.mark.parametrize(
+    ("target", "services", "problem"),
+    [
+        ("126.1.11", "Managment", "did you mean Management"),
+        ("126.1.11", "Management@1.0,Liveness@1.1", "give a version to each, as in Liveness@1.0"),
+        ("126.1.11", "QueryStatus", "--services QueryStatus: this is a message"),
+        ("126.1.255", "Management", "126.1.255 has wildcards"),
+    ],
+)
+def test_named_services_are_checked(target, services, problem):
+    result = invoke("core-1.1", "--target", target, "--services", services, "--list")
+    assert result.exit_code == 2
+    assert problem in " ".join(result.stderr.split())

@@ -17,7 +17,8 @@ def test_drive_example_is_printed_only_for_robots_that_drive(capsys, services, d
     config = load("inc1")
     module = config.modules[0].model_copy(update={"services": services})
     config = config.model_copy(update={"modules": (module,)})
-    runner = SimpleNamespace(config=config, audit=None, components=[SimpleNamespace(id=config.id_of(module))])
+    component = SimpleNamespace(id=config.id_of(module))
+    runner = SimpleNamespace(config=config, audit=None, components=[component], running=[(component, module)])
     print_summary(runner, "running", Path("/tmp/elsewhere"))
     text = capsys.readouterr().out
     assert ("drive it:  jauspy send 101.1.102 SetWrenchEffort" in text) == drives
@@ -38,10 +39,8 @@ def test_long_control_timeout_causes_a_warning(capsys, robot, timeout, warning) 
         access = AccessControlConfig(timeout=timeout)
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
-    print_summary(
-        SimpleNamespace(config=config, audit=None, components=[SimpleNamespace(id="105.1.1")] * len(config.modules)),
-        "",
-        Path(),
-    )
+    components = [SimpleNamespace(id="105.1.1")] * len(config.modules)
+    running = list(zip(components, config.modules, strict=True))
+    print_summary(SimpleNamespace(config=config, audit=None, components=components, running=running), "", Path())
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("warning:")]
     assert lines[:1] == [warning] * bool(warning)

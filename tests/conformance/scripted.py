@@ -16,6 +16,7 @@ Script = Callable[[bytes], Iterable[tuple[float, bytes]]]
 
 class ScriptedWire:
     features: Collection[str] = (RAW, PORTS)
+    first_sequence = 0
 
     def __init__(self, id: str, script: Script) -> None:
         self.id = JausID.parse(id)

@@ -11,7 +11,7 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
-from jauspy.geometry.vectors import Vector, rotation_about
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import Gains
 from jauspy.platform.modular.assembled_arm import AssembledArm
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
@@ -22,7 +22,6 @@ from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, PlacedP
 
 STEP = 0.00025
 PERIOD = 0.002
-QUARTER = math.pi / 2
 
 
 def cylinder(mass: float, radius: float, length: float, z: float) -> Solid:
@@ -37,41 +36,36 @@ def along_z(z: float) -> Transform:
     return Transform(position=(0.0, 0.0, z))
 
 
-def servo_data(scale: float, *, elbow: bool) -> ServoData:
-    """Much like an X5 (scale 1) or an X8 (scale 2) of HEBI."""
-    turned = Transform(rotation_about((1.0, 0.0, 0.0), -QUARTER), (0.0, 0.0, 0.05)) if elbow else along_z(0.06)
-    solid = Solid(Shape.CYLINDER, (0.03, 0.03, 0.05), 0.1 * scale)
-    return ServoData(
-        max_torque=13.0 * scale,
-        max_speed=3.4,
-        friction=0.25 * scale,
-        damping=0.1 * scale,
-        stiffness=120.0 * scale,
-        rotor_inertia=0.012 * scale,
-        torque_constant=4.0,
+def servo_type(name: str, *figures: float, elbow: bool) -> PartType:
+    """A module with the figures of a data sheet: torque, speed, friction, damping, stiffness, rotor, housing."""
+    torque, speed, friction, damping, stiffness, rotor, mass = figures
+    height = 0.055 if elbow else 0.045
+    data = ServoData(
+        max_torque=torque,
+        max_speed=speed,
+        friction=friction,
+        damping=damping,
+        stiffness=stiffness,
+        rotor_inertia=rotor,
+        torque_constant=8.0,
         axis=(0.0, 1.0, 0.0) if elbow else (0.0, 0.0, 1.0),
-        joint=turned,
-        output=(solid,),
+        joint=along_z(0.08 if elbow else 0.09),
+        output=(cylinder(0.12, 0.03, 0.02, 0.065 if elbow else 0.016),),
+        position_gains=Gains(5.0 * torque, 4.0 * torque, 0.25 * torque, 0.5 * torque),
     )
-
-
-def servo_type(name: str, scale: float, *, elbow: bool) -> PartType:
-    # the output of an elbow points up at position zero, in the plane in which it turns
-    back = Transform(rotation_about((1.0, 0.0, 0.0), QUARTER)) if elbow else IDENTITY
-    output = back @ along_z(0.05)
-    housing = (cylinder(0.3 * scale, 0.04, 0.06, 0.03),)
-    return PartType(name, PartKind.SERVO, housing, {"output": output}, servo_data(scale, elbow=elbow))
+    housing = (cuboid(mass, (0.064, 0.05, 2.0 * height), height),)
+    return PartType(name, PartKind.SERVO, housing, {"output": along_z(0.075 if elbow else 0.03)}, data)
 
 
 TYPES = {
     each.name: each
     for each in (
         PartType("base", PartKind.BASE, (cuboid(5.0, (0.2, 0.2, 0.1), -0.05),), {"top": IDENTITY}),
-        servo_type("inline", 2.0, elbow=False),
-        servo_type("shoulder", 3.0, elbow=True),
-        servo_type("elbow", 2.0, elbow=True),
-        servo_type("wrist", 1.0, elbow=True),
-        servo_type("roll", 1.0, elbow=False),
+        servo_type("inline", 13.0, 1.503, 0.45, 0.6, 170.0, 0.3, 0.36, elbow=False),
+        servo_type("shoulder", 38.0, 1.79, 0.9, 1.2, 280.0, 0.53, 0.5, elbow=True),
+        servo_type("elbow", 20.0, 3.435, 0.5, 0.5, 170.0, 0.145, 0.48, elbow=True),
+        servo_type("wrist", 7.0, 3.435, 0.25, 0.2, 130.0, 0.07, 0.335, elbow=True),
+        servo_type("roll", 7.0, 3.435, 0.25, 0.2, 130.0, 0.07, 0.335, elbow=False),
         PartType("bracket", PartKind.BRACKET, (cylinder(0.1, 0.03, 0.03, 0.015),), {"end": along_z(0.03)}),
         PartType("tube", PartKind.TUBE, (cylinder(0.15, 0.02, 0.25, 0.125),), {"end": along_z(0.25)}),
         PartType("wheel", PartKind.WHEEL, (cylinder(0.3, 0.08, 0.04, 0.02),)),
@@ -164,8 +158,7 @@ class PlantServo:
         self.claimed_by = arm
 
     def gains(self) -> tuple[Gains, Gains]:
-        strong = self.data.max_torque / 13.0
-        return Gains(60.0 * strong, 40.0 * strong, 2.0 * strong, 6.0 * strong), Gains(5.0)
+        return self.data.position_gains, self.data.velocity_gains
 
 
 class ServoPlant:
@@ -234,10 +227,10 @@ class ServoPlant:
         return torques
 
     def step(self) -> None:
-        """Integrate by `STEP`; a closed loop stands still."""
+        """Integrate by `STEP`; the links of a closed loop stand still."""
         self.now += STEP
         order = self.order
-        if not order or self.chain.held_by:
+        if not order:
             return
         q = np.array([servo.q for servo in order])
         v = np.array([servo.v for servo in order])
@@ -246,6 +239,8 @@ class ServoPlant:
         # pinocchio's own forward dynamics, so that the controller's inverse dynamics is not tested by itself
         model, data = self.model._model, self.model._data
         acceleration = pin.aba(model, data, q, v, springs + structural)
+        if self.chain.held_by:
+            acceleration = -v / STEP
         for servo, a, spring, loss in zip(order, acceleration, springs, structural, strict=True):
             motor = servo.motor if servo.powered else 0.0
             free = motor - spring - loss - servo.data.damping * servo.omega

@@ -19,6 +19,7 @@ from rich.text import Text
 from jauspy.cli import console
 from jauspy.cli.options import Json
 from jauspy.cli.processes import stoppable
+from jauspy.cli.schema.ls import find as find_definitions
 from jauspy.conformance import reports
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step, find, known
@@ -28,6 +29,9 @@ from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_s
 from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.schema import load_builtin
+from jauspy.schema.inheritance import lineage, parents_among
+from jauspy.schema.model import Service
 
 ProfileName = Annotated[
     str | None,
@@ -65,6 +69,15 @@ Only = Annotated[
     list[str] | None,
     typer.Option("--only", metavar="STEP", help="Only steps whose id begins with STEP; may be repeated."),
 ]
+Services = Annotated[
+    str | None,
+    typer.Option(
+        "--services",
+        metavar="NAMES",
+        help="The services of a component without Discovery, as in Management@1.0,Liveness@1.0; those that they "
+        "inherit from are included. Default: the target is asked for its services.",
+    ),
+]
 Junit = Annotated[Path | None, typer.Option("--junit", metavar="FILE", help="Write JUnit XML.")]
 Html = Annotated[Path | None, typer.Option("--html", metavar="FILE", help="Write a report as one HTML file.")]
 Pcapng = Annotated[
@@ -82,6 +95,7 @@ def conformance(
     timeout: Deadline = 1.5,
     motion: Motion = True,
     only: Only = None,
+    services: Services = None,
     json: Json = False,
     junit: Junit = None,
     html: Html = None,
@@ -98,22 +112,26 @@ def conformance(
     Examples:
       jauspy conformance igvc-2015 --target 101.1.255 --html report.html
       jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
+      jauspy conformance core-1.1 --target 126.1.11 --connect local:/tmp --services Management@1.0
       jauspy conformance --list
     """
     if profile is not None and ":" in profile:
         sys.path.append("")  # the user's profile may be in the current directory; last, so that it hides no module
     try:
         if list_:
-            show_steps(steps_of(find(profile), target, connect, timeout)) if profile else show_list()
+            offers = named_offers(services, target)
+            show_steps(steps_of(find(profile), target, connect, timeout, offers)) if profile else show_list()
             return
         if profile is None or target is None:
             raise ConfigError("name a profile and a target, as in `jauspy conformance igvc-2015 --target 101.1.255`")
         files = ReportFiles(junit=junit, html=html, pcapng=pcapng)
         settings = Settings(timeout, motion, tuple(only or ()))
+        offers = named_offers(services, target)
         with stoppable() as stopped:
             try:
                 with progress_line() as progress:
-                    report = report_of(find(profile), target, connect, settings, _print_json if json else progress)
+                    watch = _print_json if json else progress
+                    report = report_of(find(profile), target, connect, settings, watch, offers=offers)
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
@@ -207,8 +225,33 @@ def _write(path: Path | None, content: Callable[[], bytes]) -> str:
     return ""
 
 
-def steps_of(profile: Profile, target: str | None, connect: str | None, timeout: float) -> tuple[Step, ...]:
-    """The steps of a profile; the target is queried only if they depend on its services."""
+def named_offers(names: str | None, target: str | None) -> Offers | None:
+    """The services that the user names, and their ancestors, as offers of the target; None without names."""
+    if names is None or target is None:
+        return None
+    if (id := _id(target)).is_wildcard:
+        raise ConfigError(f"--services names the services of one component, and {id} has wildcards")
+    schema = load_builtin()
+    parent_of = parents_among(schema.services)
+    found: dict[str, Service] = {}
+    for name in filter(None, (each.strip() for each in names.split(","))):
+        services = [match.service for match in find_definitions(schema, name) if match.message is None]
+        if len(services) != 1:
+            several = ", ".join(each.id for each in services)
+            raise ConfigError(f"--services {name}: {'name one of ' + several if several else 'this is a message'}")
+        for each in lineage(services[0], parent_of):
+            if (other := found.setdefault(each.id, each)).version != each.version:
+                raise ConfigError(
+                    f"--services {name}: it needs {each.name} {each.version}, and the services before it need "
+                    f"{each.name} {other.version}; give a version to each, as in {services[0].name}@{other.version}"
+                )
+    return Offers({id: frozenset(each.key for each in found.values())})
+
+
+def steps_of(
+    profile: Profile, target: str | None, connect: str | None, timeout: float, offers: Offers | None
+) -> tuple[Step, ...]:
+    """The steps of a profile; the target is queried only if they depend on its services, and these are not named."""
     if not profile.asks_for_services:
         return profile.plan(Offers({}))
     if target is None:
@@ -216,15 +259,23 @@ def steps_of(profile: Profile, target: str | None, connect: str | None, timeout:
             f"the steps of {profile.name} depend on the target's services; add --target, as in --target 101.1.102"
         )
     with closing(asyncio.run(open_wire(connect))) as wire:
-        return planned_steps(profile, wire, _id(target), timeout=timeout)
+        return planned_steps(profile, wire, _id(target), offers=offers, timeout=timeout)
 
 
-def report_of(profile: Profile, target: str, connect: str | None, settings: Settings, watch: OnResult) -> Report:
+def report_of(
+    profile: Profile,
+    target: str,
+    connect: str | None,
+    settings: Settings,
+    watch: OnResult,
+    *,
+    offers: Offers | None = None,
+) -> Report:
     """Run a profile; raises `Interrupted`, which has the report so far."""
     id = _id(target)
     with closing(asyncio.run(open_wire(connect))) as wire:
         try:
-            report = run(profile, wire, id, began=time.time(), settings=settings, watch=watch)
+            report = run(profile, wire, id, began=time.time(), offers=offers, settings=settings, watch=watch)
         except Interrupted as stop:
             stop.report = _with_notes(stop.report, wire)
             raise

@@ -127,7 +127,8 @@ def up(
         options = ["--config", str(gateway)]
     else:
         options = ["--address", address, "--multicast-group", multicast_group, "--socket-mode", socket_mode]
-        options += ["--own-ids", f"{config.subsystem}.{config.node}.*"]
+        for node_id in config.nodes:
+            options += ["--own-ids", f"{config.subsystem}.{node_id}.*"]
         for each in interface or ():
             options += ["--interface", each]
     options += ["--verbose"] * verbose
@@ -149,19 +150,20 @@ def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
     """Print what runs, and commands to try."""
     config = runner.config
     first = runner.components[0].id
-    pairs = list(zip(runner.components, config.modules, strict=True))
+    pairs = runner.running
     discoverable = any(module.offers("Discovery") for module in config.modules)
     driven = [each.id for each, module in pairs if module.offers("Discovery") and module.offers("PrimitiveDriver")]
     connect = "" if root == DEFAULT_ROOT else f" --connect local:{root}"
+    sealed = " --operator-key NAME.key" if config.operators and config.require_operator else ""
     world = "" if config.backend == KINEMATIC else f", world {config.world}"
     lines = [
         f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}{world}",
-        *(f"  {each.id}  {module.type}" for each, module in pairs),
+        *(f"  {each.id}  {module.type}{f' {module.part}' if module.part else ''}" for each, module in pairs),
         f"  node manager: {where}",
         *([f"  audit log: {runner.audit.path}, head {runner.audit.head}"] if runner.audit else []),
         *[f"see it:    jauspy ls{connect}"] * discoverable,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
-        *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
+        *(f"drive it:  {_DRIVE.format(id)}{connect}{sealed}" for id in driven),
         *_warnings(config),
         "stop it:   Ctrl-C",
     ]

@@ -55,7 +55,10 @@ def discover(tester: Tester) -> Offers:
         if found.components:
             return found
         _probe(tester)
-        raise RequestError(f"{tester.target} does not report its services: {error}") from error
+        raise RequestError(
+            f"{tester.target} does not report its services: {error}; without Discovery, name them: "
+            "--services Management@1.0,Liveness@1.0"
+        ) from error
     reports = [(tester.component, first)]
     if tester.target.is_wildcard:
         reports += client.answers(ALL_SERVICES, ReportServices, tester.timeout)

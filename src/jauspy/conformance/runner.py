@@ -146,12 +146,14 @@ def run(
     target: JausID,
     *,
     began: float,
+    offers: Offers | None = None,
     settings: Settings | None = None,
     registry: Registry = known_messages,
     watch: OnResult = lambda _: None,
 ) -> Report:
     """Run a profile and return the report. `began`: wall clock, seconds since 1970. A missing answer never raises.
 
+    `offers` are the services of a target without Discovery; by default the target is asked for them.
     Ctrl-C raises `Interrupted`, which has the report of what was done so far.
     """
     settings = settings or Settings()
@@ -159,7 +161,7 @@ def run(
     results: list[Result] = []
     problem, interrupted = "", False
     try:
-        for result in _results(profile, tester, settings):
+        for result in _results(profile, tester, offers, settings):
             results.append(result)
             watch(result)
         problem = "" if tester.has_received or not tester.has_sent else NO_ANSWER.format(target=target)
@@ -190,12 +192,18 @@ def run(
 
 
 def planned_steps(
-    profile: Profile, wire: Wire, target: JausID, *, timeout: float = TIMEOUT, registry: Registry = known_messages
+    profile: Profile,
+    wire: Wire,
+    target: JausID,
+    *,
+    offers: Offers | None = None,
+    timeout: float = TIMEOUT,
+    registry: Registry = known_messages,
 ) -> tuple[Step, ...]:
     """The steps that a run would have. Raises `ConfigError` if the target does not answer or offers nothing to test."""
     tester = Tester(wire, target, registry=registry, timeout=timeout)
     try:
-        return profile.plan(_offers(profile, tester))
+        return profile.plan(_offers(profile, tester, offers))
     except RequestError as error:
         raise ConfigError(_unanswered(tester, error)) from error
 
@@ -212,12 +220,12 @@ def _notes(tester: Tester) -> tuple[str, ...]:
         f"{omitted} datagrams were too many to keep for the report; no verdict depends on that" if omitted else "",
         f"{dropped} messages were dropped before a step read them: more arrived than a client holds" if dropped else "",
     )
-    return tuple(filter(None, notes))
+    return (*tester.notes, *filter(None, notes))
 
 
-def _results(profile: Profile, tester: Tester, settings: Settings) -> Iterator[Result]:
+def _results(profile: Profile, tester: Tester, offers: Offers | None, settings: Settings) -> Iterator[Result]:
     """Run step by step, and stop if the target has never answered."""
-    for result in results(_chosen(profile.plan(_offers(profile, tester)), settings.only), tester, settings):
+    for result in results(_chosen(profile.plan(_offers(profile, tester, offers)), settings.only), tester, settings):
         yield result
         if result.verdict is Verdict.SILENT and tester.has_sent and not tester.has_received:
             return
@@ -243,8 +251,10 @@ def results(steps: Iterable[Step], tester: Tester, settings: Settings) -> Iterat
             yield pulse.judged(run_step(step, tester, settings))
 
 
-def _offers(profile: Profile, tester: Tester) -> Offers:
-    return discover(tester) if profile.asks_for_services else Offers({})
+def _offers(profile: Profile, tester: Tester, named: Offers | None) -> Offers:
+    if not profile.asks_for_services:
+        return Offers({})
+    return discover(tester) if named is None else named
 
 
 def _chosen(steps: tuple[Step, ...], only: Iterable[str]) -> tuple[Step, ...]:

@@ -10,14 +10,24 @@ from collections.abc import Callable, Iterable, Iterator
 from contextlib import suppress
 from dataclasses import dataclass
 from functools import partial
-from typing import Any, Final, TypeAlias
+from typing import Final, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.offers import ALL_SERVICES, ServiceKey
 from jauspy.conformance.profile import Step
 from jauspy.conformance.results import Failed, Skipped, StepOutcome
-from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Client, Tester
+from jauspy.conformance.silences import silences_of
+from jauspy.conformance.tester import (
+    CLIENTS,
+    CONTROLLER,
+    EMERGENCY_CLIENT,
+    OBSERVER,
+    OTHER_CLIENT,
+    Client,
+    Tester,
+    pauses,
+)
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,
@@ -86,8 +96,6 @@ ACCEPTED, NOT_AVAILABLE, INSUFFICIENT = ConfirmControl.ResponseCode
 MIN_AUTHORITY: Final = 200
 """Authority of the controller, unless the default authority of the component is higher."""
 MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
-INIT_POLL: Final = 0.05
-"""Timeouts between two queries while a component initializes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -442,8 +450,10 @@ class RowTest:
 def _run(test: RowTest, tester: Tester) -> None:
     """Bring the component to the state, and run the row."""
     authority = _bring(test, tester)
+    message = test.row.message if isinstance(test.row.message, Message) else test.row.message(authority)
     try:
-        attempt(test, tester, authority)
+        with silences_of(test.component, tester).of_input(message.NAME):
+            attempt(test, tester, message, authority)
     finally:
         with tester.unreported(), suppress(StepOutcome):  # the verdict of the row stands
             _cancel_events(test, tester.client(CLIENTS[test.row.sender]))
@@ -494,8 +504,8 @@ def _go(test: RowTest, tester: Tester, state: State) -> int:
         tester.client(id).send(ReleaseControl(), to=test.component)
     if problem := _settled(test, tester, FREE):
         raise Failed(problem)
-    default = _ask(test, tester, QueryAuthority(), ReportAuthority).authority_code
-    authority: int = min(254, max(MIN_AUTHORITY, default + 2))
+    default = silences_of(test.component, tester).ask(QueryAuthority(), ReportAuthority)
+    authority: int = min(254, max(MIN_AUTHORITY, default.authority_code + 2 if default else 0))
     for role, kind in state.route:
         client = tester.client(CLIENTS[role])
         if kind is RequestControl:
@@ -505,38 +515,48 @@ def _go(test: RowTest, tester: Tester, state: State) -> int:
     return authority
 
 
-def _ask(test: RowTest, tester: Tester, query: Message, report: type[Message], *checks: Check) -> Any:
-    return tester.client(CLIENTS[OBSERVER]).ask(query, report, *checks, to=test.component)
-
-
 def _settled(test: RowTest, tester: Tester, state: State) -> str:
-    """Wait for initialization; returns the reported state if it is not this one, else an empty string."""
-    end = tester.now + tester.timeout
-    while True:
-        status = _ask(test, tester, QueryStatus(), ReportStatus).status if MANAGEMENT in test.services else state.status
-        if status is not Status.INITIALIZE or tester.now >= end:
-            break
-        tester.wait(INIT_POLL * tester.timeout)
-    controller = _controller(test, tester) if ACCESS_CONTROL in test.services else state.controller
+    """Wait for this state, at most for a timeout; returns the reported state if it is another one.
+
+    Initialization takes time, and services may notify each other asynchronously.
+    """
+    settled_wrong: dict[str, str] = tester.memory.setdefault(f"where {test.component} settled instead", {})
+    problem = _difference(test, tester, state)
+    if problem == settled_wrong.get(state.name):
+        return problem  # it stays so; waiting in each step would take long
+    for pause in pauses(tester.timeout):
+        if not problem:
+            return ""
+        tester.wait(pause)
+        problem = _difference(test, tester, state)
+    settled_wrong[state.name] = problem
+    return problem
+
+
+def _difference(test: RowTest, tester: Tester, state: State) -> str:
+    """The reported state if it is not this one, else an empty string. What the component does not report is right."""
+    silences = silences_of(test.component, tester)
+    report = silences.ask(QueryStatus(), ReportStatus) if MANAGEMENT in test.services else None
+    status = report.status if report else state.status
+    control = silences.ask(QueryControl(), ReportControl) if ACCESS_CONTROL in test.services else None
+    controller = _role_of(control) if control else state.controller
     if (status, controller) == (state.status, state.controller):
         return ""
     name = getattr(status, "name", status)
     return f"it reports status {name}, controlled by {controller or 'nobody'}"
 
 
-def _controller(test: RowTest, tester: Tester) -> str | None:
+def _role_of(report: ReportControl) -> str | None:
     """The role of the client in control, or its id if it has no role."""
-    report = _ask(test, tester, QueryControl(), ReportControl)
     id = JausID(report.subsystem_id, report.node_id, report.component_id)
     roles = {text: role for role, text in CLIENTS.items()}
     return roles.get(str(id), str(id)) if int(id) else None
 
 
-def attempt(test: RowTest, tester: Tester, authority: int) -> None:
+def attempt(test: RowTest, tester: Tester, message: Message, authority: int) -> None:
     """Send the message of the row, and compare the answers and the state afterwards with the row."""
     row = test.row
     client = tester.client(CLIENTS[row.sender])
-    message = row.message if isinstance(row.message, Message) else row.message(authority)
     if row.answer is None:
         client.send(message, to=test.component)
     else:
@@ -551,7 +571,9 @@ def attempt(test: RowTest, tester: Tester, authority: int) -> None:
     tester.check(name, f"afterwards {problem}; {name} was expected" if problem else "")
     if row.effect is not None:
         checks = row.effect.checks
-        _ask(test, tester, row.effect.query, row.effect.report, *(checks(authority) if callable(checks) else checks))
+        observer = tester.client(CLIENTS[OBSERVER])
+        right = checks(authority) if callable(checks) else checks
+        observer.ask_until_right(row.effect.query, row.effect.report, *right, to=test.component)
 
 
 def _shows_state(test: RowTest) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
-from typing import Any, Final, Generic, TypeAlias, TypeVar
+from typing import Any, Final, Generic, NamedTuple, TypeAlias, TypeVar
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
@@ -195,7 +195,7 @@ class Client:
         """Send from the second UDP port while this is true."""
         self.sent: set[int] = set()
         """The ids of all messages that it has sent."""
-        self._endpoint = Endpoint(id, first_sequence=int(id) % 251)
+        self._endpoint = Endpoint(id, first_sequence=tester.wire.first_sequence + int(id) % 251)
 
     def begin(self) -> None:
         """Start a step: discard pending messages."""
@@ -232,6 +232,23 @@ class Client:
         self.send(message, to=to)
         asked = None if to is None or to.is_wildcard else to
         return self.expect(answer, *checks, within=within, source=asked)
+
+    def ask_until_right(
+        self, message: Message, answer: type[M], *checks: Check | Iterable[Check], to: JausID | None = None
+    ) -> M:
+        """As `ask`, but a wrong answer is asked for again until the timeout.
+
+        The services of a component may notify each other asynchronously, so that what they report is right a little
+        later.
+        """
+        tester, notes = self.tester, self.tester.notes_of_step()
+        for pause in pauses(tester.timeout):
+            try:
+                return self.ask(message, answer, *checks, to=to)
+            except Failed:
+                tester.wait(pause)
+                tester.restore_notes(notes)
+        return self.ask(message, answer, *checks, to=to)
 
     def expect(
         self,
@@ -320,6 +337,15 @@ def is_answer(code: int) -> bool:
 
 TIMEOUT: Final = 1.5
 """Seconds that the judge of the public tests waits for an answer."""
+PAUSES: Final = 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2
+"""Timeouts between two queries while an answer is not right yet."""
+
+
+def pauses(timeout: float) -> Iterator[float]:
+    """The seconds to wait between queries for something that may take up to a timeout."""
+    return (part * timeout for part in PAUSES)
+
+
 MAX_BEHIND: Final = 50_000
 """Datagrams that may be waiting at a deadline. Sockets hold far fewer, so more mean an endless flood."""
 
@@ -330,6 +356,14 @@ TOO_FAST: Final = (
 
 Listener: TypeAlias = Callable[[Packet, bool], None]
 """Called with a packet and whether it arrived on the second UDP port."""
+
+
+class StepNotes(NamedTuple):
+    """What the report has of a step: its source, expectations and checks."""
+
+    why: tuple[str, ...]
+    expected: tuple[str, ...]
+    checks: tuple[CheckResult, ...]
 
 
 class Tester:
@@ -352,6 +386,8 @@ class Tester:
         """True if something was sent in this step."""
         self.received_in_step = False
         """True if something was received from the target in this step."""
+        self.notes: list[str] = []
+        """Notes for the report on the run."""
         self.dropped = 0
         """Messages that were dropped because a client holds no more than `MAX_PENDING`."""
         self.has_sent = False
@@ -415,9 +451,17 @@ class Tester:
     @contextmanager
     def unreported(self) -> Iterator[None]:
         """Leave the checks and expectations of the block out of the report."""
-        notes = list(self.why), list(self.expected), list(self.checks)
+        notes = self.notes_of_step()
         yield
-        self.why, self.expected, self.checks = notes
+        self.restore_notes(notes)
+
+    def notes_of_step(self) -> StepNotes:
+        """What the report has of this step by now."""
+        return StepNotes(tuple(self.why), tuple(self.expected), tuple(self.checks))
+
+    def restore_notes(self, notes: StepNotes) -> None:
+        """Leave out of the report what came since."""
+        self.why, self.expected, self.checks = list(notes.why), list(notes.expected), list(notes.checks)
 
     def record_check(self, name: str, problem: str = "") -> None:
         """Add a check and its problem, if any, to the report."""

@@ -90,6 +90,7 @@ class VirtualTarget:
     """
 
     features: Collection[str] = (RAW, PORTS)
+    first_sequence: int = 0
 
     def __init__(
         self,

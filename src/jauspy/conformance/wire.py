@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import random
 import selectors
 import socket
 import time
@@ -22,6 +23,15 @@ PORTS: Final = "ports"
 """A client can send from a second UDP port."""
 
 
+MAX_FIRST_SEQUENCE: Final = 0x7000
+"""Numbers of packets that steps make themselves begin at 8000h above that of the clients, and must not meet theirs."""
+
+
+def random_sequence() -> int:
+    """A random start, because peers drop numbers that they have seen in the last seconds: those of an earlier run."""
+    return random.SystemRandom().randrange(MAX_FIRST_SEQUENCE)
+
+
 class Arrival(NamedTuple):
     """A datagram, and whether it arrived on the second UDP port."""
 
@@ -35,6 +45,10 @@ class Wire(Protocol):
     @property
     def features(self) -> Collection[str]:
         """Optional features: `RAW`, `PORTS`."""
+
+    @property
+    def first_sequence(self) -> int:
+        """Where the sequence numbers of clients begin, below `MAX_FIRST_SEQUENCE`."""
 
     def now(self) -> float:
         """The time."""
@@ -76,6 +90,7 @@ class UdpWire:
         port: int = judp.PORT,
         interface: str = multicast.ANY,
     ) -> None:
+        self.first_sequence = random_sequence()
         self._peer = peer
         self._group = group or (judp.MULTICAST_GROUP, peer[1] if peer else judp.PORT)
         self._ids: set[int] = set()
@@ -215,6 +230,7 @@ class LinkWire:
     features: Collection[str] = ()
 
     def __init__(self, connect: str) -> None:
+        self.first_sequence = random_sequence()
         self._connect = connect
         self._loop = asyncio.new_event_loop()
         self._arrived: asyncio.Queue[Arrival] = asyncio.Queue(MAX_WAITING)

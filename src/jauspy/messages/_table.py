@@ -8,6 +8,40 @@ from jauspy.codec.registry import entries
 
 TABLE: Final = (
     *entries(
+        "jauspy.messages.cell.v1_0.conveyor", "urn:jauspy:cell:Conveyor", "1.0",
+        (0xDA63, "SetConveyorSpeed", "7fcdb92c"), (0xEA65, "QueryConveyorState", "51cd6bfa"),
+        (0xFA65, "ReportConveyorState", "f693c249"),
+    ),
+    *entries(
+        "jauspy.messages.cell.v1_0.modular_arm", "urn:jauspy:cell:ModularArm", "1.0",
+        (0xDA65, "MoveModularArm", "98ff05a1"), (0xDA66, "HoldModularArm", "2e38e77b"),
+        (0xDA67, "SetModularArmController", "31c86326"), (0xDA68, "SetModularArmOrder", "d29c6248"),
+        (0xEA68, "QueryModularArmState", "2e38e77b"), (0xEA69, "QueryModularArmSpecification", "2e38e77b"),
+        (0xFA68, "ReportModularArmState", "3c3f36e4"), (0xFA69, "ReportModularArmSpecification", "2716c183"),
+    ),
+    *entries(
+        "jauspy.messages.cell.v1_0.module_power", "urn:jauspy:cell:ModulePower", "1.0",
+        (0xDA64, "SetModulePower", "eeec27c5"), (0xEA67, "QueryModulePower", "2e38e77b"),
+        (0xFA67, "ReportModulePower", "9d4d30b2"),
+    ),
+    *entries(
+        "jauspy.messages.cell.v1_0.part_sensor", "urn:jauspy:cell:PartSensor", "1.0",
+        (0xEA66, "QueryPartObservations", "2e38e77b"), (0xFA66, "ReportPartObservations", "03dd983e"),
+    ),
+    *entries(
+        "jauspy.messages.cell.v1_0.servo_module", "urn:jauspy:cell:ServoModule", "1.0",
+        (0xDA60, "SetServoTarget", "5d2d611a"), (0xDA61, "SetServoGains", "28eb79b5"),
+        (0xEA60, "QueryServoState", "b98f4f36"), (0xEA61, "QueryServoGains", "2e38e77b"),
+        (0xEA62, "QueryServoSpecification", "2e38e77b"), (0xFA60, "ReportServoState", "95ac4cd3"),
+        (0xFA61, "ReportServoGains", "28eb79b5"), (0xFA62, "ReportServoSpecification", "dac5ca59"),
+    ),
+    *entries(
+        "jauspy.messages.cell.v1_0.vacuum_connector", "urn:jauspy:cell:VacuumConnector", "1.0",
+        (0xDA62, "SetConnector", "1e8516a6"), (0xEA63, "QueryConnectorState", "79de0a2b"),
+        (0xEA64, "QueryConnectorSpecification", "2e38e77b"), (0xFA63, "ReportConnectorState", "38378592"),
+        (0xFA64, "ReportConnectorSpecification", "4652430d"),
+    ),
+    *entries(
         "jauspy.messages.core.v1_0.access_control", "urn:jaus:jss:core:AccessControl", "1.0",
         (0x000D, "RequestControl", "c6ea4123"), (0x000E, "ReleaseControl", "2e38e77b"),
         (0x200D, "QueryControl", "2e38e77b"), (0x2001, "QueryAuthority", "2e38e77b"),
@@ -118,7 +152,7 @@ TABLE: Final = (
     ),
     *entries(
         "jauspy.messages.description.v1_0.joint_description", "urn:jauspy:description:JointDescription", "1.0",
-        (0xEA60, "QueryJointDescription", "2e38e77b"), (0xFA60, "ReportJointDescription", "1b928093"),
+        (0xEA80, "QueryJointDescription", "2e38e77b"), (0xFA80, "ReportJointDescription", "1b928093"),
     ),
     *entries(
         "jauspy.messages.environment_sensing.v1_0.analog_video", "urn:jaus:jss:environmentSensing:AnalogVideo", "1.0",

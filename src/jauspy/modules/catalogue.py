@@ -6,7 +6,7 @@ object is a `ServiceEntry`. See docs/adding-a-service.md.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib.metadata import EntryPoint, entry_points
 from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
@@ -14,7 +14,10 @@ from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
 from jauspy.errors import ConfigError
 from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.contract import RobotParts
-from jauspy.services import manipulator, mobility, ugv
+from jauspy.platform.modular.cell import Conveyor, ModulePower, PartSensor
+from jauspy.platform.modular.connector import VacuumConnector
+from jauspy.platform.modular.parts import CellSetup
+from jauspy.services import cell, manipulator, mobility, ugv
 from jauspy.services.environment_sensing import (
     DigitalResourceDiscovery,
     DigitalVideo,
@@ -117,6 +120,76 @@ class VisionContext:
         return self.pan_tilt
 
 
+@dataclass(frozen=True, slots=True)
+class ServoContext:
+    """Parts from which the services of a CM-SRV are made."""
+
+    module: ClassVar[str] = "CM-SRV"
+    robot: RobotParts
+    control: cell.ServoControl
+    connectors: tuple[VacuumConnector, ...]
+    """Those of its output."""
+    setup: CellSetup
+
+    @property
+    def moving(self) -> Stoppable:
+        """The servo module."""
+        return self.control
+
+
+@dataclass(frozen=True, slots=True)
+class ConnectorContext:
+    """Parts from which the services of a CM-CON are made."""
+
+    module: ClassVar[str] = "CM-CON"
+    moving: ClassVar[None] = None
+    robot: RobotParts
+    part: str
+    type: str
+    connectors: tuple[VacuumConnector, ...]
+    setup: CellSetup
+
+
+@dataclass(frozen=True, slots=True)
+class ConveyorContext:
+    """Parts from which the services of a CM-CNV are made."""
+
+    module: ClassVar[str] = "CM-CNV"
+    robot: RobotParts
+    conveyor: Conveyor
+    max_speed: float
+    """m/s."""
+
+    @property
+    def moving(self) -> Stoppable:
+        """The belt."""
+        return self.conveyor
+
+
+@dataclass(frozen=True, slots=True)
+class PartSensorContext:
+    """Parts from which the services of a CM-PRT are made."""
+
+    module: ClassVar[str] = "CM-PRT"
+    moving: ClassVar[None] = None
+    robot: RobotParts
+
+
+@dataclass(frozen=True, slots=True)
+class ModularArmContext:
+    """Parts from which the services of a CM-ARM are made."""
+
+    module: ClassVar[str] = "CM-ARM"
+    robot: RobotParts
+    control: cell.ArmMotionControl
+    setup: CellSetup
+
+    @property
+    def moving(self) -> Stoppable:
+        """The arm."""
+        return self.control
+
+
 class Context(Protocol):
     """Parts from which the services of a module are made."""
 
@@ -136,6 +209,7 @@ ORIGIN: Final = "an origin: latitude, longitude, altitude and heading"
 PAN_TILT: Final = "the group of joints that pan and tilt the camera"
 LIDARS: Final = "lidars"
 FORCE_TORQUE: Final = "sensors of force and torque"
+CONNECTORS: Final = "vacuum connectors"
 
 
 @dataclass(frozen=True, slots=True)
@@ -183,6 +257,12 @@ def _described(context: ManipulatorContext | EndEffectorContext | VisionContext)
             if group.joints[0].name == arm.joints.joints[0].name:
                 return manipulator.JointDescription(name, group, arm)
     return None
+
+
+def _connectors(
+    part: str, type: str, connectors: Sequence[VacuumConnector], setup: CellSetup
+) -> cell.VacuumConnectorService | None:
+    return cell.VacuumConnectorService(part, type, connectors, setup.limits) if connectors else None
 
 
 BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
@@ -258,6 +338,45 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "PanTiltMotionProfileService": _pan_tilt(manipulator.PanTiltMotionProfile),
         "PanTiltSpecificationService": _pan_tilt(manipulator.PanTiltSpecification),
         "JointDescription": ServiceEntry(VisionContext, _described, needs=PAN_TILT),
+    },
+    "CM-SRV": {
+        "ServoModule": ServiceEntry(ServoContext, lambda context: cell.ServoModuleService(context.control)),
+        "VacuumConnector": ServiceEntry(
+            ServoContext,
+            lambda context: _connectors(
+                context.control.servo.name, context.control.type.name, context.connectors, context.setup
+            ),
+            needs=CONNECTORS,
+        ),
+    },
+    "CM-CON": {
+        "VacuumConnector": ServiceEntry(
+            ConnectorContext,
+            lambda context: _connectors(context.part, context.type, context.connectors, context.setup),
+            needs=CONNECTORS,
+        ),
+    },
+    "CM-CNV": {
+        "Conveyor": ServiceEntry(
+            ConveyorContext, lambda context: cell.ConveyorService(context.conveyor, context.max_speed)
+        ),
+    },
+    "CM-PRT": {
+        "PartSensor": ServiceEntry(
+            PartSensorContext,
+            lambda context: cell.PartSensorService(sensor) if (sensor := PartSensor.of(context.robot)) else None,
+            needs="a sensor of parts",
+        ),
+        "ModulePower": ServiceEntry(
+            PartSensorContext,
+            lambda context: cell.ModulePowerService(power) if (power := ModulePower.of(context.robot)) else None,
+            needs="switches of the modules' power",
+        ),
+    },
+    "CM-ARM": {
+        "ModularArm": ServiceEntry(
+            ModularArmContext, lambda context: cell.ModularArmService(context.control, context.setup)
+        ),
     },
 }
 """By type of module, in the order in which hosts have them."""

@@ -7,23 +7,24 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, model_validator
+from pydantic import AfterValidator, Field, ModelWrapValidatorHandler, model_validator
 
 from jauspy.cloud.depth import DepthSettings
 from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
+from jauspy.modules.cell_config import CellConfig
+from jauspy.modules.config_base import GainsConfig, StrictConfig
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetup
+from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
 from jauspy.transport.age import MAX_AGE
-
-Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 
 UrdfName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
 
@@ -32,14 +33,31 @@ Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
 DEFAULT_GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
 """The group of joints that a type moves, unless its module names another."""
 
-MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS"})
+MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS", "CM-PRT"})
 """Types that move nothing, except a CM-VIS with the group of a pan-tilt unit."""
 
+SERVO: Final = "CM-SRV"
+"""A servo module, with the connectors of its output."""
+CONNECTOR: Final = "CM-CON"
+"""The vacuum connectors of one part."""
+CONVEYOR: Final = "CM-CNV"
+PART_SENSOR: Final = "CM-PRT"
+"""The sensor of parts, and the switches of the modules' power."""
+MODULAR_ARM: Final = "CM-ARM"
 
-class StrictConfig(BaseModel):
-    """A table of the file; unknown keys are errors."""
+IN_CELLS: Final = frozenset({SERVO, CONNECTOR, CONVEYOR, PART_SENSOR, MODULAR_ARM})
+"""Types that only a robot with a `[cell]` has."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True)
+OF_PARTS: Final = frozenset({SERVO, CONNECTOR, MODULAR_ARM})
+"""Types that name their `part`."""
+
+_PARTS: Final = {SERVO: "servo", CONNECTOR: "connectors of", MODULAR_ARM: "modular arm"}
+
+GRIPPER: Final = "gripper"
+"""The `part` of the CM-CON that is the robot's vacuum gripper."""
+
+CAR: Final = "car"
+"""The `part` of the CM-MOB that drives the car of the cell."""
 
 
 class TracksConfig(StrictConfig):
@@ -53,20 +71,6 @@ class TracksConfig(StrictConfig):
     def setup(self) -> TrackSetup:
         """Return the setup for the backend."""
         return TrackSetup(self.left, self.right, self.inertia)
-
-
-class GainsConfig(StrictConfig):
-    """A PID controller: effort per error, per integrated error, per change of error."""
-
-    p: Gain
-    i: Gain = 0.0
-    d: Gain = 0.0
-    i_limit: Gain | None = None
-    """Limit of the integral part of the effort."""
-
-    def gains(self) -> Gains:
-        """Return the gains for the controller."""
-        return Gains(self.p, self.i, self.d, **({} if self.i_limit is None else {"i_limit": self.i_limit}))
 
 
 class JointConfig(StrictConfig):
@@ -232,11 +236,19 @@ def _check_single_component(text: str) -> str:
     return text
 
 
+CommandTimeout: TypeAlias = Annotated[float, Field(gt=0.0, le=3600.0)] | Literal["off"]
+
+
 class ModuleConfig(StrictConfig):
     """One capability module: a JAUS component."""
 
-    type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN", "CM-VIS"]
+    type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN", "CM-VIS", "CM-SRV", "CM-CON", "CM-CNV", "CM-PRT", "CM-ARM"]
     component: Annotated[int, Field(ge=1, le=254)]
+    node: Annotated[int, Field(ge=1, le=254)] | None = None
+    """The JAUS node; that of the robot when left out."""
+    part: Annotated[str, Field(min_length=1, max_length=60)] | None = None
+    """The part of the factory cell: of a CM-SRV or CM-CON, the name of a CM-ARM's arm; `car` for a CM-MOB that drives
+    the cell's car."""
     services: tuple[str, ...] | None = None
     """Services in addition to Transport, Events, AccessControl and Management; by default all that the type offers."""
     group: UrdfName | None = None
@@ -246,6 +258,9 @@ class ModuleConfig(StrictConfig):
     access_control: AccessControlConfig = AccessControlConfig()
     registrants: Registrants = "machine"
     """Whose registrations the module's Discovery lists: those of components on its machine, or of its subsystem."""
+    command_timeout: CommandTimeout | Mapping[str, CommandTimeout] = DEFAULT_TIMEOUT
+    """Seconds after which an effort, velocity or vector ends unless the client sends a further command, or "off": one
+    value for all services of the module, or a table by service."""
     announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
     """The id of a console that the module queries for its identification until it answers, to be discovered by it."""
 
@@ -255,8 +270,16 @@ class ModuleConfig(StrictConfig):
             needs = self.needs()
         except ConfigError as error:
             raise ValueError(f"services: {error}") from None
+        if isinstance(self.command_timeout, Mapping):
+            known = catalogue.defaults(self.type) if self.services is None else self.services
+            if unknown := sorted(set(self.command_timeout) - set(known)):
+                raise ValueError(f"command_timeout: this module does not offer {', '.join(unknown)}")
         if self.group is not None and self.type not in (*DEFAULT_GROUPS, "CM-VIS"):
             raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
+        if self.type in OF_PARTS and self.part is None:
+            raise ValueError(f"part: is missing; a {self.type} needs the name of its part")
+        if self.type not in (*OF_PARTS, "CM-MOB") and self.part is not None:
+            raise ValueError(f"part: a {self.type} has none; leave it out")
         if catalogue.PAN_TILT in needs and self.group is None:
             raise ValueError(f"group: is missing; {needs[catalogue.PAN_TILT][0]} needs {catalogue.PAN_TILT}")
         if (self.type == "CM-VIS") != (self.camera is not None):
@@ -275,6 +298,12 @@ class ModuleConfig(StrictConfig):
     def moves(self) -> str | None:
         """The group of joints that the module moves."""
         return self.group or DEFAULT_GROUPS.get(self.type)
+
+    def command_timeout_of(self, service: str) -> float | None:
+        """Seconds after which the service stops unless a further command arrives; None is never."""
+        given = self.command_timeout
+        value = given.get(service, DEFAULT_TIMEOUT) if isinstance(given, Mapping) else given
+        return None if value == "off" else value
 
     def offers(self, service: str) -> bool:
         """True if the module has the service, as far as the robot has what it needs."""
@@ -329,14 +358,45 @@ class RobotConfig(StrictConfig):
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded; a relative path starts at the TOML file."""
     modules: tuple[ModuleConfig, ...]
-    tracks: TracksConfig
-    groups: Groups = {}
+    tracks: TracksConfig | None = None
+    """Without tracks the base is fixed to the world."""
+    cell: CellConfig | None = None
+    """The factory cell around the robot. Parts with a servo or connectors that no module names get one for each."""
+    groups: Groups = Field(default_factory=dict)
     """The groups of joints, by name."""
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
     video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
     """Networks and addresses into which any client may have video sent, beside its own machine."""
+
+    @model_validator(mode="wrap")
+    @classmethod
+    def _add_modules(cls, given: object, handler: ModelWrapValidatorHandler[Self]) -> Self:
+        config = handler(given)
+        more = config.modules_of_parts()
+        return config.model_copy(update={"modules": (*config.modules, *more)}) if more else config
+
+    def modules_of_parts(self) -> tuple[ModuleConfig, ...]:
+        """The modules of the cell's parts that have a servo or connectors, and that no other module names.
+
+        Raises `ValueError` if the node has no numbers left.
+        """
+        if self.cell is None:
+            return ()
+        node, types = self.cell.node, self.cell.types
+        named = {module.part for module in self.modules if module.type in (SERVO, CONNECTOR)}
+        taken = {module.component for module in self.modules if (module.node or self.node) == node}
+        free = [number for number in range(1, 255) if number not in taken]
+        parts = [part for part in self.cell.parts if types[part.type].is_module and part.name not in named]
+        if len(parts) > len(free):
+            raise ValueError(f"cell.parts: {len(parts)} need a component of node {node}, which has {len(free)} left")
+        return tuple(
+            ModuleConfig(
+                type=SERVO if types[part.type].servo else CONNECTOR, component=number, node=node, part=part.name
+            )
+            for number, part in zip(free, parts, strict=False)
+        )
 
     @model_validator(mode="after")
     def _check_modules(self) -> Self:
@@ -346,9 +406,12 @@ class RobotConfig(StrictConfig):
             raise ValueError("require_operator: needs operators, the file that names who may command")
         if self.operators is None and self.audit_log is not None:
             raise ValueError("audit_log: needs operators, the file that names who may command")
-        for component, count in Counter(module.component for module in self.modules).items():
+        for (node, component), count in Counter((m.node or self.node, m.component) for m in self.modules).items():
             if count > 1:
-                raise ValueError(f"modules: {count} have the component id {component}; give each its own, 1..254")
+                raise ValueError(
+                    f"modules: {count} have the component id {component} of node {node}; give each its own, 1..254"
+                )
+        self._check_cell()
         self._check_movers()
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
@@ -370,7 +433,9 @@ class RobotConfig(StrictConfig):
         for module in self.modules:
             if module.type in MOTIONLESS and module.moves is None:
                 continue
-            what = f"group {module.moves!r}" if module.moves else "chassis"
+            if module.part is None and module.moves is None and module.type == "CM-MOB" and self.tracks is None:
+                raise ValueError(f"tracks: is missing; the CM-MOB {module.component} drives on them")
+            what = self._moved_by(module)
             if what in moved:
                 raise ValueError(
                     f"modules: {moved[what]} and {module.component} both move the {what}; one module may, "
@@ -381,6 +446,37 @@ class RobotConfig(StrictConfig):
                 known = ", ".join(self.groups) or "none"
                 raise ValueError(
                     f"modules: {module.component} moves the {what}, which is not there; there are: {known}"
+                )
+
+    @staticmethod
+    def _moved_by(module: ModuleConfig) -> str:
+        if module.moves is not None:
+            return f"group {module.moves!r}"
+        if module.part is not None:
+            return f"{_PARTS.get(module.type, 'car')} {module.part!r}"
+        return "conveyor" if module.type == CONVEYOR else "chassis"
+
+    def _check_cell(self) -> None:
+        """Check that the modules of a factory cell name what is there."""
+        if (cell := self.cell) is None:
+            for module in self.modules:
+                if module.type in IN_CELLS or module.part is not None:
+                    raise ValueError(f"cell: is missing; {module.component} is a {module.type} of a factory cell")
+            return
+        types = {part.name: cell.types[part.type] for part in cell.parts}
+        has = {
+            SERVO: [name for name, each in types.items() if each.servo],
+            CONNECTOR: [name for name, each in types.items() if each.connectors] + [GRIPPER] * bool(cell.gripper),
+            MODULAR_ARM: [cell.arm] * bool(cell.arm),
+            "CM-MOB": [CAR] * bool(cell.car),
+        }
+        for module in self.modules:
+            if module.type == CONVEYOR and cell.conveyor is None:
+                raise ValueError(f"cell.conveyor: is missing; {module.component} is a {CONVEYOR}")
+            if module.part is not None and module.part not in (known := has.get(module.type, [])):
+                raise ValueError(
+                    f"modules: {module.component}, a {module.type}, names the part {module.part!r}, which it cannot "
+                    f"have; it can have: {', '.join(known) or 'none'}"
                 )
 
     def _check_sensors(self, key: str, sensors: Sequence[LidarConfig | ForceTorqueConfig], need: str) -> None:
@@ -410,4 +506,9 @@ class RobotConfig(StrictConfig):
 
     def id_of(self, module: ModuleConfig) -> JausID:
         """The JAUS id of a module."""
-        return JausID(self.subsystem, self.node, module.component)
+        return JausID(self.subsystem, module.node or self.node, module.component)
+
+    @property
+    def nodes(self) -> tuple[int, ...]:
+        """The JAUS nodes of its modules, sorted."""
+        return tuple(sorted({self.node, *(module.node or self.node for module in self.modules)}))

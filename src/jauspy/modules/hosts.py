@@ -13,12 +13,14 @@ from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.modules import catalogue
 from jauspy.modules.catalogue import Context, Stoppable
-from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.cell_hosts import car_chassis, car_of, cell_context
+from jauspy.modules.config import CAR, IN_CELLS, ModuleConfig, RobotConfig
 from jauspy.modules.mounting import frame_of, mounted_camera, mounted_force_torque_sensors, mounted_lidars
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
 from jauspy.protocol.header import Packet
+from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
 from jauspy.services.environment_sensing import VideoSource, VideoStreams
 from jauspy.services.host import Host
@@ -62,6 +64,11 @@ def host_of(
     return module_host(id, module, context, identities=identities, utc_now=utc_now, now=now, more=more)
 
 
+def check_parts(config: RobotConfig, module: ModuleConfig, model: RobotModel, robot: RobotParts) -> None:
+    """Check that the backend has what a module needs that is not present yet; raises `ConfigError`."""
+    _context(config, module, model, robot, NO_VIDEOS)
+
+
 def module_host(
     id: JausID,
     config: ModuleConfig,
@@ -93,6 +100,9 @@ def module_host(
         raise ConfigError(f"{id}: {error}") from error
     if isinstance(context, catalogue.ManipulatorContext) and any(config.offers(name) for name in LIST_DRIVERS):
         services.append(ManipulatorListDriver(context.arm))
+    for service in services:
+        if isinstance(service, ContinuousCommands):
+            service.command_timeout = config.command_timeout_of(service.urn.rpartition(":")[2])
     host = Host(id, [*core, *services], utc_now=utc_now, now=now)
     if context.moving is not None:
         Watchdog(host, context.moving)
@@ -105,6 +115,11 @@ def _context(
     if module.moves is not None and module.moves not in robot.groups:
         id = config.id_of(module)
         raise ConfigError(f"{id} moves the group {module.moves!r}, and the backend has no such joints")
+    if module.type in IN_CELLS and model.cell is not None:
+        return cell_context(module, model.cell, robot)
+    if module.part == CAR and model.cell is not None:
+        vehicle = Vehicle(car_of(robot), name=model.cell.car, chassis=car_chassis(model.cell))
+        return catalogue.MobilityContext(robot, vehicle)
     if module.type == "CM-SEN":
         return catalogue.SensorContext(
             robot, mounted_lidars(config, model, robot), mounted_force_torque_sensors(model, robot)

@@ -6,19 +6,24 @@ import asyncio
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import AsyncExitStack, suppress
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import Final, Self
 
 from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.modules.audit import AuditLog
+from jauspy.modules.cell_hosts import is_present
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.hosts import Announcement, host_of
+from jauspy.modules.faults import FaultMonitor, reason
+from jauspy.modules.hosts import Announcement, check_parts, host_of
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import robot_model
+from jauspy.modules.running import RunningModules
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot
@@ -26,13 +31,15 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.core import Discovery, Identity
+from jauspy.services.core import FailureRecovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
 from jauspy.services.service import Service
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
+
+_LOG: Final = get_logger("jauspy.robot")
 
 HEARTBEAT_TIMEOUT: Final = 1.0
 """Seconds without a heartbeat of the event loop after which the robot is stopped."""
@@ -68,7 +75,8 @@ class RobotRunner:
         self._transports = transports
         self._make_realtime = realtime
         self._realtime: RealTime | None = None
-        self._components: tuple[Component, ...] = ()
+        self._modules: RunningModules | None = None
+        self._following: asyncio.Task[None] | None = None
         self._videos: Mapping[str, CameraProcess] = {}
         self._audit: AuditLog | None = None
         self._stack = AsyncExitStack()
@@ -79,24 +87,32 @@ class RobotRunner:
         return self._audit
 
     @property
+    def running(self) -> tuple[tuple[Component, ModuleConfig], ...]:
+        """The components and their modules, in the order of the configuration; empty when not open.
+
+        Those of a factory cell's parts are there while they have power.
+        """
+        return self._modules.open if self._modules else ()
+
+    @property
     def components(self) -> tuple[Component, ...]:
-        """The components, one per module, in the order of the configuration; empty when not open."""
-        return self._components
+        """The components of `running`."""
+        return tuple(component for component, _ in self.running)
 
     @property
     def lidars(self) -> Mapping[str, RangeFinder]:
         """Its lidars; empty when not open."""
-        return self._realtime.lidars if self._components and self._realtime else {}
+        return self._realtime.lidars if self._modules and self._realtime else {}
 
     @property
     def videos(self) -> Mapping[str, CameraProcess]:
         """Its cameras that a module streams, by name; empty when not open."""
-        return self._videos if self._components else {}
+        return self._videos if self._modules else {}
 
     @property
     def cameras(self) -> Mapping[str, Camera]:
         """Its cameras, for other processes; empty when not open."""
-        return self._realtime.cameras if self._components and self._realtime else {}
+        return self._realtime.cameras if self._modules and self._realtime else {}
 
     @property
     def snapshot(self) -> Snapshot | None:
@@ -104,10 +120,18 @@ class RobotRunner:
         return self._realtime.snapshot if self._realtime else None
 
     @property
+    def faults(self) -> Mapping[str, str]:
+        """What has failed and why, by the id of the component that is in Failure for it."""
+        if self._realtime is None or not self._realtime.faults:
+            return {}
+        found = {str(each.id): reason(module, self._realtime.faults) for each, module in self.running}
+        return {id: why for id, why in found.items() if why}
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """Counters of `RealTime`, and those of the components by id."""
         counts = {f"realtime.{name}": n for name, n in self._realtime.counters.items()} if self._realtime else {}
-        for component in self._components:
+        for component in self.components:
             counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
         for camera, video in self._videos.items():
             counts |= {f"camera.{camera}.{name}": n for name, n in video.counters.items()}
@@ -117,38 +141,63 @@ class RobotRunner:
 
     async def open(self) -> None:
         """Start everything; if a part cannot start, the others are stopped again."""
-        if self._components:
+        if self._modules is not None:
             return
         async with AsyncExitStack() as stack:
             model = robot_model(self.config)
             realtime = self._start_robot(stack, model)
-            stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
+            stack.push_async_callback(_cancel, asyncio.create_task(self._send_heartbeats(realtime)))
             videos = await self._open_cameras(stack, realtime)
-            components = []
             audit = None
             if self.config.audit_log is not None:
                 audit = stack.enter_context(AuditLog(Path(self.config.audit_log), self.config.name))
-            seals = command_seals(self.config, audit.record if audit else None)
-            modules = self.config.modules
-            hosts = [_host(self.config, each, model, realtime, videos, more=seals()) for each in modules]
-            _share_discovery(hosts)
-            _share_operators(hosts)
-            for host, module in zip(hosts, modules, strict=True):
-                delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
-                component = Component.of_host(
-                    host,
-                    self._transports(host.id),
-                    intercept=announcement(host, module),
-                    options=ComponentOptions(delivery=delivery, max_message_age=self.config.max_message_age),
-                )
-                components.append(await stack.enter_async_context(component))
-            self._realtime, self._components, self._videos = realtime, tuple(components), videos
-            self._audit = audit
+            make = partial(
+                self._make_component,
+                model,
+                realtime,
+                videos,
+                command_seals(self.config, audit.record if audit else None),
+            )
+            for module in self.config.modules:
+                if not is_present(module, model.cell, realtime.snapshot):
+                    check_parts(self.config, module, model, realtime)
+            modules = RunningModules(
+                self.config.modules, make, lambda module: is_present(module, model.cell, realtime.snapshot)
+            )
+            stack.push_async_callback(modules.close)
+            self._modules = modules
+            stack.callback(self._forget_modules)
+            await modules.start()
+            self._realtime, self._videos, self._audit = realtime, videos, audit
+            if model.cell is not None:
+                self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
+                stack.push_async_callback(_cancel, self._following)
             self._stack = stack.pop_all()
+
+    def _forget_modules(self) -> None:
+        self._modules = None
+
+    def _make_component(
+        self,
+        model: RobotModel,
+        realtime: RealTime,
+        videos: Mapping[str, CameraProcess],
+        seals: Callable[[], Sequence[Service]],
+        module: ModuleConfig,
+    ) -> Component:
+        host = _host(self.config, module, model, realtime, videos, more=seals())
+        if (video := host.service(DigitalResourceDiscovery)) is not None:  # whoever controls a module comes first
+            video.operators = lambda: [each.controller for each in self._modules.hosts()] if self._modules else []
+        delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
+        return Component.of_host(
+            host,
+            self._transports(host.id),
+            intercept=announcement(host, module),
+            options=ComponentOptions(delivery=delivery, max_message_age=self.config.max_message_age),
+        )
 
     async def close(self) -> None:
         """Stop everything, in order. May be called twice."""
-        self._components = ()
         await self._stack.aclose()
 
     async def run(self) -> None:
@@ -158,8 +207,17 @@ class RobotRunner:
 
     async def wait(self) -> None:
         """Wait until cancelled. Raises the robot's exception if it fails."""
-        if self._realtime is not None:
-            await asyncio.wrap_future(self._realtime.ended)
+        if self._realtime is None:
+            return
+        ended = asyncio.wrap_future(self._realtime.ended)
+        following = self._following
+        try:
+            await asyncio.wait([ended, following] if following else [ended], return_when=asyncio.FIRST_COMPLETED)
+            if following is not None and following.done() and not following.cancelled():
+                following.result()
+            await ended
+        finally:
+            ended.cancel()
 
     async def __aenter__(self) -> Self:
         await self.open()
@@ -181,10 +239,26 @@ class RobotRunner:
             videos[camera.name] = await stack.enter_async_context(video)
         return videos
 
+    async def _send_heartbeats(self, realtime: RealTime) -> None:
+        clock = asyncio.get_running_loop().time
+        while True:
+            sent_at = clock()
+            realtime.alive()
+            await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
+            if self._modules and clock() - sent_at > HEARTBEAT_TIMEOUT:
+                _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
+
     def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
         backend = self._backend or backends.find(self.config.backend)
-        robot = backend.open(model, self.config.world)
-        stack.callback(robot.close)
+        try:
+            robot = backend.open(model, self.config.world)
+        except JausError:
+            raise
+        except Exception as error:
+            raise ConfigError(
+                f"the backend {self.config.backend!r} cannot open the robot: {type(error).__name__}: {error}"
+            ) from error
+        stack.callback(_close, robot)
         return stack.enter_context(self._make_realtime(robot))
 
 
@@ -200,10 +274,11 @@ def _host(
     identities = {
         SYSTEM: Identity(config.name, _VEHICLE),
         SUBSYSTEM: Identity(config.name, _VEHICLE),
-        NODE: Identity(f"{config.name} node {config.node}", _NODE),
-        COMPONENT: Identity(module.type, _COMPONENT),
+        NODE: Identity(f"{config.name} node {module.node or config.node}", _NODE),
+        COMPONENT: Identity(f"{module.type} {module.part}" if module.part else module.type, _COMPONENT),
     }
-    return host_of(
+    recovery = FailureRecovery()
+    host = host_of(
         config,
         module,
         model,
@@ -212,22 +287,10 @@ def _host(
         videos=videos,
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
-        more=more,
+        more=(*more, recovery),
     )
-
-
-def _share_discovery(hosts: Sequence[Host]) -> None:
-    """Have each module's Discovery report the services of all modules."""
-    for host in hosts:
-        if (discovery := host.service(Discovery)) is not None:
-            discovery.add_local(each for each in hosts if each is not host)
-
-
-def _share_operators(hosts: Sequence[Host]) -> None:
-    """Whoever controls a module of the robot comes first among those who watch."""
-    for host in hosts:
-        if (video := host.service(DigitalResourceDiscovery)) is not None:
-            video.operators = lambda: [each.controller for each in hosts]
+    FaultMonitor(host, recovery, module, robot)
+    return host
 
 
 def announcement(host: Host, module: ModuleConfig) -> Intercept | None:
@@ -235,10 +298,11 @@ def announcement(host: Host, module: ModuleConfig) -> Intercept | None:
     return Announcement(host, JausID.parse(module.announce_to)).intercept if module.announce_to else None
 
 
-async def _heartbeat(realtime: RealTime) -> None:
-    while True:
-        realtime.alive()
-        await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
+def _close(robot: Robot) -> None:
+    try:
+        robot.close()
+    except Exception:  # noqa: BLE001 - whatever a backend raises
+        _LOG.exception("the backend could not close the robot")
 
 
 async def _cancel(task: asyncio.Task[None]) -> None:

@@ -15,12 +15,14 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import JointKind, RobotDescription, parse_urdf
 from jauspy.geometry.vectors import dot
-from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig
+from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.description import RobotModel
 from jauspy.user_files import read_toml
 
 SUFFIX: Final = ".toml"
+PARTS: Final = "_parts.toml"
+"""End of the names of files with types of parts, which are no robots."""
 _FOLDER: Final = files("jauspy") / "robots"
 
 FILES: Final = ("urdf", "operators", "audit_log")
@@ -31,7 +33,8 @@ MAX_EXTENSIONS: Final = 8
 
 def known() -> list[str]:
     """Return the names of the robots that come with jauspy, sorted."""
-    return sorted(each.name.removesuffix(SUFFIX) for each in _FOLDER.iterdir() if each.name.endswith(SUFFIX))
+    names = [each.name for each in _FOLDER.iterdir()]
+    return sorted(name.removesuffix(SUFFIX) for name in names if name.endswith(SUFFIX) and not name.endswith(PARTS))
 
 
 def load(name_or_path: str | Path) -> RobotConfig:
@@ -61,12 +64,19 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     for key in FILES:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])
+    _read_part_types(data.get("cell"), folder)
     other = data.pop("extends", None)
     if other is None:
         return data
     if not isinstance(other, str) or not extensions:
         raise ConfigError(f"{source}: extends = {other!r}: it must name another robot, and not lead back to this one")
     return _read(_find(other, folder), extensions - 1) | data
+
+
+def _read_part_types(cell: object, folder: Path) -> None:
+    """Replace the path of a file with types of parts by what it has."""
+    if isinstance(cell, dict) and isinstance(path := cell.get("types"), str):
+        cell["types"] = read_toml(folder / path).get("types", {})
 
 
 def _find(name_or_path: str | Path, folder: Path) -> Traversable:
@@ -85,7 +95,8 @@ MAX_AXIS_COSINE: Final = 1e-3
 def robot_model(config: RobotConfig) -> RobotModel:
     """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
     description = _read_urdf(config.urdf)
-    _check_tracks(config, description)
+    if config.tracks is not None:
+        _check_tracks(config.tracks, description)
     for name, group in config.groups.items():
         _check_group(f"groups.{name}", group, description)
     groups = {name: group.setup() for name, group in config.groups.items()}
@@ -102,7 +113,11 @@ def robot_model(config: RobotConfig) -> RobotModel:
         if module.group is not None and module.camera is not None:
             (link,) = (camera.link for camera in cameras if camera.name == module.camera)
             _check_pan_tilt(f"groups.{module.group}", config.groups[module.group], link, description)
-    return RobotModel(description, config.tracks.setup(), groups, lidars, cameras, force_torque)
+    if (cell := config.cell) is not None and cell.gripper:
+        _check_link("cell.gripper", cell.gripper, description)
+    tracks = config.tracks.setup() if config.tracks else None
+    setup = cell.setup() if cell else None
+    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup)
 
 
 def _read_urdf(path: str) -> RobotDescription:
@@ -113,8 +128,8 @@ def _read_urdf(path: str) -> RobotDescription:
         raise ConfigError(f"urdf: {path}: {error}") from error
 
 
-def _check_tracks(config: RobotConfig, description: RobotDescription) -> None:
-    sides = (("left", config.tracks.left), ("right", config.tracks.right))
+def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
+    sides = (("left", tracks.left), ("right", tracks.right))
     for key, name in ((key, name) for key, names in sides for name in names):
         joint = description.joints.get(name)
         if joint is None or joint.kind is not JointKind.PRISMATIC:

@@ -138,7 +138,8 @@ class RobotFrames:
     @property
     def assumed(self) -> list[str]:
         """The joints that no service reported to the last `read`, without track belts, whose frames do not move."""
-        belts = {*self._model.tracks.left, *self._model.tracks.right}
+        tracks = self._model.tracks
+        belts = {*tracks.left, *tracks.right} if tracks else set()
         reported = {joint for reader in self._readers or () for joint in reader.joints}
         moving = (each for each in self._tree.joints if each.kind is not JointKind.FIXED and each.mimics is None)
         return [joint.name for joint in moving if joint.name not in reported | belts]

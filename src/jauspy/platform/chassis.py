@@ -8,8 +8,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.poses import Acceleration, Pose, Transform, Twist
+from jauspy.geometry.poses import AT_REST, ORIGIN, UNACCELERATED, Acceleration, Pose, Transform, Twist
 from jauspy.geometry.urdf import CollisionBox, Inertial, collision_boxes, inertials
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
@@ -48,6 +49,8 @@ class Chassis:
 
 def chassis_of(robot: RobotModel) -> Chassis:
     """Return the chassis of a robot: size, mass and tracks from its description, the rest by default."""
+    if robot.tracks is None:
+        raise ConfigError(f"{robot.description.name} has no tracks: its base is fixed, and nothing can drive it")
     left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
     found = measure(robot)
     return Chassis(
@@ -180,6 +183,30 @@ class _HoldingBrake(ParkingBrake):
     def set(self, engaged: bool) -> None:
         self.engaged = engaged
         self._drive.stop()
+
+
+class FixedBase:
+    """The `DriveBase` of a robot whose base is fixed to the world: it stays at the origin, whatever the effort."""
+
+    optional_parts: tuple[OptionalPart, ...] = ()
+
+    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+        """Do nothing."""
+
+    def stop(self) -> None:
+        """Do nothing: it stands."""
+
+    def pose(self) -> Pose:
+        """The world's origin."""
+        return ORIGIN
+
+    def twist(self) -> Twist:
+        """Zero."""
+        return AT_REST
+
+    def acceleration(self) -> Acceleration:
+        """Zero."""
+        return UNACCELERATED
 
 
 class SkidSteerDrive(ABC):

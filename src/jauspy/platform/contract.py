@@ -139,6 +139,10 @@ class OptionalPart(ABC):
     def state(self) -> object:
         """Its present state, which never changes afterwards, for snapshots."""
 
+    def stop(self) -> None:
+        """Stop all motion of the part, at once; for parts that move. May be called twice."""
+        return
+
     @abstractmethod
     def proxy(self, link: RobotLink) -> OptionalPart:
         """The same part for other threads: it submits commands, and reads `link.snapshot.parts[self.id]`."""

@@ -67,7 +67,8 @@ class RobotModel:
     """All that a backend needs to make a robot."""
 
     description: RobotDescription
-    tracks: TrackSetup
+    tracks: TrackSetup | None
+    """None: the base is fixed to the world."""
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()
     cameras: tuple[CameraSetup, ...] = ()

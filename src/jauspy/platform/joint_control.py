@@ -37,6 +37,10 @@ class JointController:
         """The active controller."""
         return self._setpoint.target.mode
 
+    def set_gains(self, gains: JointGains) -> None:
+        """Set the gains; what is integrated is kept."""
+        self._position_pid.gains, self._velocity_pid.gains = gains.position, gains.velocity
+
     def follow(self, target: Target, position: float, velocity: float) -> None:
         """Follow a target; a change of mode starts at the present `position` and `velocity`, without a jerk."""
         if target.mode is not self.mode:
@@ -93,9 +97,9 @@ class Pid:
         self.limit = limit
         self._integral = 0.0
 
-    def reset(self) -> None:
-        """Set the integral to zero."""
-        self._integral = 0.0
+    def reset(self, integral: float = 0.0) -> None:
+        """Set the integral part of the output, within its limit."""
+        self._integral = min(self.gains.i_limit, max(-self.gains.i_limit, integral))
 
     def update(self, error: float, rate: float, dt: float, feed_forward: float = 0.0) -> float:
         """Return the effort for an error with the derivative `rate` (1/s), `dt` seconds after the last one."""

@@ -12,9 +12,9 @@ from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.camera import Camera
-from jauspy.platform.chassis import SkidSteerDrive
+from jauspy.platform.chassis import FixedBase, SkidSteerDrive
 from jauspy.platform.contract import OptionalPart
-from jauspy.platform.description import GroupSetup, RobotModel
+from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
@@ -37,7 +37,9 @@ class KinematicBackend:
     name: str = "kinematic"
 
     def open(self, robot: RobotModel, world: str) -> KinematicRobot:
-        """A robot at rest at the origin."""
+        """A robot at rest at the origin. Raises `ConfigError` for another world, and for a factory cell."""
+        if robot.cell is not None:
+            raise ConfigError("the kinematic backend has no factory cells: parts need physics; choose the backend sim")
         if world not in WORLDS:
             raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
         return KinematicRobot(robot)
@@ -50,7 +52,9 @@ class KinematicRobot:
     """
 
     def __init__(self, robot: RobotModel) -> None:
-        self._drive = KinematicDrive(skid_steer_parameters(robot))
+        tracks = robot.tracks
+        self._tracked = KinematicDrive(skid_steer_parameters(robot.description, tracks)) if tracks else None
+        self._drive = self._tracked or FixedBase()
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
@@ -62,7 +66,7 @@ class KinematicRobot:
         self._measure()
 
     @property
-    def drive(self) -> KinematicDrive:
+    def drive(self) -> KinematicDrive | FixedBase:
         """The chassis."""
         return self._drive
 
@@ -103,11 +107,12 @@ class KinematicRobot:
         before = self._drive.twist()
         steps = math.ceil(dt / MAX_STEP)
         for _ in range(steps):
-            self._drive.step(dt / steps)
+            if self._tracked is not None:
+                self._tracked.step(dt / steps)
             for group in self._groups.values():
                 group.step(dt / steps)
-        if steps:
-            self._drive.update_acceleration(before, dt)
+        if steps and self._tracked is not None:
+            self._tracked.update_acceleration(before, dt)
         self._time += dt
         self._measure()
         self._cameras.update()
@@ -185,9 +190,9 @@ class KinematicDrive(SkidSteerDrive):
         self._yaw += turn
 
 
-def skid_steer_parameters(robot: RobotModel) -> SkidSteerParameters:
+def skid_steer_parameters(description: RobotDescription, tracks: TrackSetup) -> SkidSteerParameters:
     """Return the chassis parameters of a robot; speed and distance of the tracks are those of its URDF."""
-    left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
+    left, right = (description.joint(name) for name in (tracks.left[0], tracks.right[0]))
     gauge = abs(left.origin.y - right.origin.y)
     return SkidSteerParameters(free_speed=left.velocity, slip_width=SLIP_FACTOR * gauge)
 

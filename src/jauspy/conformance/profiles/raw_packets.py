@@ -16,7 +16,7 @@ from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
 
 FIRST_NUMBER: Final = 0x8000
-"""First sequence number of raw packets; far from those of the clients' endpoints."""
+"""First sequence number of raw packets, above that of the wire; far from those of the clients' endpoints."""
 MAX_ARRIVALS: Final = 1024
 """Packets from the component that are kept in one step; far more than any step needs."""
 SETTLE_TIME: Final = 0.1
@@ -37,7 +37,7 @@ class RawSender:
     def number(self, count: int = 1) -> int:
         """Reserve `count` unused sequence numbers; returns the first."""
         memory = self.tester.memory
-        first: int = memory.get("number", FIRST_NUMBER)
+        first: int = memory.get("number", self.tester.wire.first_sequence + FIRST_NUMBER & 0xFFFF)
         memory["number"] = first + count & 0xFFFF
         return first
 

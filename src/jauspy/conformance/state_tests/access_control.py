@@ -65,7 +65,7 @@ def _authority_is(level: Callable[[Explorer], int]) -> Callable[[StimulusResult]
         if not controller or then.outcome.after.controller != controller:
             return
         wanted = level(explorer) if then.outcome.acts else explorer.authority
-        explorer.client(OBSERVER).ask(
+        explorer.client(OBSERVER).ask_until_right(
             QueryAuthority(), ReportAuthority, has(authority_code=wanted), to=explorer.component
         )
 

@@ -24,6 +24,8 @@ from jauspy.schema.loader import load_needed
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines
 
 RECEIVE_MACHINE: Final = "ReceiveFSM"
+INITIALIZED: Final = "Initialized"
+"""The internal event of Management that ends initialization."""
 RECEIVE_TRIGGER: Final = "Receive"
 """The internal event of Transport for a received message."""
 
@@ -98,12 +100,17 @@ class BehaviourModel:
         merged = merge_machines(definitions)[RECEIVE_MACHINE]
         self.root = merged.root
         self._outputs = {message.name for each in definitions for message in each.outputs}
-        self.start = Situation(merged.start().path)
         self._names = _named(self.root)
+        self.start = self._initialized(Situation(merged.start().path))
+        """The situation after initialization, in which a component of version 1.0 starts."""
         self.rules = tuple(self._rules())
         """Names of all transitions; those of several services that cannot be distinguished share a name."""
         self.ignoring = next((each.name for each in self.rules if each.trigger == RECEIVE_TRIGGER), "")
         """Name of the default transition of Transport, which ignores inputs."""
+
+    def _initialized(self, situation: Situation) -> Situation:
+        (first, *_) = self.predict(situation, INITIALIZED, "", lambda *_: None)
+        return first.after
 
     def _rules(self) -> Iterator[MergedTransition]:
         for node in self.root.all():
@@ -120,7 +127,8 @@ class BehaviourModel:
         """
         ways = [way for way in self._in_order(situation) if trigger_of(way[1].item) == trigger]
         evaluators = _evaluators([owned.item.guard for _, owned in ways], situation, judge)
-        return tuple(dict.fromkeys(self._outcome(ways, holds, situation, role) for holds in evaluators))
+        outcomes = (self._outcome(ways, holds, situation, role) for holds in evaluators)
+        return tuple(dict.fromkeys(reading for each in outcomes for reading in _readings(each, situation.controller)))
 
     def _outcome(
         self, ways: Iterable[Candidate], holds: Callable[[str], bool], before: Situation, role: str
@@ -191,6 +199,20 @@ class BehaviourModel:
             for owned in self._node(path[: depth + 1]).entry:
                 situation = _effect(owned.item.name, situation, "")
         return replace(situation, state=path)
+
+
+def _readings(outcome: Prediction, before: str | None) -> Iterator[Prediction]:
+    """The outcome, and what else is right of a definition that contradicts itself.
+
+    In version 1.0 the notice of a lost control goes to the client that takes it; components notify that or the other.
+    """
+    yield outcome
+    if before is not None and outcome.after.controller not in (None, before):
+        outputs = tuple(
+            replace(each, to=before) if each.message == "RejectControl" else each for each in outcome.outputs
+        )
+        if outputs != outcome.outputs:
+            yield replace(outcome, outputs=outputs)
 
 
 def _description(transition: model.Transition, node: MergedState) -> str:
@@ -283,6 +305,11 @@ class ComponentUnderTest:
     definitions: tuple[model.Service, ...]
     machine: BehaviourModel
     registry: Registry
+
+    @property
+    def keys(self) -> frozenset[ServiceKey]:
+        """The services, with versions."""
+        return frozenset(each.key for each in self.definitions)
 
     def transition(self, rule: str) -> str:
         """The name of a transition of this component in reports."""

@@ -96,7 +96,7 @@ def effect(
         explorer = then.explorer
         wanted = explorer.tester.memory[BEFORE] + (change if then.outcome.acts else 0.0)
         right = near(abs(change) / 4, **{field: wanted})
-        explorer.client(OBSERVER).ask(query, report, right, to=explorer.component)
+        explorer.client(OBSERVER).ask_until_right(query, report, right, to=explorer.component)
 
     def after(explorer: Explorer, role: str) -> None:
         if BEFORE in explorer.tester.memory:

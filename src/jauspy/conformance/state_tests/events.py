@@ -29,9 +29,15 @@ from jauspy.messages.core import (
     QueryAuthority,
     QueryEvents,
     QueryEventTimeout,
+    QueryHeartbeatPulse,
+    QueryIdentification,
+    QueryTimeout,
     ReportAuthority,
     ReportEvents,
     ReportEventTimeout,
+    ReportHeartbeatPulse,
+    ReportIdentification,
+    ReportTimeout,
     SetAuthority,
     Standby,
     UpdateEvent,
@@ -43,7 +49,14 @@ CREATE, UPDATE, CANCEL, PREPARED = 1, 2, 3, 9
 UNKNOWN_ID: Final = 251
 PERIODIC, EVERY_CHANGE = CreateEvent.EventType.PERIODIC, CreateEvent.EventType.EVERY_CHANGE
 QUERY: Final = QueryEventTimeout()
-"""Every component with Events answers this query."""
+EVENT_QUERIES: Final[tuple[tuple[Message, type[Message]], ...]] = (
+    (QUERY, ReportEventTimeout),
+    (QueryTimeout(), ReportTimeout),
+    (QueryHeartbeatPulse(), ReportHeartbeatPulse),
+    (QueryIdentification(4), ReportIdentification),
+    (QueryEvents(AllEventsRec(0)), ReportEvents),
+)
+"""Queries for the events of a test, and their reports. Components with Events 1.1 answer the first."""
 A_REPORT: Final = ReportEventTimeout(1)
 PAUSE: Final = 0.3
 """Timeouts in which no further event may arrive."""
@@ -51,16 +64,21 @@ FAST: Final = 10.0
 """Hertz of the streams that are checked."""
 
 
+def event_query(explorer: Explorer) -> tuple[Message, type[Message]]:
+    """A query that the component takes, and its report."""
+    return next((each for each in EVENT_QUERIES if each[0].CODE in explorer.inputs), EVENT_QUERIES[-1])
+
+
 def prepare_event(explorer: Explorer, role: str) -> None:
     """Create an event on every change for the sender."""
-    wanted = CreateEvent(PREPARED, EVERY_CHANGE, 0.0, QUERY)
+    wanted = CreateEvent(PREPARED, EVERY_CHANGE, 0.0, event_query(explorer)[0])
     made = explorer.client(role).ask(wanted, ConfirmEventRequest, has(request_id=PREPARED), to=explorer.component)
     explorer.tester.memory["prepared_event"] = made.event_id
 
 
 def prepare_stream(explorer: Explorer, role: str) -> None:
     """Create a periodic event for the sender and wait for its first report."""
-    wanted = CreateEvent(PREPARED, PERIODIC, FAST, QUERY)
+    wanted = CreateEvent(PREPARED, PERIODIC, FAST, event_query(explorer)[0])
     client = explorer.client(role)
     made = client.ask(wanted, ConfirmEventRequest, has(request_id=PREPARED), to=explorer.component)
     explorer.tester.memory["prepared_event"] = made.event_id
@@ -121,7 +139,8 @@ def _is_changed(then: StimulusResult) -> None:
     same = confirmation.event_id == id
     explorer.tester.check("the event keeps its id", "" if same else f"{id} has become {confirmation.event_id}")
     _known(then, id, PERIODIC)
-    event_streams.check_stream(explorer.client(then.role), id, confirmation.confirmed_periodic_rate, ReportEventTimeout)
+    _, report = event_query(explorer)
+    event_streams.check_stream(explorer.client(then.role), id, confirmation.confirmed_periodic_rate, report)
 
 
 def _is_gone(then: StimulusResult) -> None:
@@ -156,7 +175,7 @@ def _carried(event: Event) -> bytes:
 EVENTS: Final = (
     Stimulus(
         "CreateEvent",
-        lambda _: CreateEvent(CREATE, PERIODIC, ONE_HERTZ, QUERY),
+        lambda explorer: CreateEvent(CREATE, PERIODIC, ONE_HERTZ, event_query(explorer)[0]),
         "a new one",
         {"isSupported": True, "eventExists": False},
         after=drop_events,
@@ -165,7 +184,7 @@ EVENTS: Final = (
     ),
     Stimulus(
         "CreateEvent",
-        lambda _: CreateEvent(CREATE, EVERY_CHANGE, 0.0, QUERY),
+        lambda explorer: CreateEvent(CREATE, EVERY_CHANGE, 0.0, event_query(explorer)[0]),
         "one that is there",
         {"isSupported": True, "eventExists": True},
         before=prepare_event,
@@ -181,7 +200,9 @@ EVENTS: Final = (
     ),
     Stimulus(
         "UpdateEvent",
-        lambda explorer: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, FAST, prepared_event(explorer), QUERY),
+        lambda explorer: UpdateEvent(
+            UPDATE, UpdateEvent.EventType.PERIODIC, FAST, prepared_event(explorer), event_query(explorer)[0]
+        ),
         "one that is there",
         {"isSupported": True, "eventExists": True},
         before=prepare_event,
@@ -191,7 +212,9 @@ EVENTS: Final = (
     ),
     Stimulus(
         "UpdateEvent",
-        lambda _: UpdateEvent(UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, UNKNOWN_ID, QUERY),
+        lambda explorer: UpdateEvent(
+            UPDATE, UpdateEvent.EventType.PERIODIC, ONE_HERTZ, UNKNOWN_ID, event_query(explorer)[0]
+        ),
         "an unknown one",
         {"isSupported": True, "eventExists": False},
         checks={"RejectEventRequest": has(request_id=UPDATE)},
@@ -251,7 +274,7 @@ EVENTS: Final = (
 def _stream_is_right(then: StimulusResult) -> None:
     explorer = then.explorer
     event_streams.check_stream(
-        explorer.client(then.role), prepared_event(explorer), explorer.tester.memory["rate"], ReportEventTimeout
+        explorer.client(then.role), prepared_event(explorer), explorer.tester.memory["rate"], event_query(explorer)[1]
     )
 
 

@@ -9,8 +9,9 @@ from typing import Final, TypeAlias
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Silent, Skipped, StepOutcome
+from jauspy.conformance.silences import silences_of
 from jauspy.conformance.state_tests.behaviour import ComponentUnderTest, Decide, Prediction, Situation, TruthValue
-from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, Client, Tester
+from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, Client, Tester, pauses
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,
@@ -37,6 +38,10 @@ from jauspy.messages.core import (
 from jauspy.schema import behavior
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
+SLOW_PAUSE: Final = 1 / 8
+"""Timeouts between two inputs if the component did not follow them at once."""
+WAIT_FOR_NOTHING: Final = 0.1
+"""Timeouts in which an answer would come, if no query is answered that would show it."""
 MIN_AUTHORITY: Final = 200
 """Authority of the controller, if the default authority of the component is lower."""
 STATUS: Final[Mapping[str, ReportStatus.Status]] = {
@@ -65,26 +70,34 @@ STEERING_INPUTS: Final[tuple[tuple[str, str], ...]] = (
 
 @dataclass(frozen=True, slots=True)
 class ObservedState:
-    """Status and controller as the component reports them; None without a service that reports them."""
+    """Status and controller as the component reports them; None without a service that reports them, or an answer."""
 
     status: ReportStatus.Status | int | None
     controller: JausID | None
+    """None also without a controller."""
+    is_controller_known: bool = True
 
     def __str__(self) -> str:
         name = getattr(self.status, "name", self.status)
-        return f"status {name}, " + (f"controlled by {self.controller}" if self.controller else "not controlled")
+        controlled = f"controlled by {self.controller}" if self.controller else "not controlled"
+        return f"status {name}, " + (controlled if self.is_controller_known else "its controller is not reported")
 
 
 class Explorer:
     """One component of the target, with the tester's clients in their roles."""
 
-    def __init__(self, tester: Tester, component: JausID, services: frozenset[str], start: Situation) -> None:
+    def __init__(self, tester: Tester, subject: ComponentUnderTest) -> None:
         self.tester = tester
-        self.component = component
-        self.start = start
-        self.services = services
+        self.component = component = subject.component
+        self.start = subject.machine.start
+        self.services = frozenset(each.id for each in subject.definitions)
+        self.inputs = frozenset(message.code for each in subject.definitions for message in each.inputs)
+        """The ids of all messages that the component takes."""
+        self.silences = silences_of(component, tester)
         self._measured = False
         self._start_failed = False
+        self._settled_wrong: dict[tuple[Situation, ...], ObservedState] = {}
+        """States that the component still had after the timeout, where it should have been in these situations."""
         self._unreachable_situations: set[Situation] = set()
         self.where: Situation | None = None
         """The situation after the last step, if it is known."""
@@ -109,7 +122,7 @@ class Explorer:
             where, self.where = self.where, None
             seen = self.observe()
             if where != goal or not self.agrees(seen, goal):
-                seen = self._travel(path)
+                seen = self._travel(goal, path)
             if goal.controller == CONTROLLER and "Emergency" not in goal.state:
                 self.steer("RequestControl", CONTROLLER)
         except StepOutcome as outcome:
@@ -127,7 +140,7 @@ class Explorer:
             return
         again, self._start_failed = self._start_failed, True
         try:
-            seen = self._return_to_start()
+            seen = self._return_to(self.start)
         except StepOutcome as outcome:
             raise Skipped(str(outcome)) if again else outcome from None
         self._start_failed = not self.agrees(seen, self.start)
@@ -145,13 +158,19 @@ class Explorer:
         self._unreachable_situations.add(goal)
         return kind(f"the component cannot be brought to {goal}: {why}")
 
-    def _travel(self, path: tuple[tuple[str, str], ...]) -> ObservedState:
-        seen = self._return_to_start()
-        if self.agrees(seen, self.start):
+    def _travel(self, goal: Situation, path: tuple[tuple[str, str], ...]) -> ObservedState:
+        """Go to the start and along the path; if that fails, once more with a pause after each input."""
+        for pause in (0.0, SLOW_PAUSE * self.tester.timeout):
+            seen = self._return_to(self.start)
+            if not self.agrees(seen, self.start):
+                return seen  # some states cannot be left, and may be the goal
             for message, role in path:
                 self.steer(message, role)
-            return self.observe()
-        return seen  # some states cannot be left, and may be the goal
+                self.tester.wait(pause)
+            seen = self.settle(goal)
+            if self.agrees(seen, goal):
+                break
+        return seen
 
     def steer(self, message: str, role: str) -> None:
         """Send one steering input."""
@@ -183,35 +202,40 @@ class Explorer:
             return self._ask()
 
     def _ask(self) -> ObservedState:
-        observer = self.client(OBSERVER)
-        status: ReportStatus.Status | int | None = None
-        controller: JausID | None = None
-        if MANAGEMENT in self.services:
-            status = observer.ask(QueryStatus(), ReportStatus, to=self.component).status
-        if ACCESS_CONTROL in self.services:
-            report = observer.ask(QueryControl(), ReportControl, to=self.component)
-            id = JausID(report.subsystem_id, report.node_id, report.component_id)
-            controller = id if int(id) else None
-        if not self.services & {MANAGEMENT, ACCESS_CONTROL}:
-            observer.ask(QueryEvents(AllEventsRec(0)), ReportEvents, to=self.component)
-        return ObservedState(status, controller)
+        status = self.silences.ask(QueryStatus(), ReportStatus) if MANAGEMENT in self.services else None
+        control = self.silences.ask(QueryControl(), ReportControl) if ACCESS_CONTROL in self.services else None
+        if status is None and control is None:
+            answer = self.silences.ask(QueryEvents(AllEventsRec(0)), ReportEvents)
+            self.tester.wait(0.0 if answer else WAIT_FOR_NOTHING * self.tester.timeout)
+        id = JausID(control.subsystem_id, control.node_id, control.component_id) if control else None
+        return ObservedState(
+            status.status if status else None, id if id and int(id) else None, is_controller_known=control is not None
+        )
 
     def agrees(self, seen: ObservedState, situation: Situation) -> bool:
         """True if the reported state fits a situation; initialization may have ended already."""
         wanted = status_of(situation)
         client = JausID.parse(CLIENTS[situation.controller]) if situation.controller else None
         fits = seen.status in (wanted, STATUS["Standby"]) if wanted == STATUS["Init"] else seen.status == wanted
-        return (MANAGEMENT not in self.services or wanted is None or fits) and (
-            ACCESS_CONTROL not in self.services or seen.controller == client
+        return (seen.status is None or wanted is None or fits) and (
+            not seen.is_controller_known or seen.controller == client
         )
 
-    def settle(self, situation: Situation) -> ObservedState:
-        """As `observe`, and wait while the component initializes."""
-        end = self.tester.now + self.tester.timeout
+    def settle(self, *situations: Situation) -> ObservedState:
+        """As `observe`, until the state fits one of the situations, at most for a timeout.
+
+        The services of a component may notify each other asynchronously, and initialization takes time.
+        """
         seen = self.observe()
-        while seen.status == STATUS["Init"] and "Init" in situation.state and self.tester.now < end:
-            self.tester.wait(0.05 * self.tester.timeout)
+        if self._settled_wrong.get(situations) == seen:
+            return seen  # it stays so; waiting in each step would take long
+        for pause in pauses(self.tester.timeout):
+            fits = any(self.agrees(seen, each) for each in situations)
+            if (fits and seen.status != STATUS["Init"]) or seen.status == STATUS["Shutdown"]:
+                return seen
+            self.tester.wait(pause)
             seen = self.observe()
+        self._settled_wrong[situations] = seen
         return seen
 
     def discard_received(self) -> None:
@@ -222,7 +246,7 @@ class Explorer:
         self.tester.checks.clear()
         self.tester.expected.clear()
 
-    def _return_to_start(self) -> ObservedState:
+    def _return_to(self, start: Situation) -> ObservedState:
         """Clear emergencies and release control, to return to the start."""
         if MANAGEMENT in self.services:
             for role in CLIENTS:
@@ -230,15 +254,16 @@ class Explorer:
         if ACCESS_CONTROL in self.services:
             for role in CLIENTS:
                 self.client(role).send(ReleaseControl(), to=self.component)
-        return self.settle(self.start)
+        return self.settle(start)
 
     def _measure(self) -> None:
         """Query default authority and timeout of the component, once, before a client takes control."""
         if self._measured or ACCESS_CONTROL not in self.services:
             return
-        observer = self.client(OBSERVER)
-        self.default_authority = observer.ask(QueryAuthority(), ReportAuthority, to=self.component).authority_code
-        self.timeout = int(observer.ask(QueryTimeout(), ReportTimeout, to=self.component).timeout)
+        authority = self.silences.ask(QueryAuthority(), ReportAuthority)
+        timeout = self.silences.ask(QueryTimeout(), ReportTimeout)
+        self.default_authority = authority.authority_code if authority else 0
+        self.timeout = int(timeout.timeout) if timeout else 0
         self._measured = True
 
 
@@ -246,8 +271,7 @@ def explorer_of(subject: ComponentUnderTest, tester: Tester) -> Explorer:
     """The one explorer of this component in this run."""
     known: dict[JausID, Explorer] = tester.memory.setdefault("explorers", {})
     if subject.component not in known:
-        services = frozenset(each.id for each in subject.definitions)
-        known[subject.component] = Explorer(tester, subject.component, services, subject.machine.start)
+        known[subject.component] = Explorer(tester, subject)
     return known[subject.component]
 
 
@@ -263,6 +287,9 @@ Prepare: TypeAlias = Callable[[Explorer, str], None]
 SENDER_PREDICATES: Final = frozenset({"isControllingClient"})
 EMERGENCY_PREDICATES: Final = frozenset({"isIDStored"})
 """Predicates about the sender."""
+CONTROL_PREDICATES: Final = frozenset({"isControlAvailable"})
+"""Predicates about the state of Management, in version 1.0."""
+UNAVAILABLE_STATES: Final = frozenset({"Init", "Failure", "Shutdown", "Emergency"})
 
 
 MAX_TIMER_WAIT: Final = 70.0
@@ -333,6 +360,8 @@ class Stimulus:
                 return situation.controller == role
             if name in EMERGENCY_PREDICATES:
                 return role in situation.emergencies
+            if name in CONTROL_PREDICATES:
+                return not UNAVAILABLE_STATES & set(situation.state)
             return self.truths.get(name)
 
         return decide

@@ -181,6 +181,9 @@ STIMULI: Final[tuple[Stimulus, ...]] = (
 
 INTERNAL_EVENTS: Final[tuple[Stimulus, ...]] = (SILENT_CLIENT, NOT_RENEWED, DUE, EXPIRED)
 """Internal events that can be caused from outside."""
+INTERNAL_EVENTS_1_0: Final = (replace(SILENT_CLIENT, message="Timeout"), DUE)
+"""Those of version 1.0, where Timeout ends control, not an event."""
+ACCESS_CONTROL_1_0: Final = ("urn:jaus:jss:core:AccessControl", "1.0")
 
 
 STANDARD: Final = "urn:jaus:jss:"
@@ -194,15 +197,17 @@ PREFIX: Final = ("Receiving", "Ready")
 
 
 def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
-    """The profile for the services of one set, such as `core` 1.1."""
+    """The profile for the services of one set, such as `core` 1.1, and for older versions of them that a target has.
+
+    Each service is tested as the definition of the offered version says.
+    """
 
     def steps(offers: Offers) -> Sequence[Step]:
-        wanted = _services(set_name, version)
-        found = offers.with_any(wanted)
+        found = offers.with_any(_services(set_name, version))
         if not found:
             there = sorted(f"{urn.removeprefix(STANDARD)} {v}" for urn, v in set().union(*offers.components.values()))
             raise ConfigError(
-                f"the target offers no service of {set_name} {version}, so nothing was tested; "
+                f"the target offers no service of {set_name} {version} or older, so nothing was tested; "
                 f"it offers {', '.join(there) or 'nothing'}"
             )
         prefix = len(found) > 1
@@ -218,9 +223,14 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
     return Profile(name, title, steps, (ROLE_NOTE,))
 
 
-def _services(set_name: str, version: str) -> frozenset[ServiceKey]:
+def _services(set_name: str, newest: str) -> frozenset[ServiceKey]:
     keys = {(each.service, each.version) for each in registry.entries}
-    return frozenset((urn, v) for urn, v in keys if v == version and urn.startswith(f"urn:jaus:jss:{set_name}:"))
+    limit = _number(newest)
+    return frozenset((urn, v) for urn, v in keys if urn.startswith(f"{STANDARD}{set_name}:") and _number(v) <= limit)
+
+
+def _number(version: str) -> tuple[int, ...]:
+    return tuple(map(int, version.split(".")))
 
 
 @dataclass(frozen=True)
@@ -271,7 +281,8 @@ class Planner:
     def _spontaneous(self) -> Iterator[Stimulus]:
         """Internal events of these services that can be caused from outside."""
         awaited = {rule.trigger for rule in self.subject.machine.rules if rule.owner.key in self.services}
-        yield from (each for each in INTERNAL_EVENTS if each.message in awaited)
+        events = INTERNAL_EVENTS_1_0 if ACCESS_CONTROL_1_0 in self.subject.keys else INTERNAL_EVENTS
+        yield from (each for each in events if each.message in awaited)
 
     def _roles(self, stimulus: Stimulus, situation: Situation) -> tuple[str, ...]:
         """The roles of senders that the guards distinguish."""

@@ -5,11 +5,12 @@ from __future__ import annotations
 from collections import Counter
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has
 from jauspy.conformance.results import Late, Malformed, Silent
-from jauspy.conformance.state_tests.behaviour import ComponentUnderTest, Output, Prediction, Situation
+from jauspy.conformance.state_tests.behaviour import INITIALIZED, ComponentUnderTest, Output, Prediction, Situation
 from jauspy.conformance.state_tests.explorer import (
     STATUS,
     Explorer,
@@ -22,8 +23,8 @@ from jauspy.conformance.tester import CLIENTS, EVENTS, Tester
 from jauspy.conformance.trace import ReceivedMessage, message_name
 from jauspy.errors import DecodeError
 
-INIT, INITIALIZED = "Init", "Initialized"
-"""The state of initialization, and the internal event that ends it."""
+INIT: Final = "Init"
+"""The state of initialization."""
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,12 @@ class StateTest:
         """Bring the component to the situation, send the input, and check the outcome."""
         explorer = explorer_of(self.subject, tester)
         explorer.reach(self.situation, self.path)
+        with explorer.silences.of_input(self.stimulus.message):
+            self._try(explorer)
+
+    def _try(self, explorer: Explorer) -> None:
+        """Send the input in the situation, and check the outcome."""
+        tester = explorer.tester
         try:
             self.stimulus.before(explorer, self.role)
             seconds = self.stimulus.seconds(explorer) if self.stimulus.seconds else 0.0
@@ -194,7 +201,7 @@ class StateTest:
     def _check_state(self, explorer: Explorer, fitting: list[Prediction]) -> None:
         """Check the state afterwards, and the effect if it is visible."""
         after = [each.after for each in fitting]
-        seen = explorer.settle(after[0])
+        seen = explorer.settle(*after)
         self._note_initialized(explorer, after[0], seen)
         name = "the state is " + " or ".join(dict.fromkeys(map(str, after)))
         explorer.tester.expected.append(name)

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 
 from jauspy.geometry.poses import ORIGIN, Pose
-from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
 
 
 class ArmController(Enum):
@@ -84,6 +84,10 @@ class ModularArm(OptionalPart):
     def set_order(self, joints: Sequence[str]) -> None:
         """Fix the order of the joints by names; empty finds it by attachments. Unknown names are refused."""
 
+    def stop(self) -> None:
+        """Hold."""
+        self.hold()
+
     def proxy(self, link: RobotLink) -> ModularArm:
         """The arm for other threads."""
         return _ModularArmProxy(self.name, link)
@@ -144,7 +148,7 @@ class ArmSettings(Command):
         return ArmSettings(self.name, self.controller or pending.controller, order)
 
 
-def find(robot: Robot, name: str) -> ModularArm | None:
+def find(robot: RobotParts, name: str) -> ModularArm | None:
     """The modular arm of that name."""
     arms = (part for part in robot.optional_parts if isinstance(part, ModularArm))
     return next((arm for arm in arms if arm.name == name), None)

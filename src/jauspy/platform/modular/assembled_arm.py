@@ -12,12 +12,13 @@ from numpy.typing import NDArray
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
 from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
 from jauspy.platform.modular.connector import VacuumConnector
-from jauspy.platform.modular.control_laws import ControlLaw, ModelLaw, PidLaw, smooth_step
+from jauspy.platform.modular.control_laws import ControlLaw, Measured, ModelLaw, PidLaw, smooth_step
 from jauspy.platform.modular.drive import ServoDrive
 from jauspy.platform.modular.dynamics import ArmModel
-from jauspy.platform.modular.graph import Chain, attachments, find_chain
+from jauspy.platform.modular.graph import Attachment, Chain, attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup, ServoData
-from jauspy.platform.modular.trajectory import Limits, Motion, MotionError, Setpoint, plan_within_torques
+from jauspy.platform.modular.payload import PayloadEstimator
+from jauspy.platform.modular.trajectory import Limits, Motion, MotionError, Setpoint, Shaper, plan_within_torques
 
 Array = NDArray[np.float64]
 
@@ -33,6 +34,9 @@ ACCELERATION: Final = 25.0
 JERK_TIME: Final = 0.12
 """Seconds in which a planned motion builds up its full acceleration."""
 
+SHAPING_TIME: Final = 0.05
+"""Seconds over which setpoints are averaged."""
+
 POSITION_TOLERANCE: Final = 0.005
 """Radians: a joint follows if it is that close to its setpoint."""
 
@@ -41,6 +45,9 @@ STANDSTILL: Final = 0.05
 
 RELAXATION_TIME: Final = 0.3
 """Seconds in which an arm that is held at both ends gives way."""
+
+SHARING_TIME: Final = 0.4
+"""Seconds in which a second base takes over half of the arm's weight."""
 
 SETTLING_TIME: Final = 2.0
 """Seconds after its end that a motion may take to come within tolerance."""
@@ -76,11 +83,15 @@ class AssembledArm(ModularArm):
         self._order: tuple[str, ...] = ()
         self._error = ""
         self._motion: Motion | None = None
+        self._law: ControlLaw | None = None
+        self._fade = 0.0
         self._since_end = 0.0
         self._chain = Chain()
         none = np.zeros(0)
-        self._setpoint = Setpoint(none, none, none)
-        self._measured = none, none, none
+        self._setpoint = self._planned = Setpoint(none, none, none)
+        self._shaper = Shaper(self._planned, 1)
+        self._period = 0.002
+        self._measured = Measured(none, none, none, none)
         self._last_torques = self._fade_from = none
         self._take(Chain())
 
@@ -120,12 +131,21 @@ class AssembledArm(ModularArm):
         for at, position in zip(self._index, positions, strict=True):
             if not math.isnan(position):
                 targets[at] = float(position)
-        wanted = 0.0 if math.isnan(duration) else duration
         try:
-            self._motion = plan_within_torques(self._setpoint, targets, self._limits, wanted, self._torque_ratio)
-        except MotionError as error_found:
-            self._error = str(error_found)
+            motion = plan_within_torques(
+                self._planned,
+                targets,
+                self._limits,
+                self._torque_ratio,
+                duration=0.0 if math.isnan(duration) else duration,
+                shaping=SHAPING_TIME,
+            )
+        except MotionError as refusal:
+            self._error = f"motion refused: {refusal}"
             return
+        if self._motion is None:
+            self._shaper = Shaper(self._planned, round(SHAPING_TIME / self._period))
+        self._motion = motion
         self._error, self._since_end = "", 0.0
 
     def hold(self) -> None:
@@ -137,8 +157,8 @@ class AssembledArm(ModularArm):
         """Choose how the joints follow; the torques fade over from one controller to the other."""
         if controller is not self._controller:
             self._controller = controller
-            self._law = self._make_law()
-            self._begin_fade()
+            self._law = None
+            self._fade = 0.0
 
     def set_order(self, joints: Sequence[str]) -> None:
         """Fix the order of the joints by names; those that are not named follow in the order of the chain."""
@@ -159,15 +179,23 @@ class AssembledArm(ModularArm):
             self._follow_attachments()
         if not self._drives:
             return
-        self._read()
+        self._read(dt)
+        self._period = dt
         setpoint = self._next_setpoint(dt)
-        q, v, spring = self._measured
-        torques = self._law.torques(setpoint, q, v, spring, dt)
+        if self._payload is not None and all(self._powered):
+            q, v, spring, _ = self._measured
+            self._model.set_load(self._payload.update(q, v, spring, dt))
+        if self._law is None:
+            self._law = self._make_law(dt)
+            self._law.take_over(self._last_torques, setpoint, self._measured)
+        if isinstance(self._law, ModelLaw):
+            self._law.bias = self._shared_load(dt)
+        torques = self._law.torques(setpoint, self._measured, dt)
         if self._fade < FADE_TIME:
             if self._fade == 0.0:
-                self._fade_from = self._last_torques - torques
-            torques = torques + self._fade_from * (1.0 - smooth_step(self._fade / FADE_TIME))
+                self._fade_from = self._last_torques
             self._fade += dt
+            torques = self._fade_from + smooth_step(self._fade / FADE_TIME) * (torques - self._fade_from)
         torques = np.clip(torques, -self._torque_limits, self._torque_limits)
         self._last_torques = torques
         for drive, reading, torque in zip(self._drives, self._readings, torques.tolist(), strict=True):
@@ -180,6 +208,28 @@ class AssembledArm(ModularArm):
         chain = find_chain(self._cell, connected, self._chain.base)
         if chain != self._chain:
             self._take(chain)
+            self._share_load(connected)
+
+    def _share_load(self, connected: tuple[Attachment, ...]) -> None:
+        """If the arm holds on to a second base, model it as that one carries it, too."""
+        self._other, self._sharing = None, 0.0
+        for connection in self._chain.held_by:
+            other = find_chain(self._cell, connected, connection)
+            if other.base == connection and set(other.joints) == set(self._chain.joints):
+                self._other = ArmModel(self._cell, other)
+                self._other.set_base(Transform.from_pose(self._base_pose(other.ground)))
+                self._other_index = [self._chain.joints.index(name) for name in other.joints]
+                return
+
+    def _shared_load(self, dt: float) -> Array:
+        """What to add to the torques so that each of two bases carries half of the arm: then either may let go."""
+        q = self._measured.q
+        if self._other is None:
+            return np.zeros_like(q)
+        self._sharing = min(1.0, self._sharing + dt / SHARING_TIME)
+        carried = np.empty_like(q)
+        carried[self._other_index] = self._other.gravity(q[self._other_index])
+        return 0.5 * smooth_step(self._sharing) * (carried - self._model.gravity(q))
 
     def _take(self, chain: Chain) -> None:
         before, setpoint = self._chain, self._setpoint
@@ -193,21 +243,31 @@ class AssembledArm(ModularArm):
         self._readings = [drive.read() for drive in self._drives]
         self._data = [_servo_data(self._cell, name) for name in chain.joints]
         self._torque_limits = np.array([each.max_torque for each in self._data])
+        self._rotors = np.array([each.rotor_inertia for each in self._data])
+        self._dampings = np.array([each.damping for each in self._data])
+        self._frictions = np.array([each.friction for each in self._data])
         self._limits = _limits(self._data)
         rows = [
             (float(setpoint.q[kept[name]]), float(setpoint.v[kept[name]]), float(setpoint.a[kept[name]]))
             if name in kept
-            else (reading.position, 0.0, 0.0)
+            else (reading.position, reading.velocity, 0.0)
             for name, reading in zip(chain.joints, self._readings, strict=True)
         ]
+        table = np.array(rows).reshape(len(rows), 3)
+        spring = [
+            float(self._measured.spring[kept[name]]) if name in kept else reading.torque
+            for name, reading in zip(chain.joints, self._readings, strict=True)
+        ]
+        self._measured = Measured(table[:, 0], table[:, 1], np.array(spring), np.zeros(len(spring)))
         self._last_torques = np.array(
             [
                 self._last_torques[kept[name]] if name in kept else reading.torque
                 for name, reading in zip(chain.joints, self._readings, strict=True)
             ]
         )
-        table = np.array(rows).reshape(len(rows), 3)
         self._setpoint = Setpoint(table[:, 0].copy(), table[:, 1].copy(), table[:, 2].copy())
+        if chain.joints != before.joints:
+            self._planned = self._setpoint
         self._powered = [reading.powered for reading in self._readings]
         side = {name: self._servos[name].read().position for name in chain.side_joints}
         self._model = ArmModel(self._cell, chain, side)
@@ -215,23 +275,21 @@ class AssembledArm(ModularArm):
         self._index = self._find_index()
         for drive in self._drives:
             drive.claim(self.name)
-        if self._motion is not None and chain.joints != before.joints:
-            if not self._motion.ended:
+        if chain.joints != before.joints:
+            if self._motion is not None and not self._motion.ended:
                 self._error = "the motion ended early: modules were attached or released"
-            self._motion = Motion(self._setpoint, None, self._limits)
+            if self._motion is not None or self._setpoint.v.any():
+                self._come_to_rest()
         if chain.held_by and self._motion is not None:
             self._motion.brake()
-        self._law = self._make_law()
-        self._begin_fade()
-
-    def _make_law(self) -> ControlLaw:
-        if self._controller is ArmController.MODEL:
-            return ModelLaw(self._model, self._data)
-        gains = [drive.gains()[0] for drive in self._drives]
-        return PidLaw(gains, [each.max_torque for each in self._data])
-
-    def _begin_fade(self) -> None:
+        self._payload = PayloadEstimator(self._model, len(chain.joints)) if self._model.has_load else None
+        self._law = None
         self._fade = 0.0
+
+    def _make_law(self, dt: float) -> ControlLaw:
+        if self._controller is ArmController.MODEL:
+            return ModelLaw(self._model, self._data, dt)
+        return PidLaw(self._data, [drive.gains()[0] for drive in self._drives])
 
     def _place_base(self) -> None:
         """Take the pose of the base, which turns gravity in its frame."""
@@ -245,10 +303,11 @@ class AssembledArm(ModularArm):
         named = [name for name in self._order if name in joints]
         return tuple(joints.index(name) for name in (*named, *(name for name in joints if name not in named)))
 
-    def _read(self) -> None:
+    def _read(self, dt: float) -> None:
         self._readings = [drive.read() for drive in self._drives]
         table = np.array([reading[1:] for reading in self._readings])
-        self._measured = table[:, 0], table[:, 1], table[:, 2]
+        q, v, spring = table[:, 0], table[:, 1], table[:, 2]
+        self._measured = Measured(q, v, spring, (spring - self._measured.spring) / dt)
         powered = [reading.powered for reading in self._readings]
         if powered != self._powered:
             self._follow_power(powered)
@@ -260,20 +319,29 @@ class AssembledArm(ModularArm):
             for name, before, now in zip(self._chain.joints, self._powered, powered, strict=True)
             if before and not now
         ]
+        back = np.array([now and not before for before, now in zip(self._powered, powered, strict=True)])
         self._powered = powered
         if silent and self._motion is not None:
             self._error = f"the motion ended early: no report of {', '.join(silent)}"
             self._motion.brake()
-        self._law = self._make_law()
-        self._last_torques = np.where(powered, self._last_torques, self._measured[2])
-        self._begin_fade()
+        elif back.any():
+            self._come_to_rest()
+        self._law = None
+        self._fade = 0.0
+        self._last_torques = np.where(powered, self._last_torques, self._measured.spring)
+
+    def _come_to_rest(self) -> None:
+        """Stop from the present setpoint, each joint by itself."""
+        self._motion, self._since_end = Motion(self._setpoint, None, self._limits), 0.0
+        self._shaper = Shaper(self._setpoint, 1)
 
     def _next_setpoint(self, dt: float) -> Setpoint:
         setpoint, motion = self._setpoint, self._motion
-        q, v, _ = self._measured
+        q, v = self._measured.q, self._measured.v
         if motion is not None:
-            setpoint = motion.advance(dt)
-            if motion.ended:
+            self._planned = motion.advance(dt)
+            setpoint = self._shaper.advance(self._planned)
+            if motion.ended and self._shaper.ended:
                 self._since_end += dt
                 self._end_motion(setpoint)
         if not all(self._powered):
@@ -281,16 +349,18 @@ class AssembledArm(ModularArm):
             setpoint = Setpoint(
                 np.where(silent, q, setpoint.q), np.where(silent, v, setpoint.v), np.where(silent, 0.0, setpoint.a)
             )
-        if self._chain.held_by and self._motion is None:
-            # a closed loop: what its other end demands is followed, so that no force is built up between the ends
-            follow = min(1.0, dt / RELAXATION_TIME)
-            setpoint = Setpoint(setpoint.q + follow * (q - setpoint.q), np.zeros_like(v), np.zeros_like(v))
+        if self._motion is None:
+            if self._chain.held_by:
+                # a closed loop: what its other end demands is followed, so that no force builds up between the ends
+                part = min(1.0, dt / RELAXATION_TIME)
+                setpoint = Setpoint(setpoint.q + part * (q - setpoint.q), setpoint.v, setpoint.a)
+            self._planned = Setpoint(setpoint.q, np.zeros_like(q), np.zeros_like(q))
         self._setpoint = setpoint
         return setpoint
 
     def _end_motion(self, setpoint: Setpoint) -> None:
         """End the motion once the joints follow, or have had time enough."""
-        q, v, _ = self._measured
+        q, v = self._measured.q, self._measured.v
         off = np.where(self._powered, np.abs(q - setpoint.q), 0.0)
         still = np.where(self._powered, np.abs(v), 0.0) < STANDSTILL
         if bool(np.all(off < POSITION_TOLERANCE)) and bool(np.all(still)):
@@ -326,8 +396,9 @@ class AssembledArm(ModularArm):
 
     def _torque_ratio(self, setpoint: Setpoint) -> float:
         """The largest torque that a setpoint demands of a motor, as a fraction of what planned motions may use."""
-        torques = np.abs(self._model.inverse_dynamics(setpoint.q, setpoint.v, setpoint.a))
-        return float(np.max(torques / (RESERVE * self._torque_limits), initial=0.0))
+        links = self._model.inverse_dynamics(setpoint.q, setpoint.v, setpoint.a)
+        rotors = self._rotors * setpoint.a + self._dampings * setpoint.v + self._frictions * np.sign(setpoint.v)
+        return float(np.max(np.abs(links + rotors) / (RESERVE * self._torque_limits), initial=0.0))
 
     def _tip_pose(self) -> Pose:
         if self._chain.tip_body is None:

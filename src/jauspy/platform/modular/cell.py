@@ -35,6 +35,10 @@ class Conveyor(OptionalPart):
     def set_speed(self, speed: float) -> None:
         """Run at this speed (m/s), clamped to its limit; negative is backward."""
 
+    def stop(self) -> None:
+        """Stop the belt."""
+        self.set_speed(0.0)
+
     def proxy(self, link: RobotLink) -> Conveyor:
         """The conveyor for other threads."""
         return _ConveyorProxy(link)

@@ -4,9 +4,28 @@ from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
+from enum import Enum
 
 from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
+
+
+class ConnectorError(Enum):
+    """Why the last attachment of a connector ended or did not come about."""
+
+    NONE = "none"
+    NO_CONTACT = "no contact"
+    """Nothing to attach touches the plate."""
+    TOO_FAR = "too far"
+    """The middles of the plates are too far apart."""
+    NOT_ALIGNED = "not aligned"
+    """The angle between the plates is too large."""
+    FAILED = "failed"
+    """The attempt failed by itself."""
+    OVERLOADED = "overloaded"
+    """It has broken off."""
+    NO_POWER = "no power"
+    OTHER = "other"
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,8 +45,10 @@ class ConnectorState:
     """Magnitude about the middle of the plate, in newton metres."""
     broken_off: int = 0
     """How often an overload has released what was attached."""
+    error: ConnectorError = ConnectorError.NONE
+    """Why the last attachment ended or did not come about."""
     last_error: str = ""
-    """Why the last attachment ended or did not come about, in words; empty after a success."""
+    """The same in words; empty after a success."""
 
 
 class VacuumConnector(OptionalPart):

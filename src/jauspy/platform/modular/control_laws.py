@@ -5,9 +5,8 @@ Both return the torques of the motors. Vectors are in the order of the chain; ra
 
 from __future__ import annotations
 
-import math
 from collections.abc import Sequence
-from typing import Final, Protocol
+from typing import Final, NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,8 +19,17 @@ from jauspy.platform.modular.trajectory import Setpoint
 
 Array = NDArray[np.float64]
 
-POSITION_BANDWIDTH: Final = 18.0
-"""rad/s: natural frequency of position errors, well below that of the torques."""
+TORQUE_BANDWIDTH: Final = 100.0
+"""rad/s: natural frequency of errors of the springs' torques, at most."""
+
+LARGEST_STEP: Final = 0.35
+"""This natural frequency times the control period, at most."""
+
+STIFFENING: Final = 4.0
+"""This natural frequency over that of the rotor on its spring, at most; the gain of the torque error is its square."""
+
+SEPARATION: Final = 5.5
+"""This natural frequency over that of position errors."""
 
 POSITION_DAMPING: Final = 0.9
 """Damping ratio of position errors."""
@@ -29,88 +37,140 @@ POSITION_DAMPING: Final = 0.9
 INTEGRAL_TIME: Final = 0.35
 """Seconds in which what remains of an error is integrated away."""
 
-TORQUE_BANDWIDTH: Final = 160.0
-"""rad/s: natural frequency of errors of the springs' torques, if the control rate allows it."""
-
-LARGEST_STEP: Final = 0.35
-"""Natural frequency of the torques times the control period, at most."""
+SMOOTHING: Final = 0.01
+"""Seconds over which the rate of the planned torque is averaged; it jumps where the jerk of a motion does."""
 
 STICTION_SPEED: Final = 0.03
 """rad/s: below this speed of the setpoint friction is compensated only in part."""
+
+SLIDING_SPEED: Final = 0.05
+"""rad/s: the same for the speed of the motor, while the setpoint stands still."""
+
+SLIDING_ERROR: Final = 0.02
+"""Radians: the same for the position error; friction that is not compensated helps to come to rest."""
+
+SLIDING_PART: Final = 0.7
+"""Part of the friction that is compensated then; with all of it the arm would hunt about its target."""
+
+
+class Measured(NamedTuple):
+    """What the modules measure, and how fast the springs' torques change (N m/s)."""
+
+    q: Array
+    v: Array
+    spring: Array
+    spring_rate: Array
 
 
 class ControlLaw(Protocol):
     """A stage of control, for one chain."""
 
-    def torques(self, setpoint: Setpoint, q: Array, v: Array, spring: Array, dt: float) -> Array:
-        """The torques of the motors; `spring` are those that the springs measure."""
+    def torques(self, setpoint: Setpoint, measured: Measured, dt: float) -> Array:
+        """The torques of the motors for the next `dt` seconds."""
+        ...
+
+    def take_over(self, torques: Array, setpoint: Setpoint, measured: Measured) -> None:
+        """Begin with these torques as far as possible, which another law has commanded last."""
         ...
 
 
 class PidLaw:
-    """Stage 1: one PID controller for each module, which knows nothing of the others."""
+    """Stage 1: one PID controller for each module, which knows nothing of the others.
 
-    def __init__(self, gains: Sequence[Gains], limits: Sequence[float]) -> None:
-        self._pids = [Pid(each, limit) for each, limit in zip(gains, limits, strict=True)]
+    The position is that of the output, the rate that of the motor, as the module's encoders measure them: the rate of
+    the output, which is beyond the spring, would excite it.
+    """
 
-    def torques(self, setpoint: Setpoint, q: Array, v: Array, spring: Array, dt: float) -> Array:  # noqa: ARG002 - the interface of all laws
+    def __init__(self, servos: Sequence[ServoData], gains: Sequence[Gains]) -> None:
+        self._pids = [Pid(each, servo.max_torque) for each, servo in zip(gains, servos, strict=True)]
+        self._compliance = np.array([1.0 / each.stiffness for each in servos])
+
+    def torques(self, setpoint: Setpoint, measured: Measured, dt: float) -> Array:
         """The torques of the motors."""
-        errors, rates = (setpoint.q - q).tolist(), (setpoint.v - v).tolist()
-        rows = zip(self._pids, errors, rates, strict=True)
+        rows = zip(self._pids, *self._errors(setpoint, measured), strict=True)
         return np.array([pid.update(error, rate, dt) for pid, error, rate in rows])
+
+    def take_over(self, torques: Array, setpoint: Setpoint, measured: Measured) -> None:
+        """Begin with these torques, as far as the limits of the integral parts allow."""
+        rows = zip(self._pids, torques.tolist(), *self._errors(setpoint, measured), strict=True)
+        for pid, torque, error, rate in rows:
+            pid.reset(torque - pid.gains.p * error - pid.gains.d * rate)
+
+    def _errors(self, setpoint: Setpoint, measured: Measured) -> tuple[list[float], list[float]]:
+        motor = measured.v + measured.spring_rate * self._compliance
+        return (setpoint.q - measured.q).tolist(), (setpoint.v - motor).tolist()
 
 
 class ModelLaw:
     """Stage 2: inverse dynamics of the arm for the springs' torques, and torque control of each motor with its spring.
 
     The spring torque of a joint that is to accelerate by `a` follows from the model. The rotor then moves so that
-    errors of this torque decay like a damped oscillation of `TORQUE_BANDWIDTH`: this damps the springs actively.
+    errors of this torque decay like a damped oscillation: this damps the springs actively.
     """
 
-    def __init__(self, model: ArmModel, servos: Sequence[ServoData]) -> None:
-        self.model = model
+    def __init__(self, model: ArmModel, servos: Sequence[ServoData], dt: float) -> None:
+        self.bias = np.zeros(len(servos))
+        """Torques (N m) that are to be added: of a closed loop, in which the model alone does not determine them."""
+        self._model = model
+        self._stiffness = np.array([each.stiffness for each in servos])
         self._friction = np.array([each.friction for each in servos])
         self._damping = np.array([each.damping for each in servos])
-        self._stiffness = np.array([each.stiffness for each in servos])
         self._rotor = np.array([each.rotor_inertia for each in servos])
         self._limit = np.array([each.max_torque for each in servos])
+        self._compliance = self._rotor / self._stiffness
+        natural = np.minimum(STIFFENING / np.sqrt(self._compliance), min(TORQUE_BANDWIDTH, LARGEST_STEP / dt))
+        omega = natural / SEPARATION
+        self._square = natural * natural
+        self._torque_gain = self._compliance * self._square
+        self._rate_gain = self._compliance * 2.0 * natural
+        self._position_gain = omega * omega
+        self._velocity_gain = 2.0 * POSITION_DAMPING * omega
         self._integral = np.zeros(len(servos))
-        self._last_spring: Array | None = None
+        self._planned: Array | None = None
+        self._planned_rate = np.zeros(len(servos))
 
-    def torques(self, setpoint: Setpoint, q: Array, v: Array, spring: Array, dt: float) -> Array:
+    def torques(self, setpoint: Setpoint, measured: Measured, dt: float) -> Array:
         """The torques of the motors."""
-        position_error, velocity_error = setpoint.q - q, setpoint.v - v
-        self._integral += position_error * dt
-        omega = POSITION_BANDWIDTH
+        q, v, spring, spring_rate = measured
+        inertia = self._model.mass_matrix(q).diagonal()
+        # the part of the torque that is controlled by the spring's: of a light load, whose oscillation is faster than
+        # this control, less and less, down to none, when motor and load move as one
+        soft = self._square * inertia / (self._square * inertia + self._stiffness)
+        deflection_rate = spring_rate / self._stiffness
+        error = setpoint.q - q
+        step = error * dt
+        self._integral += step
         wanted = (
             setpoint.a
-            + 2.0 * POSITION_DAMPING * omega * velocity_error
-            + omega * omega * (position_error + self._integral / INTEGRAL_TIME)
+            + self._velocity_gain * (setpoint.v - v - (1.0 - soft) * deflection_rate)
+            + self._position_gain * (error + self._integral / INTEGRAL_TIME)
         )
-        torque = self.model.inverse_dynamics(q, v, wanted)
-        spring_rate = np.zeros_like(spring) if self._last_spring is None else (spring - self._last_spring) / dt
-        self._last_spring = spring
-        natural = min(TORQUE_BANDWIDTH, LARGEST_STEP / dt)
-        compliance = self._rotor / self._stiffness
-        rotor_velocity = v + spring_rate / self._stiffness
-        friction = self._friction * np.tanh(setpoint.v / STICTION_SPEED) + self._damping * rotor_velocity
+        torque = self._model.inverse_dynamics(q, v, wanted) + self.bias
+        planned = self._model.inverse_dynamics(*setpoint)
+        if self._planned is not None:
+            self._planned_rate += min(1.0, dt / SMOOTHING) * ((planned - self._planned) / dt - self._planned_rate)
+        self._planned = planned
+        rotor_velocity = v + deflection_rate
+        moving = np.tanh(setpoint.v / STICTION_SPEED)
+        sliding = SLIDING_PART * (1.0 - np.abs(moving)) * np.tanh(rotor_velocity / SLIDING_SPEED)
+        sliding *= np.minimum(1.0, np.abs(error) / SLIDING_ERROR)
         motor = (
             spring
-            + friction
+            + self._friction * (moving + sliding)
+            + self._damping * rotor_velocity
             + self._rotor * wanted
-            + compliance * (natural * natural * (torque - spring) - 2.0 * natural * spring_rate)
+            + (1.0 - soft + soft * self._torque_gain) * (torque - spring)
+            + soft * self._rate_gain * (self._planned_rate - spring_rate)
         )
         limited: Array = np.clip(motor, -self._limit, self._limit)
-        self._integral -= np.where(limited != motor, position_error * dt, 0.0)
+        self._integral -= np.where(limited != motor, step, 0.0)
         return limited
+
+    def take_over(self, torques: Array, setpoint: Setpoint, measured: Measured) -> None:
+        """Begin without knowledge of the past; the arm fades over from the last torques."""
 
 
 def smooth_step(part: float) -> float:
     """From 0 to 1 while `part` goes from 0 to 1, with slope 0 at both ends."""
     part = min(1.0, max(0.0, part))
     return part * part * (3.0 - 2.0 * part)
-
-
-def all_finite(values: Sequence[float]) -> bool:
-    """Whether no value is infinite or NaN."""
-    return all(map(math.isfinite, values))

@@ -9,7 +9,7 @@ import numpy as np
 import pinocchio as pin
 from numpy.typing import NDArray
 
-from jauspy.geometry.poses import IDENTITY, Transform
+from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector, rotated, rotation_about, scaled, transposed
 from jauspy.platform.modular.graph import Body, Chain, Link
 from jauspy.platform.modular.parts import CellSetup, Shape, Solid
@@ -28,16 +28,28 @@ class ArmModel:
         self.chain = chain
         self._model, self._frames = _build(cell, chain, side_positions or {})
         self._data = self._model.createData()
-        self._load = _load_inertia(cell, chain)
-        self._load_joint, self._load_mass, self._without_load = 0, 0.0, None
+        self._load_mass, self._load_joint = 0.0, 0
+        self._load = pin.Inertia.Zero()
         tip = chain.tip_body
         self._tip_joint, self._tip_pose = 0, pin.SE3.Identity()
         if tip is not None:
             joint, pose = self._frames[tip]
             self._tip_joint, self._tip_pose = joint, pose * se3(chain.tip_pose)
         if chain.load_at_tip:
-            self._load_joint, self._load_pose = self._frames[Body(chain.load_at_tip)]
-            self._without_load = pin.Inertia(self._model.inertias[self._load_joint])
+            self._load_joint, pose = self._frames[Body(chain.load_at_tip)]
+            self._load = pose.act(_unit_inertia(cell.type_of(chain.load_at_tip).solids))
+        self._without_load = pin.Inertia(self._model.inertias[self._load_joint])
+        self._empty = self._unit = self._model
+        self._empty_data = self._unit_data = self._data
+        if self.has_load:
+            self._empty, self._unit = self._model.copy(), self._model.copy()
+            self._empty_data, self._unit_data = self._empty.createData(), self._unit.createData()
+            self._unit.inertias[self._load_joint] = self._without_load + self._load
+
+    @property
+    def has_load(self) -> bool:
+        """Whether there is a box at the tip that joints carry."""
+        return self._load_joint > 0
 
     @property
     def load_mass(self) -> float:
@@ -46,17 +58,16 @@ class ArmModel:
 
     def set_load(self, mass: float) -> None:
         """Set the mass of the box at the tip (kg); its shape is that of its type. Without a box it has no effect."""
-        if self._without_load is None or not self._load_joint:
-            return
-        self._load_mass = mass
-        scale = mass / self._load.mass if self._load.mass else 0.0
-        load = pin.Inertia(mass, self._load.lever, self._load.inertia * scale)
-        self._model.inertias[self._load_joint] = self._without_load + self._load_pose.act(load)
+        if self.has_load:
+            self._load_mass = mass
+            load = pin.Inertia(self._load.mass * mass, self._load.lever, self._load.inertia * mass)
+            self._model.inertias[self._load_joint] = self._without_load + load
 
     def set_base(self, base: Transform) -> None:
         """Set where the base is in the world, which turns gravity in its frame."""
         down = rotated(transposed(base.rotation), (0.0, 0.0, -GRAVITY))
-        self._model.gravity.linear = np.array(down)
+        for model in (self._model, self._empty, self._unit):
+            model.gravity.linear = np.array(down)
 
     def inverse_dynamics(self, q: Array, v: Array, a: Array) -> Array:
         """Torques (N m) at the outputs for accelerations `a`."""
@@ -73,17 +84,11 @@ class ArmModel:
         found: Array = pin.crba(self._model, self._data, q)
         return found
 
-    def load_regressor(self, q: Array, v: Array, a: Array) -> Array:
-        """Torques (N m) for each kilogram of the box at the tip."""
-        if self._without_load is None or not self._load_joint:
-            return np.zeros(len(q))
-        mass = self._load_mass
-        self.set_load(0.0)
-        without = self.inverse_dynamics(q, v, a)
-        self.set_load(1.0)
-        found = self.inverse_dynamics(q, v, a) - without
-        self.set_load(mass)
-        return found
+    def load_torques(self, q: Array, v: Array, a: Array) -> tuple[Array, Array]:
+        """Torques (N m) without the box at the tip, and those for each kilogram of it."""
+        without: Array = pin.rnea(self._empty, self._empty_data, q, v, a)
+        with_load: Array = pin.rnea(self._unit, self._unit_data, q, v, a)
+        return without, with_load - without
 
     def tip_pose(self, q: Array) -> Transform:
         """The tip's frame in the frame of the base."""
@@ -123,10 +128,10 @@ def _solids(cell: CellSetup, body: Body) -> Iterable[Solid]:
     return kind.servo.output if body.output and kind.servo is not None else kind.solids
 
 
-def _load_inertia(cell: CellSetup, chain: Chain) -> Any:
-    if not chain.load_at_tip:
-        return pin.Inertia.Zero()
-    return sum((solid_inertia(solid) for solid in cell.type_of(chain.load_at_tip).solids), pin.Inertia.Zero())
+def _unit_inertia(solids: Iterable[Solid]) -> Any:
+    """The inertia of a box of one kilogram."""
+    own = sum((solid_inertia(solid) for solid in solids), pin.Inertia.Zero())
+    return pin.Inertia(1.0, own.lever, own.inertia / own.mass) if own.mass else pin.Inertia.Zero()
 
 
 def joint_axis(cell: CellSetup, link: Link) -> Vector:
@@ -154,7 +159,5 @@ def se3(frame: Transform) -> Any:
 
 def transform(frame: Any) -> Transform:
     """The same transform as jauspy has it."""
-    if frame is None:
-        return IDENTITY
     a, b, c = (tuple(row) for row in frame.rotation.tolist())
     return Transform((a, b, c), tuple(frame.translation.tolist()))

@@ -234,6 +234,8 @@ class CellSetup:
     attach_failure: float = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
     seed: int = 0
+    arm: str = "arm"
+    """Name of the modular arm; empty without one."""
     car: str = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
 

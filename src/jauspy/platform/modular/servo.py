@@ -6,7 +6,7 @@ from abc import abstractmethod
 from dataclasses import dataclass
 
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
+from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
 from jauspy.platform.description import Gains
 from jauspy.platform.joints import Target
 
@@ -70,6 +70,11 @@ class ServoModule(OptionalPart):
     def gains(self) -> tuple[Gains, Gains]:
         """The gains of its controllers: of position and of velocity."""
 
+    def stop(self) -> None:
+        """Hold, unless a modular arm commands it, which then stops it."""
+        if not self.state().claimed_by:
+            self.hold()
+
     def proxy(self, link: RobotLink) -> ServoModule:
         """The module for other threads."""
         return _ServoProxy(self.name, self.gains(), link)
@@ -118,7 +123,7 @@ class ServoGains(Command):
             servo.set_gains(self.position, self.velocity)
 
 
-def find(robot: Robot, name: str) -> ServoModule | None:
+def find(robot: RobotParts, name: str) -> ServoModule | None:
     """The servo module of that name."""
     parts = (part for part in robot.optional_parts if isinstance(part, ServoModule))
     return next((part for part in parts if part.name == name), None)

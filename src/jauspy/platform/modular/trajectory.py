@@ -20,12 +20,47 @@ TORQUE_ROUNDS: Final = 8
 """How often accelerations are lowered until the torques of a trajectory are within limits."""
 
 
+LONGEST_BRAKING: Final = 0.13
+"""Seconds that braking takes at most: with what the shaping adds, an arm stands within 200 ms."""
+
+
 class Setpoint(NamedTuple):
     """Positions, velocities and accelerations of all joints: rad, rad/s, rad/s^2."""
 
     q: Array
     v: Array
     a: Array
+
+
+class Shaper:
+    """A moving average of setpoints: it makes the jerk of a motion continuous, so that springs are not excited.
+
+    It keeps all limits, keeps a straight path straight, and is late by half of its length.
+    """
+
+    def __init__(self, setpoint: Setpoint, length: int) -> None:
+        self._rows = np.repeat(np.array(setpoint)[np.newaxis], max(1, length), axis=0)
+        self._sum = self._rows.sum(axis=0)
+        self._at = 0
+        self._same = len(self._rows)
+
+    @property
+    def ended(self) -> bool:
+        """Whether the mean is the last setpoint, because nothing else came in for the whole length."""
+        return self._same >= len(self._rows)
+
+    def advance(self, setpoint: Setpoint) -> Setpoint:
+        """Take the next setpoint in, and return the mean."""
+        row = np.array(setpoint)
+        self._same = self._same + 1 if np.array_equal(row, self._rows[self._at - 1]) else 1
+        self._sum += row - self._rows[self._at]
+        self._rows[self._at] = row
+        self._at = (self._at + 1) % len(self._rows)
+        if self.ended:
+            self._sum = row * len(self._rows)  # without what rounding has left
+            return setpoint
+        q, v, a = self._sum / len(self._rows)
+        return Setpoint(q, v, a)
 
 
 class MotionError(ValueError):
@@ -44,17 +79,24 @@ class Limits:
 class Motion:
     """A motion from a setpoint to rest at a target; `at` returns where it is. Unlimited turns: no angle is wrapped."""
 
-    def __init__(self, start: Setpoint, target: Sequence[float] | None, limits: Limits, duration: float = 0.0) -> None:
+    def __init__(
+        self,
+        start: Setpoint,
+        target: Sequence[float] | None,
+        limits: Limits,
+        duration: float = 0.0,
+        shaping: float = 0.0,
+    ) -> None:
         """Plan it; `duration` 0 takes as long as the limits demand; without a target it only comes to rest.
 
-        Raises `MotionError`.
+        `shaping` seconds of a given duration are for the `Shaper`. Raises `MotionError`.
         """
         self._time = 0.0
         self._pace = 1.0
         self._brake_time = 0.0
         self._braking = 0.0
         self._limits = limits
-        self._trajectory = _plan(start, target, limits, duration)
+        self._trajectory = _plan(start, target, limits, duration, shaping)
         self.duration: float = self._trajectory.duration if self._trajectory is not None else 0.0
         end = self._trajectory.at_time(self.duration)[0] if self._trajectory is not None else start.q.tolist()
         self.target: tuple[float, ...] = tuple(end) if target is None else tuple(map(float, target))
@@ -71,7 +113,9 @@ class Motion:
             return
         now = self.sample(self._time)
         needed = max((abs(v) / a for v, a in zip(now.v, self._limits.acceleration, strict=True)), default=0.0)
-        self._brake_time = max(1e-3, 1.5 * needed)  # the steepest slope of the ramp is 1.5 times its mean
+        self._brake_time = min(
+            LONGEST_BRAKING, max(1e-3, 1.5 * needed)
+        )  # the steepest slope of the ramp is 1.5 times its mean
 
     def advance(self, dt: float) -> Setpoint:
         """The setpoint after another `dt` seconds."""
@@ -99,7 +143,9 @@ class Motion:
         return Setpoint(np.array(q), np.array(v), np.array(a))
 
 
-def _plan(start: Setpoint, target: Sequence[float] | None, limits: Limits, duration: float) -> ruckig.Trajectory | None:
+def _plan(
+    start: Setpoint, target: Sequence[float] | None, limits: Limits, duration: float, shaping: float
+) -> ruckig.Trajectory | None:
     count = len(start.q)
     if not count:
         return None
@@ -117,37 +163,45 @@ def _plan(start: Setpoint, target: Sequence[float] | None, limits: Limits, durat
     request.synchronization = ruckig.Synchronization.Time if target is None else ruckig.Synchronization.Phase
     trajectory = ruckig.Trajectory(count)
     planner = ruckig.Ruckig(count)
-    result = planner.calculate(request, trajectory)
-    if result < 0:
-        raise MotionError(f"no trajectory to {_text(target)} within the limits ({result})")
-    if duration and duration < trajectory.duration * (1.0 - 1e-9):
-        raise MotionError(
-            f"a duration of {duration:.3g} s is too short: within the limits it takes {trajectory.duration:.3f} s"
-        )
-    if duration > trajectory.duration:
-        request.minimum_duration = duration
-        result = planner.calculate(request, trajectory)
-        if result < 0:
-            raise MotionError(f"no trajectory to {_text(target)} in {duration:.3g} s ({result})")
+    _calculate(planner, request, trajectory, f"no trajectory to {_text(target)} within the limits")
+    shortest = trajectory.duration + shaping
+    if duration and duration < shortest - 1e-6:
+        raise MotionError(f"a duration of {duration:.3g} s is too short: within the limits it takes {shortest:.3f} s")
+    if duration > shortest:
+        request.minimum_duration = duration - shaping
+        _calculate(planner, request, trajectory, f"no trajectory to {_text(target)} in {duration:.3g} s")
     return trajectory
+
+
+def _calculate(
+    planner: ruckig.Ruckig, request: ruckig.InputParameter, trajectory: ruckig.Trajectory, problem: str
+) -> None:
+    try:
+        result = planner.calculate(request, trajectory)
+    except ruckig.RuckigError as error:
+        raise MotionError(problem) from error
+    if result < 0:
+        raise MotionError(f"{problem} ({result})")
 
 
 def plan_within_torques(
     start: Setpoint,
     target: Sequence[float],
     limits: Limits,
-    duration: float,
     torque_ratio: Callable[[Setpoint], float],
+    *,
+    duration: float = 0.0,
+    shaping: float = 0.0,
 ) -> Motion:
     """Plan a motion whose torques stay within limits: accelerations are lowered until they do.
 
-    `torque_ratio` returns the largest torque at a setpoint as a fraction of its limit. Raises `MotionError`.
+    `torque_ratio` returns the largest torque at a setpoint as a fraction of its limit. Raises `MotionError`; the
+    message completes "motion refused: ".
     """
     ratio = math.inf
-    wanted = duration
     for _ in range(TORQUE_ROUNDS):
         try:
-            motion = Motion(start, target, limits, wanted)
+            motion = Motion(start, target, limits, duration, shaping)
         except MotionError:
             if ratio < math.inf:
                 break
@@ -168,4 +222,4 @@ def plan_within_torques(
 def _text(target: Sequence[float] | None) -> str:
     if target is None:
         return "rest"
-    return "(" + ", ".join(f"{each:.3f}" for each in target) + ") rad"
+    return "(" + ", ".join(f"{each:.4g}" for each in target) + ") rad"

@@ -70,6 +70,10 @@ class Directory:
         entry = self._entries.get(id)
         return entry is not None and entry.until == math.inf
 
+    def remove(self, id: JausID) -> None:
+        """Remove a component, permanent or not."""
+        self._entries.pop(id, None)
+
     def forget(self, id: JausID) -> None:
         """Remove a component, if it is registered and not permanent."""
         if not self.is_permanent(id):

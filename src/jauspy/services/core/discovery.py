@@ -141,6 +141,10 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         for other in others:
             self.directory.register(other.id, offered_services(other))
 
+    def remove_local(self, id: JausID) -> None:
+        """List a component of the same program no more, since it has ended."""
+        self.directory.remove(id)
+
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
         """List another component of this subsystem; one that registers no services is removed."""
         if source.subsystem != self.host.id.subsystem or self.directory.is_permanent(source):

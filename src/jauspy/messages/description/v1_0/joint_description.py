@@ -8,9 +8,9 @@ from jauspy.codec import declare as jd
 _SERVICE = jd.Service("urn:jauspy:description:JointDescription", "1.0")
 
 
-@jd.message(_SERVICE, 0xFA60)
+@jd.message(_SERVICE, 0xFA80)
 class ReportJointDescription(jd.Message):
-    """ReportJointDescription (0xFA60): The group of joints that the component moves, base to tip.
+    """ReportJointDescription (0xFA80): The group of joints that the component moves, base to tip.
 
     joint_list: 0..255 items. The joints that move, base to tip
     """
@@ -61,7 +61,7 @@ class ReportJointDescription(jd.Message):
     joint_list: list[ReportJointDescription.JointRec] = jd.field("JointList", lambda: jd.Repeat(jd.Count("B", 0, 255), ReportJointDescription.JointRec.layout()))
 
 
-@jd.message(_SERVICE, 0xEA60, query=True)
+@jd.message(_SERVICE, 0xEA80, query=True)
 class QueryJointDescription(jd.Message):
-    """QueryJointDescription (0xEA60): Asks for the names, limits and zero positions of the joints."""
+    """QueryJointDescription (0xEA80): Asks for the names, limits and zero positions of the joints."""
     REPORT = ReportJointDescription

@@ -1,0 +1,487 @@
+"""The task to build an arm of modules: the UR10 takes parts out of the bins and joins them on a platform.
+
+Each grasp and each joint is verified by the state of the connectors and by force. What fails is tried again another
+way: the gripper turned, the part measured anew, another part of the type.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+import pinocchio as pin
+
+from jauspy.cell.frames import Array, offset_between, se3, se3_of_pose, shifted, tilt_between, turned
+from jauspy.cell.handling import Handling, PickPlan
+from jauspy.cell.interface import GRIPPER, Cell, SeenPart
+from jauspy.cell.layout import Layout
+from jauspy.cell.motion import MotionPlanner, NoPath, Path
+from jauspy.cell.scene import Clearance, connector_frame, pieces_of_part
+from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
+from jauspy.errors import JausError
+from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.parts import PartKind
+
+GRAVITY: Final = 9.81
+GRASPS: Final = 4
+"""Attempts to grasp one part before another of its type is taken."""
+JOINS: Final = 4
+"""Attempts to join one part before it is put down."""
+PARTS: Final = 3
+"""Parts that are tried for one place in the arm."""
+ATTACH_TIME: Final = 0.06
+"""Seconds in which a connector in contact must attach."""
+PRESSES: Final = 3
+"""How often the arm presses on while a connector does not attach."""
+NEAR_SPEED: Final = 0.3
+LIFT_SPEED: Final = 0.3
+TOUCH_SPEED: Final = 0.015
+"""Fractions of the UR10's speed on the way to what it is about to touch, and for the last millimetres."""
+MAX_TILT: Final = math.radians(2.0)
+MAX_SHIFT: Final = 0.0025
+"""Metres and radians off the connector above which a part is taken off again and joined anew."""
+WEIGHT_TOLERANCE: Final = 0.5
+"""By which fraction of a part's weight the gripper's force may differ while it hangs still."""
+MAX_MOVED: Final = 0.05
+"""Metres that a part may have moved since it was planned for before it is planned anew."""
+CHECK_ANGLE: Final = 0.06
+"""Radians that a joint turns to and fro when it is checked."""
+CHECK_TIME: Final = 0.5
+PUT_DOWN: Final = ((-0.45, 0.0), (-0.45, 0.12), (-0.45, -0.12), (0.5, 0.0), (0.0, 0.45), (0.0, -0.45))
+"""Places on the floor where parts are put down that could not be joined, metres."""
+PUT_DOWN_HEIGHT: Final = 0.2
+"""Of the gripper above the floor, metres."""
+SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
+"""Metres beside the connector at which the attempts to join press the part down."""
+
+
+@dataclass(frozen=True, slots=True)
+class Slot:
+    """A place in the arm: what it is called in the results, and the types that fit, the best first."""
+
+    name: str
+    types: tuple[str, ...]
+    connector: str = "output"
+    """Of the part in this place, to which the next one is attached."""
+
+
+FIVE_JOINTS: Final = (
+    Slot("joint 1", ("x5_9_inline", "x5_4_inline")),
+    Slot("bracket", ("bracket_straight",)),
+    Slot("joint 2", ("x8_16_elbow", "x8_9_elbow")),
+    Slot("upper arm", ("tube_long",)),
+    Slot("joint 3", ("x8_9_elbow", "x5_9_elbow")),
+    Slot("forearm", ("tube_short",)),
+    Slot("joint 4", ("x5_4_elbow", "x5_9_elbow")),
+    Slot("joint 5", ("x5_4_inline", "x5_1_inline")),
+)
+"""The arm with five joints, base to tip."""
+
+
+@dataclass(slots=True)
+class PartResult:
+    """What was measured of one part."""
+
+    slot: str
+    part: str = ""
+    fetch_time: float = 0.0
+    join_time: float = 0.0
+    attempts: list[str] = field(default_factory=list)
+    """What failed, in words."""
+    grasp_force: float = 0.0
+    """Newtons that the gripper measured while the part hung still."""
+    joint_force: float = 0.0
+    joint_moment: float = 0.0
+    shift: float = 0.0
+    """Metres off the connector, and radians, by the connector's own report."""
+    tilt: float = 0.0
+
+
+@dataclass(slots=True)
+class AssemblyResult:
+    """What was measured of the whole task."""
+
+    base: str
+    parts: list[PartResult] = field(default_factory=list)
+    clearance: Clearance = field(default_factory=lambda: Clearance(1.0))
+    """The smallest distance along all motions, without those that end in contact."""
+    duration: float = 0.0
+    timeline: Timeline = field(default_factory=Timeline)
+    failure: str = ""
+    """Why it ended early; empty after a success."""
+
+    @property
+    def retries(self) -> int:
+        """Attempts that failed."""
+        return sum(len(each.attempts) for each in self.parts)
+
+
+@dataclass(slots=True)
+class _Held:
+    """The part in the gripper."""
+
+    name: str
+    grasp: pin.SE3
+    """The gripper in the part's frame, as the gripper reports it."""
+
+
+class Assembler:
+    """Builds arms; one object for one task."""
+
+    def __init__(self, cell: Cell, layout: Layout, *, seed: int = 0) -> None:
+        self.cell = cell
+        self.layout = layout
+        self.scene = layout.scene()
+        self.planner = MotionPlanner(self.scene, seed=seed)
+        self.handling = Handling(layout, self.scene, self.planner)
+        self.at: Array = layout.home
+        """The UR10's present posture."""
+        self.rejected: set[str] = set()
+        """Parts that are not tried again."""
+        self.used: set[str] = set()
+        self.clearance = Clearance(1.0)
+        self._held: _Held | None = None
+        self._seen: Mapping[str, SeenPart] = {}
+
+    # --- the task -------------------------------------------------------------------------------------------------
+
+    async def build(
+        self, base: str = "platform_1", connector: str = "top", slots: tuple[Slot, ...] = FIVE_JOINTS
+    ) -> AssemblyResult:
+        """Build an arm on a base. The result says why when it could not be finished; the UR10 then stands still."""
+        result = AssemblyResult(base)
+        begun = self.cell.now()
+        tip = _Tip(f"{base}/{connector}", base, await self._base_pose(base) * self._connector(base, connector))
+        schedule = Schedule(self.cell.now)
+        before: list[str] = []
+        for slot in slots:
+            row = PartResult(slot.name)
+            result.parts.append(row)
+
+            async def fetch(slot: Slot = slot, row: PartResult = row) -> None:
+                await self._timed_fetch(slot, row, tip)
+
+            async def join(slot: Slot = slot, row: PartResult = row) -> None:
+                await self._timed_join(slot, row, tip)
+
+            async def check(row: PartResult = row) -> None:
+                await self._check_joint(row.part)
+
+            fetched = schedule.add(f"fetch {slot.name}", fetch, after=before, uses=["ur10"])
+            joined = schedule.add(f"join {slot.name}", join, after=[fetched], uses=["ur10", "arm"])
+            if slot.name.startswith("joint"):
+                schedule.add(f"check {slot.name}", check, after=[joined], uses=["arm"])
+            before = [joined]
+        schedule.add("home", self.go_home, after=before, uses=["ur10"])
+        try:
+            result.timeline = await schedule.run()
+        except (TaskFailed, JausError) as error:
+            result.failure = str(error)
+            result.timeline = schedule.timeline
+            await self._make_safe()
+        result.duration = self.cell.now() - begun
+        result.clearance = self.clearance
+        return result
+
+    async def go_home(self) -> None:
+        """Move the UR10 to its posture at the start."""
+        await self.go(self.planner.to_posture(self.at, self.layout.home))
+
+    async def go(self, path: Path, *, speed: float = 1.0, contact: bool = False) -> None:
+        """Move along a path; paths that do not end in contact count for the smallest distance."""
+        if not contact and path.clearance.distance < self.clearance.distance:
+            self.clearance = path.clearance
+        self.at = path.end
+        try:
+            await self.cell.follow(path, speed=speed)
+        except JausError:
+            self.at = await self.cell.posture()
+            raise
+
+    async def _make_safe(self) -> None:
+        """Leave the UR10 at rest. What it holds stays held: to let go of it would drop it."""
+        self.at = await self.cell.posture()
+        if self._held is None:
+            try:
+                await self.go(self.handling.retreat(self.at, 0.05))
+                await self.go_home()
+            except JausError:
+                return  # it stands where it is, at rest
+
+    # --- fetching -------------------------------------------------------------------------------------------------
+
+    async def _timed_fetch(self, slot: Slot, row: PartResult, tip: _Tip) -> None:
+        begun = self.cell.now()
+        await self.fetch(slot, row, self.goals(slot, tip))
+        row.fetch_time += self.cell.now() - begun
+
+    def goals(self, slot: Slot, tip: _Tip) -> list[pin.SE3]:
+        """The frames in the world that a part in this place may have: on the connector, square to the base."""
+        turns = (0.0,) if "elbow" in slot.types[0] else (0.0, math.pi, math.pi / 2.0, -math.pi / 2.0)
+        return [tip.frame * tip.square * turned("z", turn) for turn in turns]
+
+    async def fetch(self, slot: Slot, row: PartResult, goals: list[pin.SE3]) -> None:
+        """Grasp a part for this place, and lift it; raises `TaskFailed` when no part can be had."""
+        for _ in range(PARTS):
+            await self.look()
+            part = self._choose(slot)
+            if part is None:
+                break
+            row.part = part
+            if await self._grasp(part, row, goals):
+                return
+            self.rejected.add(part)
+        tried = "; ".join(row.attempts) or "none is left"
+        raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
+
+    async def look(self, *, fresh: bool = False) -> None:
+        """Measure where the parts are, and put them there in the scene."""
+        self._seen = await self.cell.observe(fresh=fresh)
+        for name, seen in self._seen.items():
+            if name not in self.used and (self._held is None or name != self._held.name):
+                self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
+        for each in self.layout.setup.parts:
+            if each.name not in self._seen and each.name not in self.used and not each.fixed:
+                self.scene.remove(each.name)
+
+    def _choose(self, slot: Slot) -> str | None:
+        """The next part of a fitting type that lies somewhere and was not rejected."""
+        for name in self.layout.of_types(slot.types):
+            if name in self._seen and name not in self.rejected and name not in self.used:
+                return name
+        return None
+
+    async def _grasp(self, part: str, row: PartResult, goals: list[pin.SE3]) -> bool:
+        for attempt in range(GRASPS):
+            try:
+                plan = self.handling.pick(part, self._seen[part].pose, self.at, goals, skip=attempt)
+            except NoPath as error:
+                row.attempts.append(f"{part}: {error}")
+                return False
+            why = await self._try_grasp(plan, row)
+            if not why:
+                return True
+            row.attempts.append(f"{part}: {why}")
+            await self.look(fresh=True)
+            if part not in self._seen:
+                row.attempts.append(f"{part}: it is lost, the sensor does not see it")
+                return False
+        return False
+
+    async def _try_grasp(self, plan: PickPlan, row: PartResult) -> str:
+        """One attempt; returns why it failed, or an empty text."""
+        await self.go(plan.approach)
+        await self.cell.enable(GRIPPER, True)
+        await self.go(plan.near, speed=NEAR_SPEED, contact=True)
+        backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
+        state = await self._touch(plan.contact, GRIPPER, backward)
+        if state.attached_to != plan.part:
+            await self.cell.enable(GRIPPER, False)
+            await self.go(self.handling.retreat(self.at), contact=True)
+            return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
+        self._hold(plan.part, state)
+        await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True)
+        await self.cell.sleep(0.15)
+        state = await self.cell.connector(GRIPPER)
+        if state.attached_to != plan.part:
+            self._drop(plan.part)
+            return f"it was dropped while it was lifted{_because(state)}"
+        self._hold(plan.part, state)
+        row.grasp_force = state.force
+        weight = GRAVITY * _mass(self.layout, plan.part)
+        if abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
+            await self._put_back(plan)
+            return f"the gripper measures {state.force:.1f} N where {weight:.1f} N should hang; it may be stuck"
+        return ""
+
+    def _hold(self, part: str, state: ConnectorState) -> None:
+        grasp = se3(state.offset).inverse()
+        self._held = _Held(part, grasp)
+        self.scene.hold(part, pieces_of_part(self.layout.type_of(part)), grasp.inverse())
+
+    def _drop(self, part: str) -> None:
+        self._held = None
+        self.scene.release()
+        self.used.discard(part)
+
+    async def _put_back(self, plan: PickPlan) -> None:
+        await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
+        await self.cell.enable(GRIPPER, False)
+        self._drop(plan.part)
+        await self.go(self.handling.retreat(self.at), contact=True)
+
+    # --- joining --------------------------------------------------------------------------------------------------
+
+    async def _timed_join(self, slot: Slot, row: PartResult, tip: _Tip) -> None:
+        begun = self.cell.now()
+        goals = self.goals(slot, tip)
+        for _ in range(PARTS):
+            if await self.join(slot, row, tip, goals):
+                row.join_time += self.cell.now() - begun
+                return
+            self.rejected.add(row.part)
+            await self.fetch(slot, row, goals)
+        raise TaskFailed(f"{slot.name} could not be joined to {tip.connector}: {'; '.join(row.attempts)}")
+
+    async def join(self, slot: Slot, row: PartResult, tip: _Tip, goals: list[pin.SE3]) -> bool:
+        """Join the held part to the tip; false when it was lost or put down, and another one is needed."""
+        part = row.part
+        for attempt in range(JOINS):
+            held = self._held
+            state = await self.cell.connector(GRIPPER)
+            if held is None or state.attached_to != part:
+                self._drop(part)
+                row.attempts.append(f"{part}: it was dropped on the way{_because(state)}")
+                return False
+            beside = shifted(x=SEARCH[attempt])
+            try:
+                plan = self.handling.place(
+                    part, held.grasp, self.at, [goal * beside for goal in goals], touches=[tip.part]
+                )
+            except NoPath as error:
+                row.attempts.append(f"{part}: {error}")
+                if attempt == 0:
+                    await self._put_down(part)
+                    return False
+                continue
+            await self.go(plan.transfer)
+            await self.cell.enable(tip.connector, True)
+            await self.go(plan.insert, speed=NEAR_SPEED, contact=True)
+            state = await self._touch(plan.contact, tip.connector, plan.goal)
+            why = self._joined_wrongly(part, state)
+            if not why:
+                await self._let_go(part, row, tip, slot, state)
+                return True
+            row.attempts.append(f"{part}: {why}")
+            await self.cell.enable(tip.connector, False)
+            back = plan.insert.points[0]
+            await self.go(Path((self.at, plan.insert.end, back)), speed=NEAR_SPEED, contact=True)
+        if self._held is not None:
+            await self._put_down(part)
+        return False
+
+    def _joined_wrongly(self, part: str, state: ConnectorState) -> str:
+        if state.attached_to != part:
+            return state.last_error or f"the connector holds {state.attached_to or 'nothing'}"
+        offset = se3(state.offset)
+        tilt, shift = tilt_between(pin.SE3.Identity(), offset), float(np.linalg.norm(offset.translation))
+        if tilt > MAX_TILT or shift > MAX_SHIFT:
+            return f"it sits {1000 * shift:.1f} mm and {math.degrees(tilt):.1f} degrees off"
+        return ""
+
+    async def _let_go(self, part: str, row: PartResult, tip: _Tip, slot: Slot, state: ConnectorState) -> None:
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.1)
+        self._held = None
+        self.scene.release()
+        offset = se3(state.offset)
+        frame = tip.frame * offset
+        self.used.add(part)
+        self.scene.put(part, pieces_of_part(self.layout.type_of(part)), frame)
+        await self.go(self.handling.retreat(self.at), speed=0.6, contact=True)
+        after = await self.cell.connector(tip.connector)
+        if after.attached_to != part:
+            self.used.discard(part)
+            raise TaskFailed(f"{part} came off {tip.connector} when the gripper let go{_because(after)}")
+        row.shift, row.tilt = float(np.linalg.norm(offset.translation)), tilt_between(pin.SE3.Identity(), offset)
+        row.joint_force, row.joint_moment = after.force, after.moment
+        tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
+
+    async def _put_down(self, part: str) -> None:
+        """Let the part lie where there is room on the floor, so that another one can be taken."""
+        self.rejected.add(part)
+        solve, down = self.layout.kinematics.solve, turned("x", math.pi)
+        postures = [each for x, y in PUT_DOWN for each in solve(shifted(x, y, PUT_DOWN_HEIGHT) * down, self.at)]
+        try:
+            path = self.planner.to_any(self.at, postures)
+        except NoPath as error:
+            raise TaskFailed(f"{part} cannot be joined, and cannot be put down: {error}") from error
+        await self.go(path)
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.3)
+        self._drop(part)
+        await self.go(self.handling.retreat(self.at, 0.05), contact=True)
+
+    # --- verifying ------------------------------------------------------------------------------------------------
+
+    async def _touch(self, path: Path, connector: str, frame: pin.SE3) -> ConnectorState:
+        """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
+        for press in range(PRESSES + 1):
+            state = await self.cell.touch(path, connector, speed=TOUCH_SPEED)
+            if not state.attached_to and state.enabled:
+                await self.cell.sleep(ATTACH_TIME)
+                state = await self.cell.connector(connector)
+            self.at = await self.cell.posture()
+            if state.attached_to or not state.enabled or press == PRESSES:
+                break
+            path = self.handling.pressed(self.at, frame)
+        return state
+
+    async def _check_joint(self, part: str) -> None:
+        """Turn a new joint to and fro: it has power, belongs to the arm and moves."""
+        if self.layout.type_of(part).kind is not PartKind.SERVO:
+            return
+        until = self.cell.now() + 3.0
+        while part not in (state := await self.cell.arm()).joints:
+            if self.cell.now() > until:
+                raise TaskFailed(f"{part} was joined and is no joint of the arm 3 s later; is it without power?")
+            await self.cell.sleep(0.1)
+        index = state.joints.index(part)
+        for angle in (CHECK_ANGLE, 0.0):
+            goal = [math.nan] * len(state.joints)
+            goal[index] = angle
+            await self.cell.move_arm(goal, CHECK_TIME)
+
+    # --- geometry -------------------------------------------------------------------------------------------------
+
+    async def _base_pose(self, base: str) -> pin.SE3:
+        await self.look()
+        for each in self.layout.setup.parts:
+            if each.name == base and each.fixed:
+                return se3_of_pose(each.pose)
+        if base not in self._seen:
+            raise TaskFailed(f"the sensor does not see {base}, on which the arm is to be built")
+        return self._seen[base].pose
+
+    def _connector(self, part: str, connector: str) -> pin.SE3:
+        return connector_frame(self.layout.type_of(part), connector)
+
+
+class _Tip:
+    """The connector to which the next part is joined."""
+
+    def __init__(self, connector: str, part: str, frame: pin.SE3) -> None:
+        self.connector = connector
+        self.part = part
+        self.frame = frame
+        """In the world."""
+        self.square = pin.SE3.Identity()
+        """The turn about the connector's axis after which a part is square to the base."""
+
+    def advance(self, part: str, connector: str, frame: pin.SE3, output: pin.SE3) -> None:
+        """The next part is joined to this one, whose frame is `frame`."""
+        before = self.frame * self.square
+        self.connector, self.part, self.frame = f"{part}/{connector}", part, frame * output
+        x = self.frame.rotation.T @ before.rotation[:, 0]
+        self.square = turned("z", math.atan2(x[1], x[0]))
+
+
+def _because(state: ConnectorState) -> str:
+    return f": {state.last_error}" if state.last_error else ""
+
+
+def _mass(layout: Layout, part: str) -> float:
+    type = layout.type_of(part)
+    return sum(each.mass for each in type.solids) + sum(
+        each.mass for each in (type.servo.output if type.servo is not None else ())
+    )
+
+
+def placement_error(base: pin.SE3, connector: pin.SE3, part: pin.SE3) -> tuple[float, float]:
+    """Metres and radians by which a part is off its connector: its place, and the directions of the plates."""
+    found = base * connector
+    distance, _ = offset_between(found, part)
+    return distance, tilt_between(found, part)

@@ -1,0 +1,204 @@
+"""Plans of picking a part and of joining it to a connector."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final, TypeVar
+
+import pinocchio as pin
+
+from jauspy.cell.frames import Array, shifted, turned
+from jauspy.cell.layout import Layout
+from jauspy.cell.motion import MotionPlanner, NoPath, Path
+from jauspy.cell.scene import PlanningScene, pieces_of_part
+
+Option = TypeVar("Option")
+Plan = TypeVar("Plan")
+
+TURNS: Final = 12
+"""Angles of the gripper about its axis that are tried; the suction plate is round."""
+APPROACH: Final = 0.07
+"""Metres from the part at which the straight approach begins."""
+LIFT: Final = 0.10
+"""Metres by which a part is lifted out of its bin."""
+SLOW: Final = 0.004
+"""Metres before contact from which on the arm moves slowly."""
+PRESS: Final = 0.0002
+"""Metres that the arm is sent beyond contact at first; the lip of a plate seals a gap of 1 mm."""
+PRESS_MORE: Final = 0.0006
+"""Metres by which it is pressed on each time that nothing attaches."""
+INSERT: Final = 0.06
+"""Metres above a connector at which a part is lowered in a straight line."""
+LINE_MARGIN: Final = 0.003
+"""Metres to keep from everything but what is touched, on straight lines."""
+CONDITION: Final = 0.05
+
+
+@dataclass(frozen=True, slots=True)
+class PickPlan:
+    """Four motions: to a point before the part, close to it, slowly to contact, and up."""
+
+    part: str
+    grasp: pin.SE3
+    """The gripper in the frame of the part."""
+    approach: Path
+    near: Path
+    contact: Path
+    lift: Path
+
+
+@dataclass(frozen=True, slots=True)
+class PlacePlan:
+    """Three motions: to a point before the connector, close to it, slowly to contact; and where the part is then."""
+
+    transfer: Path
+    insert: Path
+    contact: Path
+    goal: pin.SE3
+    """The frame of the part, without the press."""
+
+
+class Handling:
+    """Plans with the scene's present state. All plans raise `NoPath` with the reason of the most promising attempt."""
+
+    def __init__(self, layout: Layout, scene: PlanningScene, planner: MotionPlanner) -> None:
+        self.layout = layout
+        self.scene = scene
+        self.planner = planner
+
+    def grasps(self, part: str, first: float = 0.0) -> list[pin.SE3]:
+        """The poses of the gripper in the frame of a part, for all angles about its axis."""
+        grasp = self.layout.grasp(part)
+        return [grasp * turned("z", first + math.tau * number / TURNS) for number in range(TURNS)]
+
+    def pick(
+        self,
+        part: str,
+        pose: pin.SE3,
+        start: Array,
+        goals: Sequence[pin.SE3] = (),
+        *,
+        lift: float = LIFT,
+        supports: Iterable[str] = (),
+        skip: int = 0,
+    ) -> PickPlan:
+        """A way to grasp a part that is at `pose`, such that it can be put to one of `goals` afterwards.
+
+        `supports`: what it lies on or in. `skip` leaves out that many of the solutions.
+        """
+        k = self.layout.kinematics
+        options: list[tuple[float, pin.SE3, Array]] = []
+        with self.scene.without(part):
+            for grasp in self.grasps(part):
+                over = pose * grasp * shifted(z=-APPROACH)
+                options += [
+                    (k.distance(posture.positions, start), grasp, posture.positions)
+                    for posture in k.solve(over, start, condition=CONDITION)
+                    if self.scene.is_free(posture.positions, self.planner.margin)
+                ]
+        options.sort(key=lambda each: each[0])
+        options = [each for each in options if not goals or self._reaches(each[1], each[2], goals)]
+        if not options:
+            raise NoPath(f"{part} cannot be grasped where it is, or not so that it could be put where it belongs")
+        pieces = pieces_of_part(self.layout.type_of(part))
+
+        def plan(option: tuple[float, pin.SE3, Array]) -> PickPlan:
+            _, grasp, posture = option
+            with self.scene.without(part):
+                approach = self.planner.to_posture(start, posture)
+                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
+                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
+            try:
+                self.scene.hold(part, pieces, grasp.inverse())
+                with self.scene.without(*supports):
+                    raised = self.planner.line(contact.end, shifted(z=lift) * pose * grasp, margin=-1.0)
+            finally:
+                self.scene.release()
+                self.scene.put(part, pieces, pose)
+            return PickPlan(part, grasp, approach, near, contact, raised)
+
+        return _first(options[skip:] or options, plan)
+
+    def place(
+        self,
+        part: str,
+        grasp: pin.SE3,
+        start: Array,
+        goals: Sequence[pin.SE3],
+        *,
+        along: pin.SE3 | None = None,
+        touches: Iterable[str] = (),
+        distance: float = INSERT,
+        press: float = PRESS,
+    ) -> PlacePlan:
+        """A way to bring the held part to one of `goals` (its frame in the world), along its own z at the end.
+
+        `grasp`: the gripper in the part's frame, as measured. `along`: the motion in the world from which the last
+        `distance` metres come, when not along the part's z. `touches`: what the part may come close to at the end.
+        """
+        k = self.layout.kinematics
+        self.scene.hold(part, pieces_of_part(self.layout.type_of(part)), grasp.inverse())
+        options: list[tuple[float, pin.SE3, Array, pin.SE3]] = []
+        for goal in goals:
+            before = along * goal if along is not None else goal * shifted(z=distance)
+            options += [
+                (k.distance(posture.positions, start), goal, posture.positions, before)
+                for posture in k.solve(before * grasp, start, condition=CONDITION)
+                if self.scene.is_free(posture.positions, self.planner.margin)
+            ]
+        options.sort(key=lambda each: each[0])
+        if not options:
+            raise NoPath(f"{part} cannot be brought to where it belongs: no posture of the arm is free there")
+
+        def plan(option: tuple[float, pin.SE3, Array, pin.SE3]) -> PlacePlan:
+            _, goal, posture, before = option
+            transfer = self.planner.to_posture(start, posture)
+            up = before.translation - goal.translation
+            up = up / max(float((up @ up) ** 0.5), 1e-9)
+            near, deeper = (pin.SE3(goal.rotation, goal.translation + up * far) for far in (SLOW, -press))
+            with self.scene.without(*touches):
+                insert = self.planner.line(posture, near * grasp, margin=LINE_MARGIN)
+                contact = self.planner.line(insert.end, deeper * grasp, margin=LINE_MARGIN)
+                self._check_retreat(contact.end, part)
+            return PlacePlan(transfer, insert, contact, goal)
+
+        return _first(options, plan)
+
+    def pressed(self, start: Array, direction: pin.SE3) -> Path:
+        """A little further along the negative z of a frame in the world, to bring plates into contact."""
+        tool = self.layout.kinematics.forward(start)
+        deeper = pin.SE3(tool.rotation, tool.translation - PRESS_MORE * direction.rotation[:, 2])
+        return self.planner.line(start, deeper)
+
+    def retreat(self, start: Array, distance: float = APPROACH) -> Path:
+        """Away from what was released, backward."""
+        back = self.layout.kinematics.forward(start) * shifted(z=-distance)
+        return self.planner.line(start, back)
+
+    def _check_retreat(self, posture: Array, part: str) -> None:
+        """The gripper must get away from the part that it has put down."""
+        held = self.scene.held
+        self.scene.release()
+        try:
+            found = self.retreat(posture)
+        finally:
+            self.scene.restore(held)
+        if found.clearance.distance < -LINE_MARGIN:
+            raise NoPath(f"the gripper could not get away from {part}")
+
+    def _reaches(self, grasp: pin.SE3, near: Array, goals: Sequence[pin.SE3]) -> bool:
+        k = self.layout.kinematics
+        return any(k.solve(goal * shifted(z=INSERT) * grasp, near, condition=CONDITION) for goal in goals)
+
+
+def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:
+    """The plan of the first option that has one."""
+    reasons = []
+    for option in options:
+        try:
+            return plan(option)
+        except NoPath as error:
+            reasons.append(error)
+    raise reasons[0]

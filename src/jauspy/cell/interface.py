@@ -1,0 +1,69 @@
+"""What tasks need of a cell. `CellClient` is the one over JAUS; tests have another that fails on purpose."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import pinocchio as pin
+
+from jauspy.cell.frames import Array
+from jauspy.cell.motion import Path
+from jauspy.platform.modular.arm import ModularArmState
+from jauspy.platform.modular.connector import ConnectorState
+
+GRIPPER = "gripper"
+"""The name of the gripper among the connectors."""
+
+
+@dataclass(frozen=True, slots=True)
+class SeenPart:
+    """A part as the sensor measured it: its type, and its frame in the world."""
+
+    type: str
+    pose: pin.SE3
+
+
+class Cell(Protocol):
+    """A cell that is under control of this client. Names of connectors are as in `servo_1/output`."""
+
+    def now(self) -> float:
+        """Seconds of the clock that the cell runs on."""
+        ...
+
+    async def sleep(self, seconds: float) -> None:
+        """Wait on that clock."""
+        ...
+
+    async def posture(self) -> Array:
+        """Positions of the UR10's joints as its URDF counts them, in radians."""
+        ...
+
+    async def follow(self, path: Path, *, speed: float = 1.0) -> None:
+        """Move the UR10 along a path with this fraction of its speed; raises `MotionFailed` if it does not arrive."""
+        ...
+
+    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
+        """As `follow`, but stop as soon as a connector has attached something; returns the connector's state."""
+        ...
+
+    async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
+        """The parts that the sensor sees, averaged over several observations; with `fresh` only over new ones."""
+        ...
+
+    async def connector(self, name: str) -> ConnectorState:
+        """What a connector, or the gripper, measures."""
+        ...
+
+    async def enable(self, name: str, enabled: bool) -> None:
+        """Start or stop the pump of a connector or of the gripper."""
+        ...
+
+    async def arm(self) -> ModularArmState:
+        """The modular arm's joints and motion."""
+        ...
+
+    async def move_arm(self, positions: Sequence[float], duration: float = 0.0) -> None:
+        """Move the modular arm, and wait until it is there; raises `MotionFailed` if it does not arrive."""
+        ...

@@ -1,0 +1,142 @@
+"""Forward and inverse kinematics of a fixed arm, such as the UR10, from its URDF; positions as the URDF counts them."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+import numpy as np
+import pinocchio as pin
+
+from jauspy.cell.frames import Array, offset_between, shifted, turned
+from jauspy.cell.ur import UR10, URFrames, forward
+from jauspy.errors import ConfigError
+
+MAX_ITERATIONS: Final = 25
+"""Newton steps of one attempt; from a start on the right branch six to ten suffice."""
+TOLERANCE: Final = 1e-6
+"""Metres and radians."""
+DAMPING: Final = 1e-6
+MAX_JOINT_STEP: Final = 0.6
+"""Radians that one Newton step may move a joint."""
+MIN_CONDITION: Final = 0.04
+"""Smallest singular value of the Jacobian (m and rad per rad) of postures that are used: near a singularity, small
+corrections of the tool need large motions of joints."""
+FRAME_TOLERANCE: Final = 0.02
+"""Metres and radians by which a URDF may differ from the published arm for its closed-form postures to be starts."""
+_BRANCHES: Final = tuple(itertools.product((0.0, math.pi), (1.0, -1.0), (1.0, -1.0)))
+"""Starts of the search for other arms: the direction of the upper arm, and the signs of elbow and wrist."""
+
+
+@dataclass(frozen=True, slots=True)
+class Posture:
+    """A solution: joint positions (rad), and the smallest singular value of the Jacobian there."""
+
+    positions: Array
+    condition: float
+
+
+class ArmKinematics:
+    """An arm with six revolute joints, whose base stands in the world as the URDF's root does."""
+
+    def __init__(self, urdf: str, joints: Sequence[str], tool: str) -> None:
+        whole = pin.buildModelFromXML(urdf)
+        for name in joints:
+            if not whole.existJointName(name):
+                raise ConfigError(f"the URDF has no joint {name!r}; it has: {', '.join(list(whole.names)[1:])}")
+        others = [whole.getJointId(name) for name in list(whole.names)[1:] if name not in joints]
+        self.model = pin.buildReducedModel(whole, others, pin.neutral(whole)) if others else whole
+        if list(self.model.names)[1:] != list(joints):
+            raise ConfigError(f"the joints of an arm are given from its base to its tip, not as {', '.join(joints)}")
+        if not self.model.existFrame(tool):
+            raise ConfigError(f"the URDF has no link {tool!r}")
+        self.tool = self.model.getFrameId(tool)
+        """The frame of the tool."""
+        self.data = self.model.createData()
+        self.lower = np.array(self.model.lowerPositionLimit)
+        self.upper = np.array(self.model.upperPositionLimit)
+        self.speeds = np.array(self.model.velocityLimit)
+        self._published = self._find_published()
+
+    def forward(self, positions: Array) -> pin.SE3:
+        """The pose of the tool in the world."""
+        pin.framesForwardKinematics(self.model, self.data, positions)
+        return self.data.oMf[self.tool].copy()
+
+    def condition(self, positions: Array) -> float:
+        """The smallest singular value of the Jacobian; 0 in a singularity."""
+        jacobian = pin.computeFrameJacobian(self.model, self.data, positions, self.tool, pin.LOCAL)
+        return float(np.linalg.svd(jacobian, compute_uv=False)[-1])
+
+    def solve_from(self, goal: pin.SE3, start: Array) -> Array | None:
+        """The posture near `start` that has the tool at `goal`; None if the search does not converge."""
+        model, data, tool = self.model, self.data, self.tool
+        q = np.array(start)
+        for _ in range(MAX_ITERATIONS):
+            pin.framesForwardKinematics(model, data, q)
+            error = pin.log6(data.oMf[tool].actInv(goal)).vector
+            if np.max(np.abs(error)) < TOLERANCE:
+                return q
+            jacobian = pin.computeFrameJacobian(model, data, q, tool, pin.LOCAL)
+            step = jacobian.T @ np.linalg.solve(jacobian @ jacobian.T + DAMPING * np.eye(6), error)
+            q += step * min(1.0, MAX_JOINT_STEP / max(float(np.max(np.abs(step))), 1e-12))
+        return None
+
+    def solve(self, goal: pin.SE3, near: Array, *, condition: float = MIN_CONDITION) -> list[Posture]:
+        """All postures that are found for a pose of the tool, the closest to `near` first.
+
+        Joints that may turn more than once are turned as close to `near` as their limits allow.
+        """
+        found: list[Posture] = []
+        for start in self._starts(goal, near):
+            q = self.solve_from(goal, start)
+            if q is None:
+                continue
+            q = self.unwound(q, near)
+            if q is None or any(np.max(np.abs(q - each.positions)) < 1e-3 for each in found):
+                continue
+            value = self.condition(q)
+            if value >= condition:
+                found.append(Posture(q, value))
+        found.sort(key=lambda each: self.distance(each.positions, near))
+        return found
+
+    def distance(self, a: Array, b: Array) -> float:
+        """The time of a motion at full speed, in seconds: what the slowest joint needs."""
+        return float(np.max(np.abs(a - b) / self.speeds))
+
+    def unwound(self, positions: Array, near: Array) -> Array | None:
+        """The same posture with each joint turned by whole turns towards `near`, within limits; None without one."""
+        turns = np.round((near - positions) / math.tau)
+        q = positions + turns * math.tau
+        q = np.where(q > self.upper, q - math.tau, np.where(q < self.lower, q + math.tau, q))
+        return None if np.any(q > self.upper) or np.any(q < self.lower) else q
+
+    def _find_published(self) -> URFrames | None:
+        """The published arm whose kinematics this is, up to the frames of base and tool."""
+        rng = np.random.default_rng(1)
+        samples = [rng.uniform(-2.0, 2.0, self.model.nq) for _ in range(4)]
+        if self.model.nq != 6:
+            return None
+        for angle in (0.0, math.pi):
+            base = self.model.jointPlacements[1] * shifted(z=-UR10.d1) * turned("z", angle)
+            tools = [(base * forward(UR10, q)).actInv(self.forward(q)) for q in samples]
+            if all(max(offset_between(each, tools[0])) < FRAME_TOLERANCE for each in tools):
+                return URFrames(UR10, base, tools[0])
+        return None
+
+    def _starts(self, goal: pin.SE3, near: Array) -> Iterable[Array]:
+        if self._published is not None:
+            yield from self._published.starts(goal)
+            return
+        yield near
+        x, y, _ = goal.translation
+        bearing = math.atan2(y - float(self.model.jointPlacements[1].translation[1]), x)
+        for back, elbow, wrist in _BRANCHES:
+            for lift in (-0.9, -1.7):
+                start = np.array([bearing + back, lift, 1.6 * elbow, -1.2 * elbow, 1.5 * wrist, 0.0])
+                yield start
+                yield start + np.array([math.pi, 0, 0, 0, 0, 0])

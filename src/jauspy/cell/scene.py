@@ -1,0 +1,278 @@
+"""The planning scene: the arm's links, the part that it holds and what stands around it, with distances by coal."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Final
+
+import coal
+import numpy as np
+import pinocchio as pin
+
+from jauspy.cell.frames import Array, se3
+from jauspy.cell.kinematics import ArmKinematics
+from jauspy.errors import ConfigError
+from jauspy.platform.modular.parts import PartType, Shape, Solid
+
+FAR: Final = 1.0
+"""Metres beyond which a distance is not computed; what is farther off counts as this far."""
+NEIGHBOURS: Final = 1
+"""Links up to so many joints apart touch each other by design."""
+HAND: Final = 3
+"""The last joint before the wrist, whose short links cannot reach each other."""
+
+
+@dataclass(frozen=True, slots=True)
+class Clearance:
+    """The smallest distance in one posture, in metres, and the two things that it is between."""
+
+    distance: float
+    between: tuple[str, str] = ("", "")
+
+
+CLEAR: Final = Clearance(FAR)
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A convex shape and its frame in that of the thing that it belongs to."""
+
+    shape: Any
+    frame: pin.SE3
+
+
+def pieces_of(solids: Iterable[Solid], frame: pin.SE3 | None = None) -> list[Piece]:
+    """The shapes of solids whose frame is `frame` in that of the thing."""
+    frame = frame or pin.SE3.Identity()
+    return [Piece(_shape(each), frame * se3(each.pose)) for each in solids]
+
+
+def pieces_of_part(type: PartType, position: float = 0.0) -> list[Piece]:
+    """The shapes of a part in its own frame; `position` is that of a servo's joint, in radians."""
+    found = pieces_of(type.solids)
+    if type.servo is not None:
+        found += pieces_of(type.servo.output, output_frame(type, position))
+    return found
+
+
+def output_frame(type: PartType, position: float = 0.0) -> pin.SE3:
+    """The frame of a servo's output link in that of the part; the identity for other parts."""
+    if type.servo is None:
+        return pin.SE3.Identity()
+    turn = pin.SE3(pin.exp3(np.array(type.servo.axis) * position), np.zeros(3))
+    joint = se3(type.servo.joint)
+    # the axis is given in the part's frame, and goes through the origin of the joint
+    about = pin.SE3(np.eye(3), joint.translation)
+    return about * turn * about.inverse() * joint
+
+
+def connector_frame(type: PartType, connector: str, position: float = 0.0) -> pin.SE3:
+    """The frame of a connector in that of the part. Raises `ConfigError` for an unknown one."""
+    if connector not in type.connectors:
+        known = ", ".join(type.connectors) or "none"
+        raise ConfigError(f"a {type.name} has no connector {connector!r}; it has: {known}")
+    return output_frame(type, position) * se3(type.connectors[connector])
+
+
+def _shape(solid: Solid) -> Any:
+    x, y, z = solid.size
+    return coal.Box(x, y, z) if solid.shape is Shape.CUBOID else coal.Cylinder(x, z)
+
+
+@dataclass(slots=True)
+class _Object:
+    """A shape with its name, as the broad phase knows it."""
+
+    name: str
+    body: Any
+    frame: pin.SE3
+    """In the frame of the thing, or of the arm's link."""
+    joint: int = 0
+
+    def place(self, frame: pin.SE3) -> None:
+        world = frame * self.frame
+        self.body.setTransform(coal.Transform3s(world.rotation, world.translation))
+        self.body.computeAABB()
+
+
+class PlanningScene:
+    """What may collide with the arm. Things are named; each consists of convex shapes and has a pose in the world."""
+
+    def __init__(self, kinematics: ArmKinematics, urdf: str, joints: Sequence[str]) -> None:
+        self.kinematics = kinematics
+        self._links = _links(urdf, joints)
+        self._things: dict[str, list[_Object]] = {}
+        self._poses: dict[str, pin.SE3] = {}
+        self._ignored: set[str] = set()
+        self._held: list[_Object] = []
+        self._held_name = ""
+        self._manager = coal.DynamicAABBTreeCollisionManager()
+        self._pairs = self._self_pairs()
+        self.checks = 0
+        """Postures that were checked so far."""
+
+    # --- what is there --------------------------------------------------------------------------------------------
+
+    @property
+    def poses(self) -> Mapping[str, pin.SE3]:
+        """The poses of the things that stand around, in the world."""
+        return self._poses
+
+    def put(self, name: str, pieces: Iterable[Piece], pose: pin.SE3) -> None:
+        """Put a thing somewhere, or put it elsewhere."""
+        self.remove(name)
+        objects = [_Object(name, coal.CollisionObject(each.shape), each.frame) for each in pieces]
+        for each in objects:
+            each.place(pose)
+        self._things[name], self._poses[name] = objects, pose
+        if name not in self._ignored:
+            self._register(objects)
+
+    def remove(self, name: str) -> None:
+        """Remove a thing; without effect if there is none of that name."""
+        objects = self._things.pop(name, None)
+        self._poses.pop(name, None)
+        if objects is not None and name not in self._ignored:
+            self._unregister(objects)
+
+    def hold(self, name: str, pieces: Iterable[Piece], frame: pin.SE3) -> None:
+        """The arm holds a thing, whose frame is `frame` in that of the tool; it is no longer an obstacle."""
+        self.remove(name)
+        self._held = [_Object(name, coal.CollisionObject(each.shape), frame * each.frame) for each in pieces]
+        self._held_name = name
+
+    def release(self) -> None:
+        """The arm holds nothing."""
+        self._held, self._held_name = [], ""
+
+    @property
+    def held(self) -> tuple[str, Sequence[Any]]:
+        """What the arm holds, for `restore`."""
+        return self._held_name, self._held
+
+    def restore(self, held: tuple[str, Sequence[Any]]) -> None:
+        """Hold again what `held` was."""
+        self._held_name, self._held = held[0], list(held[1])
+
+    @contextmanager
+    def without(self, *names: str) -> Iterator[None]:
+        """Ignore things in the block: those that the arm is about to touch."""
+        new = [name for name in names if name not in self._ignored]
+        for name in new:
+            self._unregister(self._things.get(name, []))
+        self._ignored |= set(new)
+        try:
+            yield
+        finally:
+            self._ignored -= set(new)
+            for name in new:
+                self._register(self._things.get(name, []))
+
+    # --- distances ------------------------------------------------------------------------------------------------
+
+    def clearance(self, positions: Array, *, enough: float = FAR) -> Clearance:
+        """The smallest distance of the arm, and of what it holds, from everything and from itself.
+
+        Distances above `enough` are not told apart; a negative distance is the depth of a penetration, at least 0.
+        """
+        self.checks += 1
+        self._place(positions)
+        best = Clearance(min(enough, FAR))
+        for each in (*self._held, *reversed(self._links)):
+            if each.joint == 0 and each not in self._held:
+                continue  # the foot of the arm does not move
+            best = self._nearest(each, best)
+            if best.distance <= 0.0:
+                return best
+        for a, b in self._pairs:
+            best = _pair_distance(a, b, best)
+        for held in self._held:
+            for link in self._links:
+                if link.joint <= HAND:
+                    best = _pair_distance(held, link, best)
+        return best
+
+    def is_free(self, positions: Array, margin: float) -> bool:
+        """True if nothing is closer than `margin` metres."""
+        return self.clearance(positions, enough=margin).distance >= margin
+
+    def along(self, path: Sequence[Array], step: float, *, enough: float = FAR) -> Clearance:
+        """The smallest distance along straight joint motions, looked at every `step` radians."""
+        best, where = Clearance(enough), None
+        for a, b in pairwise(path):
+            count = max(1, math.ceil(float(np.max(np.abs(b - a))) / step))
+            for number in range(count + 1):
+                q = a + (b - a) * (number / count)
+                found = self.clearance(q, enough=best.distance)
+                if found.distance < best.distance:
+                    best, where = found, q
+        return self.explain(where) if where is not None else best
+
+    def explain(self, positions: Array) -> Clearance:
+        """As `clearance`, with the names of both things, which takes longer."""
+        best = self.clearance(positions)
+        if best.distance >= FAR or all(best.between):
+            return best
+        moving = [each for each in (*self._links, *self._held) if each.name == best.between[0]]
+        things = [each for name, found in self._things.items() if name not in self._ignored for each in found]
+        nearest = Clearance(math.inf)
+        for a in moving:
+            for b in things:
+                nearest = _pair_distance(a, b, nearest)
+        return Clearance(best.distance, nearest.between)
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _place(self, positions: Array) -> None:
+        k = self.kinematics
+        pin.framesForwardKinematics(k.model, k.data, positions)
+        for each in self._links:
+            each.place(k.data.oMi[each.joint])
+        tool = k.data.oMf[k.tool]
+        for each in self._held:
+            each.place(tool)
+
+    def _nearest(self, moving: _Object, best: Clearance) -> Clearance:
+        query = coal.DistanceCallBackDefault()
+        query.data.result.min_distance = best.distance
+        self._manager.distance(moving.body, query)
+        found = float(query.data.result.min_distance)
+        return Clearance(found, (moving.name, "")) if found < best.distance else best
+
+    def _register(self, objects: Iterable[_Object]) -> None:
+        for each in objects:
+            self._manager.registerObject(each.body)
+        self._manager.setup()
+
+    def _unregister(self, objects: Iterable[_Object]) -> None:
+        for each in objects:
+            self._manager.unregisterObject(each.body)
+        self._manager.setup()
+
+    def _self_pairs(self) -> list[tuple[_Object, _Object]]:
+        return [(a, b) for a in self._links for b in self._links if b.joint - a.joint > NEIGHBOURS and a.joint <= HAND]
+
+
+def _pair_distance(a: _Object, b: _Object, best: Clearance) -> Clearance:
+    if a.body.getAABB().distance(b.body.getAABB()) > max(best.distance, 0.0):
+        return best
+    result = coal.DistanceResult()
+    found = coal.distance(a.body, b.body, coal.DistanceRequest(), result)
+    return Clearance(float(found), (a.name, b.name)) if found < best.distance else best
+
+
+def _links(urdf: str, joints: Sequence[str]) -> list[_Object]:
+    """The collision shapes of a URDF's links, each with the joint that moves it."""
+    model = pin.buildModelFromXML(urdf)
+    shapes = pin.buildGeomFromUrdfString(model, urdf, pin.GeometryType.COLLISION)
+    others = [model.getJointId(name) for name in list(model.names)[1:] if name not in joints]
+    if others:
+        _, shapes = pin.buildReducedModel(model, shapes, others, pin.neutral(model))
+    return [
+        _Object(each.name, coal.CollisionObject(each.geometry), each.placement, each.parentJoint)
+        for each in shapes.geometryObjects
+    ]

@@ -1,0 +1,72 @@
+"""What a component leaves unanswered: learned in the first steps, so that a run does not wait for it in all others."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Final, TypeVar
+
+from jauspy.codec.message import Message
+from jauspy.conformance.results import Silent, Skipped
+from jauspy.conformance.tester import CLIENTS, OBSERVER, Tester
+from jauspy.conformance.trace import message_name
+from jauspy.ids import JausID
+
+M = TypeVar("M", bound=Message)
+
+MAX_SILENCES: Final = 2
+"""Silences in a row after which a message is not sent any more; one may be a lost datagram."""
+
+
+class Silences:
+    """The queries of the tester that one component leaves unanswered, and the inputs of steps that it does."""
+
+    def __init__(self, tester: Tester, component: JausID) -> None:
+        self._tester = tester
+        self._component = component
+        self._queries: Counter[type[Message]] = Counter()
+        self._inputs: dict[str, list[str]] = {}
+        """The reasons of silent steps by the message that was sent."""
+
+    def ask(self, query: Message, report: type[M]) -> M | None:
+        """The answer to the observer; None if the query was given up.
+
+        Raises `Silent` at the first silence; from the second in a row on, steps go on without the answer.
+        """
+        kind = type(query)
+        if self._queries[kind] >= MAX_SILENCES:
+            return None
+        try:
+            answer = self._tester.client(CLIENTS[OBSERVER]).ask(query, report, to=self._component)
+        except Silent:
+            self._queries[kind] += 1
+            if self._queries[kind] < MAX_SILENCES:
+                raise
+            self._tester.notes.append(
+                f"{self._component} does not answer {message_name(kind)}: what it would report is not checked"
+            )
+            return None
+        self._queries[kind] = 0
+        return answer
+
+    @contextmanager
+    def of_input(self, message: str) -> Iterator[None]:
+        """A step that sends this message. Raises `Skipped` if the last ones were silent."""
+        before = self._inputs.setdefault(message, [])
+        if len(before) >= MAX_SILENCES:
+            raise Skipped(f"{message} is not sent again: {before[-1]} in {len(before)} steps before")
+        try:
+            yield
+        except Silent as silent:
+            before.append(str(silent))
+            raise
+        before.clear()
+
+
+def silences_of(component: JausID, tester: Tester) -> Silences:
+    """What is known of this component in this run."""
+    known: dict[JausID, Silences] = tester.memory.setdefault("silences", {})
+    if component not in known:
+        known[component] = Silences(tester, component)
+    return known[component]

@@ -1,0 +1,47 @@
+"""Messages of cell, v1_0; loaded on use. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from jauspy.codec.registry import lazy
+
+if TYPE_CHECKING:
+    from jauspy.messages.cell.v1_0.conveyor import (
+        QueryConveyorState as QueryConveyorState, ReportConveyorState as ReportConveyorState,
+        SetConveyorSpeed as SetConveyorSpeed,
+    )
+    from jauspy.messages.cell.v1_0.modular_arm import (
+        HoldModularArm as HoldModularArm, MoveModularArm as MoveModularArm,
+        QueryModularArmSpecification as QueryModularArmSpecification, QueryModularArmState as QueryModularArmState,
+        ReportModularArmSpecification as ReportModularArmSpecification,
+        ReportModularArmState as ReportModularArmState, SetModularArmController as SetModularArmController,
+        SetModularArmOrder as SetModularArmOrder,
+    )
+    from jauspy.messages.cell.v1_0.module_power import (
+        QueryModulePower as QueryModulePower, ReportModulePower as ReportModulePower,
+        SetModulePower as SetModulePower,
+    )
+    from jauspy.messages.cell.v1_0.part_sensor import (
+        QueryPartObservations as QueryPartObservations, ReportPartObservations as ReportPartObservations,
+    )
+    from jauspy.messages.cell.v1_0.servo_module import (
+        QueryServoGains as QueryServoGains, QueryServoSpecification as QueryServoSpecification,
+        QueryServoState as QueryServoState, ReportServoGains as ReportServoGains,
+        ReportServoSpecification as ReportServoSpecification, ReportServoState as ReportServoState,
+        SetServoGains as SetServoGains, SetServoTarget as SetServoTarget,
+    )
+    from jauspy.messages.cell.v1_0.vacuum_connector import (
+        QueryConnectorSpecification as QueryConnectorSpecification, QueryConnectorState as QueryConnectorState,
+        ReportConnectorSpecification as ReportConnectorSpecification, ReportConnectorState as ReportConnectorState,
+        SetConnector as SetConnector,
+    )
+
+__all__, __getattr__, __dir__ = lazy(__name__, {
+    "jauspy.messages.cell.v1_0.conveyor": "QueryConveyorState ReportConveyorState SetConveyorSpeed",
+    "jauspy.messages.cell.v1_0.modular_arm": "HoldModularArm MoveModularArm QueryModularArmSpecification QueryModularArmState ReportModularArmSpecification ReportModularArmState SetModularArmController SetModularArmOrder",
+    "jauspy.messages.cell.v1_0.module_power": "QueryModulePower ReportModulePower SetModulePower",
+    "jauspy.messages.cell.v1_0.part_sensor": "QueryPartObservations ReportPartObservations",
+    "jauspy.messages.cell.v1_0.servo_module": "QueryServoGains QueryServoSpecification QueryServoState ReportServoGains ReportServoSpecification ReportServoState SetServoGains SetServoTarget",
+    "jauspy.messages.cell.v1_0.vacuum_connector": "QueryConnectorSpecification QueryConnectorState ReportConnectorSpecification ReportConnectorState SetConnector",
+})

@@ -1,0 +1,58 @@
+"""urn:jauspy:cell:ModulePower 1.0. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from jauspy.codec import declare as jd
+
+_SERVICE = jd.Service("urn:jauspy:cell:ModulePower", "1.0")
+
+
+@jd.message(_SERVICE, 0xDA64, command=True)
+class SetModulePower(jd.Message):
+    """SetModulePower (0xDA64): Switches modules on or off.
+
+    module_list: 1..255 items. The modules
+    """
+
+    class Power(IntEnum):
+        SWITCHED_OFF = 0
+        SWITCHED_ON = 1
+
+    @jd.record()
+    class ModulePowerRec(jd.Struct):
+        """name: up to 255 characters. Name of the part
+        power: Power. Whether its supply is switched on
+        """
+        name: str = jd.field("Name", jd.Text(count=jd.Count("B", 0, 255)))
+        power: SetModulePower.Power | int = jd.field("Power", lambda: jd.Number("B", jd.Values(SetModulePower.Power)))
+
+    module_list: list[SetModulePower.ModulePowerRec] = jd.field("ModuleList", lambda: jd.Repeat(jd.Count("B", 1, 255), SetModulePower.ModulePowerRec.layout()))
+
+
+@jd.message(_SERVICE, 0xFA67)
+class ReportModulePower(jd.Message):
+    """ReportModulePower (0xFA67): Tells which modules are switched on.
+
+    module_list: 0..255 items. The modules
+    """
+
+    class Power(IntEnum):
+        SWITCHED_OFF = 0
+        SWITCHED_ON = 1
+
+    @jd.record()
+    class ModulePowerRec(jd.Struct):
+        """name: up to 255 characters. Name of the part
+        power: Power. Whether its supply is switched on
+        """
+        name: str = jd.field("Name", jd.Text(count=jd.Count("B", 0, 255)))
+        power: ReportModulePower.Power | int = jd.field("Power", lambda: jd.Number("B", jd.Values(ReportModulePower.Power)))
+
+    module_list: list[ReportModulePower.ModulePowerRec] = jd.field("ModuleList", lambda: jd.Repeat(jd.Count("B", 0, 255), ReportModulePower.ModulePowerRec.layout()))
+
+
+@jd.message(_SERVICE, 0xEA67, query=True)
+class QueryModulePower(jd.Message):
+    """QueryModulePower (0xEA67): Asks which modules are switched on."""
+    REPORT = ReportModulePower

@@ -1,0 +1,142 @@
+"""ModularArm: moves an arm of any number of servo modules. Lists are in the order of the joints, base to tip."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Final
+
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion
+from jauspy.messages.cell import (
+    MoveModularArm,
+    ReportModularArmSpecification,
+    ReportModularArmState,
+    SetModularArmController,
+    SetModularArmOrder,
+)
+from jauspy.platform.modular.arm import ArmController, ModularArm
+from jauspy.platform.modular.parts import CellSetup
+from jauspy.services.cell.texts import sent_text
+from jauspy.services.service import Service
+from jauspy.services.state_machine import CommandCompletion
+
+CHECK_PERIOD: Final = 0.05
+"""Seconds between two checks whether a motion has ended, and from a command to the first of them."""
+_TIMER: Final = "modular arm motion"
+
+_Controller: Final = SetModularArmController.Controller
+_CONTROLLERS: Final[Mapping[int, ArmController]] = {
+    _Controller.INDEPENDENT_PID: ArmController.PID,
+    _Controller.INVERSE_DYNAMICS: ArmController.MODEL,
+}
+_Reported: Final = ReportModularArmState
+_REPORTED: Final = {
+    ArmController.PID: _Reported.Controller.INDEPENDENT_PID,
+    ArmController.MODEL: _Reported.Controller.INVERSE_DYNAMICS,
+}
+
+
+def motion_command(positions: Iterable[float], duration: float = 0.0) -> MoveModularArm:
+    """The command for a motion to these positions, in radians; with NaN a joint stays as it is.
+
+    `duration` in seconds; with 0 the motion takes as long as the limits of the joints demand.
+    """
+    kind = MoveModularArm
+    rows = [kind.JointPositionRec(None if math.isnan(position) else position) for position in positions]
+    return kind(kind.MotionDurationRec(duration), rows)
+
+
+class ArmMotionControl:
+    """Commands a modular arm for the services of its component."""
+
+    def __init__(self, arm: ModularArm) -> None:
+        self.arm = arm
+        self._holding = False
+
+    def move(self, positions: Sequence[float], duration: float) -> None:
+        """Move the joints, in radians and seconds; NaN leaves one as it is."""
+        self._holding = False
+        self.arm.move(positions, duration)
+
+    def stop(self) -> None:
+        """Hold, unless it already does."""
+        if not self._holding:
+            self._holding = True
+            self.arm.hold()
+
+
+class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
+    """An arm of servo modules. What is wrong with a command is in the report of the state; the joints then hold."""
+
+    def __init__(self, control: ArmMotionControl, cell: CellSetup) -> None:
+        self._control = control
+        self._arm = control.arm
+        self._cell = cell
+        self._command = CommandCompletion()
+
+    def move_modular_arm(self, msg: MoveModularArm) -> None:
+        """Begin a motion; the command is completed when it has ended, and has failed if it ended early."""
+        self._end_command(False)
+        positions = [math.nan if each.position is None else each.position for each in msg.position_list]
+        self._control.move(positions, msg.motion_duration_rec.duration)
+        self._command = self.host.begin_command()
+        self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
+
+    def hold_modular_arm(self) -> None:
+        """Brake and hold; runs also when Ready is left."""
+        self._end_command(False)
+        self._control.stop()
+
+    def set_modular_arm_controller(self, msg: SetModularArmController) -> None:
+        """Choose how the joints follow."""
+        if (controller := _CONTROLLERS.get(msg.controller)) is not None:
+            self._arm.set_controller(controller)
+
+    def set_modular_arm_order(self, msg: SetModularArmOrder) -> None:
+        """Fix the order of the joints, or have it found."""
+        self._arm.set_order([each.name for each in msg.joint_list])
+
+    def control_lost(self) -> None:
+        """Hold: the next client must not inherit a motion."""
+        super().control_lost()
+        self.hold_modular_arm()
+
+    def report_modular_arm_state(self) -> ReportModularArmState:
+        """Joints and motion."""
+        state = self._arm.state()
+        tip = Transform.from_pose(state.tip_pose)
+        motion = _Reported.ModularArmMotionRec(
+            _Reported.Moving(state.moving),
+            _REPORTED[state.controller],
+            state.payload,
+            *tip.position,
+            *quaternion(tip.rotation),
+            sent_text(state.error),
+        )
+        rows = zip(state.joints, state.positions, state.velocities, state.efforts, state.targets, strict=False)
+        return _Reported(motion, [_Reported.ModularJointRec(sent_text(name), *values) for name, *values in rows])
+
+    def report_modular_arm_specification(self) -> ReportModularArmSpecification:
+        """What the arm is made of, and the limits of its joints."""
+        report, state = ReportModularArmSpecification, self._arm.state()
+        types = {part.name: self._cell.types[part.type] for part in self._cell.parts}
+        limits = [
+            report.JointLimitsRec(sent_text(name), sent_text(types[name].name), data.max_torque, data.max_speed)
+            for name in state.joints
+            if name in types and (data := types[name].servo)
+        ]
+        parts = [report.ArmPartRec(sent_text(name)) for name in state.parts]
+        return report(report.ModularArmEndsRec(sent_text(state.base), sent_text(state.tip)), limits, parts)
+
+    def _check(self) -> None:
+        state = self._arm.state()
+        if state.moving:
+            self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
+        else:
+            self._end_command(not state.error)
+
+    def _end_command(self, succeeded: bool) -> None:
+        self.host.cancel_timer(_TIMER)
+        ended, self._command = self._command, CommandCompletion()
+        ended(succeeded)

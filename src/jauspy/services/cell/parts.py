@@ -1,0 +1,56 @@
+"""PartSensor and ModulePower: which parts are where, and which modules are switched on. The world's z axis is up."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion
+from jauspy.messages.cell import ReportModulePower, ReportPartObservations, SetModulePower
+from jauspy.platform.modular.cell import ModulePower, ObservedPart, PartSensor
+from jauspy.services.cell.texts import sent_text
+from jauspy.services.service import Service
+
+_Record: Final = ReportModulePower.ModulePowerRec
+
+
+class PartSensorService(Service, urn="urn:jauspy:cell:PartSensor"):
+    """A sensor of the poses of parts."""
+
+    def __init__(self, sensor: PartSensor) -> None:
+        self._sensor = sensor
+
+    def report_part_observations(self) -> ReportPartObservations:
+        """What it saw last."""
+        seen = self._sensor.state()
+        time = ReportPartObservations.ObservationTimeRec(seen.time)
+        return ReportPartObservations(time, [_observed(part) for part in seen.parts])
+
+
+def _observed(part: ObservedPart) -> ReportPartObservations.ObservedPartRec:
+    frame = Transform.from_pose(part.pose)
+    return ReportPartObservations.ObservedPartRec(
+        sent_text(part.name), sent_text(part.type), *frame.position, *quaternion(frame.rotation)
+    )
+
+
+class ModulePowerService(Service, urn="urn:jauspy:cell:ModulePower"):
+    """The switches of the modules' supplies. They stay as they are when the client in control is lost."""
+
+    def __init__(self, power: ModulePower) -> None:
+        self._power = power
+
+    def set_module_power(self, msg: SetModulePower) -> None:
+        """Switch modules on or off; names that are unknown are left out, and counted."""
+        known = self._power.state()
+        for each in msg.module_list:
+            if each.name not in known:
+                self.host.count("unknown_module", f"{each}")
+            else:
+                self._power.switch(each.name, each.power == ReportModulePower.Power.SWITCHED_ON)
+
+    def report_module_power(self) -> ReportModulePower:
+        """Which modules are switched on."""
+        return ReportModulePower(
+            [_Record(sent_text(name), ReportModulePower.Power(on)) for name, on in self._power.state().items()]
+        )

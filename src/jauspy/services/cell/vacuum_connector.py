@@ -1,0 +1,84 @@
+"""VacuumConnector: attaches parts to the connectors of one part, and releases them. Numbers count from 1."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Final
+
+from jauspy.messages.cell import (
+    QueryConnectorState,
+    ReportConnectorSpecification,
+    ReportConnectorState,
+    SetConnector,
+)
+from jauspy.platform.modular.connector import ConnectorError, VacuumConnector
+from jauspy.platform.modular.parts import ConnectorLimits
+from jauspy.services.cell.texts import sent_text
+from jauspy.services.service import Service
+
+_Error: Final = ReportConnectorState.Error
+_ERRORS: Final = {
+    ConnectorError.NONE: _Error.NO_ERROR,
+    ConnectorError.NO_CONTACT: _Error.NO_CONTACT,
+    ConnectorError.TOO_FAR: _Error.TOO_FAR,
+    ConnectorError.NOT_ALIGNED: _Error.NOT_ALIGNED,
+    ConnectorError.FAILED: _Error.ATTACHMENT_FAILED,
+    ConnectorError.OVERLOADED: _Error.OVERLOADED,
+    ConnectorError.NO_POWER: _Error.NO_POWER,
+    ConnectorError.OTHER: _Error.OTHER_ERROR,
+}
+
+
+class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
+    """The connectors of a part. What they hold they keep, whatever becomes of the component and its client."""
+
+    def __init__(self, part: str, type: str, connectors: Sequence[VacuumConnector], limits: ConnectorLimits) -> None:
+        self._part = part
+        self._type = type
+        self._connectors = dict(enumerate(connectors, start=1))
+        self._limits = limits
+
+    def set_connector(self, msg: SetConnector) -> None:
+        """Start the pump of a connector, or let air in; an unknown number is ignored and counted."""
+        if (connector := self._connectors.get(msg.connector)) is None:
+            self.host.count("unknown_connector", f"{msg}")
+        else:
+            connector.set(msg.enabled == SetConnector.Enabled.ENABLED)
+
+    def report_connector_state(self, query: QueryConnectorState) -> ReportConnectorState | None:
+        """The state of a connector; no answer for an unknown number."""
+        if (connector := self._connectors.get(query.connector)) is None:
+            self.host.count("unknown_connector", f"{query}")
+            return None
+        state = connector.state()
+        offset = state.offset.to_pose()
+        return ReportConnectorState(
+            query.connector,
+            ReportConnectorState.Enabled(state.enabled),
+            sent_text(state.attached_to),
+            offset.x,
+            offset.y,
+            offset.z,
+            offset.roll,
+            offset.pitch,
+            offset.yaw,
+            state.force,
+            state.moment,
+            min(state.broken_off, 0xFFFF),
+            _ERRORS[state.error],
+            sent_text(state.last_error),
+        )
+
+    def report_connector_specification(self) -> ReportConnectorSpecification:
+        """Names and limits."""
+        report = ReportConnectorSpecification
+        limits = report.ConnectorLimitsRec(
+            sent_text(self._part),
+            sent_text(self._type),
+            self._limits.max_distance,
+            self._limits.max_angle,
+            self._limits.max_force,
+            self._limits.max_moment,
+        )
+        names = [each.name.rpartition("/")[2] for each in self._connectors.values()]
+        return report(limits, [report.ConnectorNameRec(sent_text(name)) for name in names])

@@ -1,0 +1,1 @@
+"""The modular factory cell in MuJoCo: servo modules, vacuum connectors, conveyor, car."""

@@ -1,0 +1,105 @@
+"""The car: a chassis that drives once servo modules with wheels are attached to its sides."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from typing import Final
+
+import mujoco
+
+from jauspy.geometry.poses import Acceleration, Twist
+from jauspy.geometry.vectors import transposed
+from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.modular.cell import Car, CarState
+from jauspy.platform.modular.parts import CellSetup, PartKind
+from jauspy_sim.cell.connectors import SimulatedConnector, to_transform
+from jauspy_sim.cell.servos import SimulatedServo
+
+MIN_WHEELS: Final = 4
+"""Wheels with which it is a car."""
+
+
+class SimulatedCar(Car):
+    """Drives by the torques of its wheels' servo modules, within their speeds; x of the chassis is forward."""
+
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        cell: CellSetup,
+        connectors: Mapping[str, SimulatedConnector],
+        servos: Mapping[str, SimulatedServo],
+    ) -> None:
+        self._data = data
+        self._body = int(model.body(cell.car).id)
+        joint = model.joint(cell.car)
+        self._dof = int(joint.dofadr[0])
+        self._kinds = {part.name: cell.types[part.type].kind for part in cell.parts}
+        self._servos, self._connectors = servos, connectors
+        own = [each for each in connectors.values() if each.part == cell.car]
+        # a wheel on a side whose connector points to y rolls forward when it turns about y
+        self._sides = [(each, math.copysign(1.0, each.frame.rotation[1][2])) for each in own if _sideways(each)]
+        self._wheels: tuple[tuple[SimulatedServo, float], ...] = ()
+        self._driving = False
+
+    @property
+    def wheels(self) -> tuple[tuple[SimulatedServo, float], ...]:
+        """The modules that turn its wheels, with the sign that drives it forward."""
+        return self._wheels
+
+    def state(self) -> CarState:
+        """Whether it is assembled, and its motion."""
+        data, dof = self._data, self._dof
+        frame = to_transform(data.xpos[self._body].tolist(), data.xmat[self._body].tolist())
+        vx, vy, vz, wx, wy, wz = data.qvel[dof : dof + 6].tolist()
+        ax, ay, az, bx, by, bz = data.qacc[dof : dof + 6].tolist()
+        back = transposed(frame.rotation)
+        linear = tuple(sum(row[i] * each for i, each in enumerate((vx, vy, vz))) for row in back)
+        acceleration = tuple(sum(row[i] * each for i, each in enumerate((ax, ay, az))) for row in back)
+        return CarState(
+            assembled=len(self._wheels) >= MIN_WHEELS,
+            pose=frame.to_pose(),
+            twist=Twist(linear[0], linear[1], linear[2], wx, wy, wz),
+            acceleration=Acceleration(acceleration[0], acceleration[1], acceleration[2], bx, by, bz),
+        )
+
+    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+        """Drive with fractions of the full effort; NaN and infinite values stop it."""
+        if len(self._wheels) < MIN_WHEELS:
+            return
+        if not (math.isfinite(linear_x) and math.isfinite(rotational_z)) or not (linear_x or rotational_z):
+            self.stop()
+            return
+        self._driving = True
+        left, right = linear_x - rotational_z, linear_x + rotational_z
+        largest = max(1.0, abs(left), abs(right))
+        for servo, side in self._wheels:
+            fraction = (left if side > 0.0 else -right) / largest
+            servo.command(Target(ControlMode.EFFORT, fraction * servo.setup.max_torque))
+
+    def stop(self) -> None:
+        """Brake to a standstill and hold it."""
+        if self._driving:
+            self._driving = False
+            for servo, _ in self._wheels:
+                servo.hold()
+
+    def update(self) -> None:
+        """Find its wheels, after an attachment has changed."""
+        found = []
+        for connector, side in self._sides:
+            servo = self._servos.get(connector.state().attached_to)
+            if servo is None:
+                continue
+            output = self._connectors[f"{servo.name}/output"].state().attached_to
+            if self._kinds.get(output) is PartKind.WHEEL:
+                found.append((servo, side))
+        wheels = tuple(found)
+        if wheels != self._wheels:
+            self.stop()
+            self._wheels = wheels
+
+
+def _sideways(connector: SimulatedConnector) -> bool:
+    return abs(connector.frame.rotation[1][2]) > 0.9

@@ -1,0 +1,143 @@
+"""Conveyor, part sensor and the switches of the modules' power, in MuJoCo."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Final
+
+import mujoco
+import numpy as np
+
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Rotation, product, rotation_about, scaled
+from jauspy.platform.modular.cell import (
+    Conveyor,
+    ConveyorState,
+    ModulePower,
+    Observation,
+    ObservedPart,
+    PartSensor,
+)
+from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartKind, PartSensorSetup
+from jauspy_sim.assembly import TIMESTEP
+from jauspy_sim.cell.connectors import to_transform
+
+BELT_ACCELERATION: Final = 1.0
+"""m/s^2 of the conveyor's drive."""
+
+
+class SimulatedConveyor(Conveyor):
+    """A belt that is moved by its speed only: its position is set back to zero after each step."""
+
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, setup: ConveyorSetup) -> None:
+        self._data = data
+        self._max_speed = setup.max_speed
+        joint = model.joint("belt")
+        self._position, self._dof = int(joint.qposadr[0]), int(joint.dofadr[0])
+        self._drive = int(model.actuator("belt").id)
+        self._travel = 0.0
+        self._wanted = 0.0
+        self._speed = 0.0
+
+    def state(self) -> ConveyorState:
+        """Its speed and travel."""
+        return ConveyorState(float(self._data.qvel[self._dof]), self._travel)
+
+    def set_speed(self, speed: float) -> None:
+        """Run at this speed, within its limit; NaN and infinite speeds have no effect."""
+        if math.isfinite(speed):
+            self._wanted = min(self._max_speed, max(-self._max_speed, speed))
+
+    def control(self) -> None:
+        """Approach the speed, and set the belt back."""
+        if self._speed != self._wanted:
+            change = BELT_ACCELERATION * TIMESTEP
+            self._speed += min(change, max(-change, self._wanted - self._speed))
+            self._data.ctrl[self._drive] = self._speed
+        self._travel += float(self._data.qpos[self._position])
+        self._data.qpos[self._position] = 0.0
+
+
+class SimulatedPartSensor(PartSensor):
+    """Measures the poses of all parts that are not fixed, with normally distributed errors."""
+
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, setup: PartSensorSetup) -> None:
+        self._data = data
+        self._setup = setup
+        self._parts = [(each.name, each.type, int(model.body(each.name).id)) for each in cell.parts if not each.fixed]
+        self._random = np.random.default_rng((setup.seed, cell.seed))
+        self._state = Observation()
+        self._due = 0.0
+
+    def state(self) -> Observation:
+        """The last observation."""
+        return self._state
+
+    def step(self, now: float) -> None:
+        """Measure if it is time to."""
+        if now < self._due - TIMESTEP / 2.0:
+            return
+        self._due = max(self._due, now) + 1.0 / self._setup.rate
+        data, random, setup = self._data, self._random, self._setup
+        count = len(self._parts)
+        moved = random.normal(0.0, setup.position_noise, (count, 3)).tolist()
+        turned = random.normal(0.0, setup.angle_noise, (count, 3)).tolist()
+        parts = []
+        for (name, kind, body), (dx, dy, dz), turn in zip(self._parts, moved, turned, strict=True):
+            true = to_transform(data.xpos[body].tolist(), data.xmat[body].tolist())
+            x, y, z = true.position
+            rotation = product(true.rotation, small_turn(turn))
+            parts.append(ObservedPart(name, kind, Transform(rotation, (x + dx, y + dy, z + dz)).to_pose()))
+        self._state = Observation(now, tuple(parts))
+
+
+def small_turn(vector: Iterable[float]) -> Rotation:
+    """The rotation about a vector by its length, radians."""
+    x, y, z = vector
+    angle = math.hypot(x, y, z)
+    return rotation_about(scaled((x, y, z), 1.0 / angle) if angle else (0.0, 0.0, 1.0), angle)
+
+
+class SimulatedPower(ModulePower):
+    """Which modules have power: those that are switched on and attached to a base through any chain, and bases."""
+
+    def __init__(
+        self,
+        cell: CellSetup,
+        attachments: Callable[[], Iterable[tuple[str, str]]],
+        follow: Callable[[Mapping[str, bool]], None],
+    ) -> None:
+        self._kinds = {part.name: cell.types[part.type].kind for part in cell.parts}
+        self._switches = {
+            part.name: True for part in cell.parts if cell.types[part.type].servo or cell.types[part.type].connectors
+        }
+        self._attachments = attachments
+        self._follow = follow
+        self._state: Mapping[str, bool] = dict(self._switches)
+
+    def state(self) -> Mapping[str, bool]:
+        """Which modules are switched on."""
+        return self._state
+
+    def switch(self, name: str, on: bool) -> None:
+        """Switch a module on or off; an unknown name has no effect."""
+        if self._switches.get(name, on) is not on:
+            self._switches[name] = on
+            self._state = dict(self._switches)
+            self.update()
+
+    def update(self) -> None:
+        """Find which modules have power now, after a switch or an attachment has changed."""
+        neighbours: dict[str, list[str]] = {}
+        for one, other in self._attachments():
+            neighbours.setdefault(one, []).append(other)
+            neighbours.setdefault(other, []).append(one)
+        waiting = [name for name, kind in self._kinds.items() if kind is PartKind.BASE]
+        reached = set(waiting)
+        while waiting:
+            for name in neighbours.get(waiting.pop(), ()):
+                if name not in reached:
+                    reached.add(name)
+                    waiting.append(name)
+        self._follow({name: on and name in reached for name, on in self._switches.items()})

@@ -1,0 +1,262 @@
+"""A factory cell in MuJoCo's physics: a `Robot` whose optional parts are the modules and the equipment."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Final
+
+import mujoco
+import numpy as np
+
+from jauspy.errors import ConfigError
+from jauspy.platform.chassis import FixedBase
+from jauspy.platform.contract import OptionalPart
+from jauspy.platform.description import RobotModel
+from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.modular.parts import CellSetup
+from jauspy.platform.ranging import Scanner
+from jauspy_sim.assembly import TIMESTEP, redirect_warnings
+from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
+from jauspy_sim.cell.assembly import CellModel, build_cell
+from jauspy_sim.cell.car import SimulatedCar
+from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
+from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
+from jauspy_sim.cell.payload import Payload
+from jauspy_sim.cell.servos import SimulatedServo, servos_of
+from jauspy_sim.cell.start import disturb
+from jauspy_sim.cell.truth import Truth
+from jauspy_sim.joints import SimulatedJoints
+
+if TYPE_CHECKING:
+    from jauspy.platform.modular.assembled_arm import AssembledArm
+
+ARM_LIBRARIES: Final = ("pinocchio", "ruckig")
+
+SETTLING_STEPS: Final = 500
+"""Steps before time starts, in which parts slide to the lower edges of their bins and come to rest."""
+
+CONTROL_EVERY: Final = 2
+"""Physics steps from one control of connectors and modular arm to the next."""
+
+ROUNDING: Final = 1e-9
+"""Tolerance for rounding errors of times, as a fraction of a step."""
+
+
+class SimulatedCell:
+    """A cell and its world. The same commands at the same times give the same trajectory, bit for bit."""
+
+    def __init__(self, cell: CellModel, robot: RobotModel) -> None:
+        self._model = cell.model
+        self._setup = setup = cell.setup
+        self._data = data = mujoco.MjData(cell.model)
+        random = np.random.default_rng(setup.seed)
+        self._groups = {
+            name: SimulatedJoints(cell.model, data, cell.prefix, robot.description, group)
+            for name, group in robot.groups.items()
+        }
+        disturb(cell.model, data, setup, random)
+        mujoco.mj_forward(cell.model, data)
+        self._drive = FixedBase()
+        setups = {part.name: kind for part in setup.parts if (kind := setup.types[part.type].servo) is not None}
+        self._servos = servos_of(cell.model, data, setups)
+        self._powered: tuple[SimulatedServo, ...] = ()
+        self._attachments = Attachments(cell, data, random)
+        self._power = SimulatedPower(setup, self._pairs, self._set_powered)
+        self._conveyor = SimulatedConveyor(cell.model, data, setup.conveyor) if setup.conveyor else None
+        self._sensor = SimulatedPartSensor(cell.model, data, setup, setup.sensor)
+        connectors = self._attachments.connectors
+        self._car = SimulatedCar(cell.model, data, setup, connectors, self._servos) if setup.car else None
+        gripper = f"{cell.prefix}{setup.gripper}"
+        self._payload = Payload(cell.model, data, setup, gripper, self._attachments) if setup.gripper else None
+        self._arm = self._make_arm(setup)
+        self._truth = Truth(cell, data, self._servos)
+        self._revision = -1
+        self._owed = 0.0
+        self._steps = -SETTLING_STEPS
+        self._run(SETTLING_STEPS)
+        self._sensor.step(0.0)
+        self._parts = tuple(self._list_parts())
+        self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot.cameras)
+
+    @classmethod
+    def open(cls, robot: RobotModel, world: str) -> SimulatedCell:
+        """Build a cell in a world, and let it settle. Raises `ConfigError` with the known worlds."""
+        redirect_warnings()
+        return cls(build_cell(robot, world), robot)
+
+    @property
+    def model(self) -> mujoco.MjModel:
+        """MuJoCo's model."""
+        return self._model
+
+    @property
+    def data(self) -> mujoco.MjData:
+        """MuJoCo's state; writing to it moves the world."""
+        return self._data
+
+    @property
+    def setup(self) -> CellSetup:
+        """What is in it."""
+        return self._setup
+
+    @property
+    def truth(self) -> Truth:
+        """What is really the case; for tests and measurements only."""
+        return self._truth
+
+    @property
+    def drive(self) -> FixedBase:
+        """The base, which does not move."""
+        return self._drive
+
+    @property
+    def groups(self) -> Mapping[str, SimulatedJoints]:
+        """The joints of the robot, by the names that its file gives them."""
+        return self._groups
+
+    @property
+    def lidars(self) -> Mapping[str, Scanner]:
+        """None."""
+        return {}
+
+    @property
+    def force_torque(self) -> Mapping[str, SampledForceTorque]:
+        """None: connectors measure what they hold."""
+        return {}
+
+    @property
+    def cameras(self) -> Mapping[str, SimulatedCamera]:
+        """Its cameras, by name."""
+        return self._cameras.cameras
+
+    @property
+    def servos(self) -> Mapping[str, SimulatedServo]:
+        """The servo modules, by name."""
+        return self._servos
+
+    @property
+    def connectors(self) -> Mapping[str, SimulatedConnector]:
+        """The vacuum connectors, by name."""
+        return self._attachments.connectors
+
+    @property
+    def optional_parts(self) -> Sequence[OptionalPart]:
+        """Modules, connectors and equipment."""
+        return self._parts
+
+    @property
+    def time(self) -> float:
+        """Seconds simulated, a whole number of steps."""
+        return self._steps * TIMESTEP
+
+    def advance(self, dt: float) -> None:
+        """Simulate `dt` seconds in whole steps of `TIMESTEP`; the remainder is carried over to the next call."""
+        if not 0.0 <= dt < math.inf:
+            raise ValueError(f"cannot advance by {dt} s; time only goes forward")
+        self._owed += dt / TIMESTEP
+        steps = math.floor(self._owed + ROUNDING)
+        if steps:
+            self._owed -= steps
+            self._run(steps)
+            self._cameras.show()
+
+    def close(self) -> None:
+        """Stop. What connectors hold stays held. May be called twice."""
+        for group in self._groups.values():
+            group.hold()
+        for servo in self._powered:
+            servo.hold()
+        if self._conveyor is not None:
+            self._conveyor.set_speed(0.0)
+        self._cameras.close()
+
+    def _run(self, steps: int) -> None:
+        model, data = self._model, self._data
+        for _ in range(steps):
+            self._control()
+            mujoco.mj_step(model, data)
+            self._steps += 1
+            if self._conveyor is not None:
+                self._conveyor.control()
+            self._sensor.step(self.time)
+
+    def _control(self) -> None:
+        if not self._steps % CONTROL_EVERY:
+            self._attachments.control()
+            if self._attachments.revision != self._revision:
+                self._follow_attachments()
+            if self._arm is not None:
+                self._arm.control(self.time, CONTROL_EVERY * TIMESTEP)
+        for group in self._groups.values():
+            if not self._steps % group.every:
+                if self._payload is not None:
+                    self._payload.efforts(group.load)
+                group.control()
+        for servo in self._powered:
+            servo.control()
+
+    def _follow_attachments(self) -> None:
+        self._revision = self._attachments.revision
+        self._let_sleep()
+        self._power.update()
+        if self._payload is not None:
+            self._payload.update()
+        if self._car is not None:
+            self._car.update()
+
+    def _let_sleep(self) -> None:
+        """Let parts sleep that no connector holds; of the others, forces are measured."""
+        model, policy = self._model, mujoco.mjtSleepPolicy
+        for part in self._setup.parts:
+            if not part.fixed:
+                model.tree_sleep_policy[model.body_treeid[model.body(part.name).id]] = int(policy.mjSLEEP_ALLOWED)
+        for connector, face in self._attachments.attached():
+            for body in (connector.body, face.body):
+                if (tree := model.body_treeid[body]) >= 0:
+                    model.tree_sleep_policy[tree] = int(policy.mjSLEEP_NEVER)
+
+    def _make_arm(self, setup: CellSetup) -> AssembledArm | None:
+        """The controller of the modular arm, which needs the libraries of the extra `cell`."""
+        if not setup.arm:
+            return None
+        for library in ARM_LIBRARIES:
+            if find_spec(library) is None:
+                raise ConfigError(f"the modular arm {setup.arm!r} needs {library}: pip install 'jauspy[cell]'")
+        from jauspy.platform.modular.assembled_arm import AssembledArm  # noqa: PLC0415 - needs these libraries
+
+        connectors = tuple(self._attachments.connectors.values())
+        return AssembledArm(
+            setup.arm,
+            setup,
+            self._servos,
+            connectors,
+            revision=lambda: self._attachments.revision,
+            base_pose=lambda name: self._attachments.frame_of(self._model.body(name).id).to_pose(),
+        )
+
+    def _pairs(self) -> Iterator[tuple[str, str]]:
+        """Parts that are attached to each other; the gripper does not conduct."""
+        for connector, face in self._attachments.attached():
+            if connector.part:
+                yield connector.part, face.part
+
+    def _set_powered(self, powered: Mapping[str, bool]) -> None:
+        """Pass on which modules have power."""
+        for name, servo in self._servos.items():
+            servo.set_powered(powered.get(name, False))
+        self._powered = tuple(servo for servo in self._servos.values() if servo.powered)
+        self._attachments.set_powered(powered)
+
+    def _list_parts(self) -> Iterator[OptionalPart]:
+        yield from self._servos.values()
+        yield from self._attachments.connectors.values()
+        if self._conveyor is not None:
+            yield self._conveyor
+        yield self._sensor
+        yield self._power
+        if self._car is not None:
+            yield self._car
+        if self._arm is not None:
+            yield self._arm

@@ -1,0 +1,75 @@
+"""Where the parts of a cell are at the start: their poses of the file, with errors that are drawn with a seed."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+import mujoco
+import numpy as np
+
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector, Z, add, difference, dot, quaternion, rotation_about, scaled
+from jauspy.platform.modular.parts import CellSetup, PlacedPart
+
+MAX_DRAWS: Final = 200
+"""Draws for one part until it does not overlap another."""
+
+MAX_OVERLAP: Final = 0.002
+"""Metres by which shapes may overlap at the start; contacts push them apart."""
+
+STEEP: Final = 0.1
+"""Sine of a slope from which on parts slide down; they then start above the edge on which they come to rest."""
+
+
+def disturb(model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, random: np.random.Generator) -> None:
+    """Move each part that is not fixed along its support by up to `cell.pose_error`, and turn it about the normal."""
+    distance, angle = cell.pose_error
+    if not (distance or angle):
+        return
+    for part in cell.parts:
+        if part.fixed or part.name == cell.car:
+            continue
+        address = int(model.joint(part.name).qposadr[0])
+        for _ in range(MAX_DRAWS):
+            along, across, turn = random.uniform(-1.0, 1.0, 3).tolist()
+            length = math.hypot(along, across)
+            if length > 1.0:
+                continue
+            pose = _disturbed(cell, part, distance * along, distance * across, angle * turn)
+            data.qpos[address : address + 7] = (*pose.position, *quaternion(pose.rotation))
+            mujoco.mj_fwdPosition(model, data)
+            if not _overlaps(model, data, part.name):
+                break
+
+
+def _disturbed(cell: CellSetup, part: PlacedPart, along: float, across: float, turn: float) -> Transform:
+    pose = Transform.from_pose(part.pose)
+    kind = cell.types[part.type]
+    grasp = pose @ kind.grasp
+    normal = scaled(grasp.rotate(Z), -1.0)
+    rise = difference(Z, scaled(normal, dot(Z, normal)))
+    steep = math.hypot(*rise)
+    if steep > STEEP:
+        upward = scaled(rise, 1.0 / steep)
+        along = abs(along) + 0.05 * abs(math.sin(turn))
+    else:
+        upward = (1.0, 0.0, 0.0)
+    sideways: Vector = (
+        normal[1] * upward[2] - normal[2] * upward[1],
+        normal[2] * upward[0] - normal[0] * upward[2],
+        normal[0] * upward[1] - normal[1] * upward[0],
+    )
+    middle = grasp.position
+    rotation = Transform(rotation_about(normal, turn))
+    arm = rotation.rotate(difference(pose.position, middle))
+    moved = add(add(middle, arm), add(scaled(upward, along), scaled(sideways, across)))
+    return Transform((rotation @ Transform(pose.rotation)).rotation, moved)
+
+
+def _overlaps(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> bool:
+    tree = model.body_treeid[model.body(name).id]
+    for contact in data.contact[: data.ncon]:
+        if contact.dist < -MAX_OVERLAP and tree in model.body_treeid[model.geom_bodyid[contact.geom]]:
+            return True
+    return False

@@ -1,0 +1,24 @@
+"""Fixtures of the factory cell; its tests need the extra `cell`."""
+
+from __future__ import annotations
+
+import pytest
+
+pytest.importorskip("pinocchio", reason="needs the extra `cell`")
+pytest.importorskip("coal", reason="needs the extra `cell`")
+
+from jauspy.cell.layout import Layout
+from jauspy.modules import robot_files
+from jauspy.platform.description import RobotModel
+
+
+@pytest.fixture(scope="session")
+def model() -> RobotModel:
+    """The cell's robot."""
+    return robot_files.robot_model(robot_files.load("cell"))
+
+
+@pytest.fixture(scope="session")
+def layout(model: RobotModel) -> Layout:
+    """The cell's parts and its arm."""
+    return Layout(model)

@@ -1,0 +1,103 @@
+"""The task to assemble an arm, in a cell that fails when it is told to."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import pytest
+from tests.helpers.fake_cell import FakeCell
+
+from jauspy.cell.assembly import FIVE_JOINTS, GRASPS, Assembler, AssemblyResult
+from jauspy.cell.interface import GRIPPER
+from jauspy.cell.layout import Layout
+
+TWO = FIVE_JOINTS[:2]
+
+
+@pytest.fixture
+def cell(layout: Layout) -> FakeCell:
+    return FakeCell(layout)
+
+
+async def build(cell: FakeCell) -> AssemblyResult:
+    return await Assembler(cell, cell.layout).build(slots=TWO)
+
+
+def parts(result: AssemblyResult) -> list[str]:
+    return [each.part for each in result.parts]
+
+
+async def test_the_first_joints_are_built(cell: FakeCell) -> None:
+    result = await build(cell)
+    assert result.failure == ""
+    assert parts(result) == ["servo_1", "bracket_1"]
+    assert result.retries == 0
+    assert result.clearance.distance > 0.005
+    assert {name: held for name, (held, _) in cell.attached.items()} == {
+        "platform_1/top": "servo_1",
+        "servo_1/output": "bracket_1",
+    }
+    assert "check joint 1" in [each.action for each in result.timeline.entries]
+    assert cell.log, "the new joint was moved"
+
+
+async def test_a_grasp_that_fails_is_tried_again(cell: FakeCell) -> None:
+    count = Counter[str]()
+
+    def fails(connector: str, part: str) -> str:
+        count[connector] += 1
+        return "no vacuum" if connector == GRIPPER and count[connector] == 1 else ""
+
+    cell.fails = fails
+    result = await build(cell)
+    assert result.failure == ""
+    assert result.parts[0].attempts == ["servo_1: no vacuum"]
+
+
+async def test_a_part_that_cannot_be_grasped_is_replaced(cell: FakeCell) -> None:
+    cell.fails = lambda connector, part: "no vacuum" if (connector, part) == (GRIPPER, "bracket_1") else ""
+    result = await build(cell)
+    assert result.failure == ""
+    assert parts(result) == ["servo_1", "bracket_2"]
+    assert len(result.parts[1].attempts) == GRASPS
+
+
+async def test_a_dropped_part_is_replaced(cell: FakeCell) -> None:
+    count = Counter[str]()
+
+    def drops(part: str) -> bool:
+        count[part] += 1
+        return part == "bracket_1" and count[part] == 2  # it was lifted, and is carried
+
+    cell.drops = drops
+    result = await build(cell)
+    assert result.failure == ""
+    assert "dropped on the way" in " ".join(result.parts[1].attempts)
+    assert parts(result)[1] == "bracket_2"
+
+
+async def test_a_connector_that_does_not_attach_is_tried_beside_and_then_with_another_part(cell: FakeCell) -> None:
+    cell.fails = lambda connector, part: "not aligned" if (connector, part) == ("servo_1/output", "bracket_1") else ""
+    result = await build(cell)
+    assert result.failure == ""
+    assert parts(result)[1] == "bracket_2"
+    assert sum("not aligned" in each for each in result.parts[1].attempts) >= 2
+
+
+async def test_a_hidden_part_is_not_looked_for(cell: FakeCell) -> None:
+    cell.hidden.add("bracket_1")
+    result = await build(cell)
+    assert parts(result)[1] == "bracket_2"
+
+
+async def test_without_any_part_it_ends_with_the_reason_and_at_rest(cell: FakeCell, layout: Layout) -> None:
+    cell.hidden |= set(layout.of_types(("bracket_straight",)))
+    result = await build(cell)
+    assert result.failure == "no bracket_straight could be grasped for bracket: none is left"
+    assert GRIPPER not in cell.attached
+    assert cell.attached["platform_1/top"][0] == "servo_1", "what was built stays"
+
+
+async def test_equal_seeds_give_equal_results(layout: Layout) -> None:
+    one, other = await build(FakeCell(layout)), await build(FakeCell(layout))
+    assert repr(one) == repr(other)

@@ -1,0 +1,120 @@
+"""What components of other vendors do that is right: no false alarms, and no endless runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from datetime import UTC, datetime
+from typing import Any
+
+import pytest
+from tests.conformance.injectors import code, deaf_to
+from tests.conformance.simulated import examined, robot
+
+from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, run
+from jauspy.conformance.offers import Offers
+from jauspy.conformance.wire import LinkWire, UdpWire, random_sequence
+from jauspy.ids import JausID
+from jauspy.messages.core import QueryControl, ReportStatus
+from jauspy.protocol import judp
+from jauspy.services.core import AccessControl, Events, Liveness, Management, Time
+from jauspy.services.host import Host
+
+COMPONENT = JausID(105, 1, 1)
+
+
+class Remembering(VirtualTarget):
+    """Drops packets whose source and number it has seen, for long."""
+
+    seen: set[tuple[JausID, int]]
+
+    def inbound(self, datagram: bytes) -> Iterable[bytes]:
+        packets, _ = judp.unpack_all(datagram)
+        if any((each.source, each.sequence) in self.seen for each in packets):
+            return ()
+        self.seen |= {(each.source, each.sequence) for each in packets}
+        return (datagram,)
+
+
+def test_second_run_is_heard_by_a_peer_that_remembers_sequence_numbers():
+    seen: set[tuple[JausID, int]] = set()
+    for number in range(2):
+        target = robot(virtual_target=type("_", (Remembering,), {"seen": seen, "first_sequence": 1000 * number}))
+        report = examined("transport", target, COMPONENT, only=("query", "unicast", "repeat"))
+        assert report.counts[Verdict.PASS] == 3
+
+
+def test_sequence_numbers_begin_at_random_on_networks(free_port):
+    wires = [make() for make in 3 * [lambda: UdpWire(port=free_port), lambda: LinkWire("local:/nowhere")]]
+    for each in wires:
+        each.close()
+    assert len({each.first_sequence for each in wires}) > 1
+    assert len({random_sequence() for _ in range(20)}) > 10
+
+
+class Lagging(TargetComponent):
+    """Its status is right 50 ms after it has changed: another service reports it, which is notified later."""
+
+    shown = b""
+    changed_at: float | None = None
+
+    def send(self, outgoing: Any, now: float) -> None:
+        if outgoing.payload[:2] == code(ReportStatus):
+            if not self.shown or outgoing.payload == self.shown:
+                self.changed_at = None
+            elif self.changed_at is None:
+                self.changed_at = now
+            if self.changed_at is None or now - self.changed_at >= 0.05:
+                self.shown, self.changed_at = outgoing.payload, None
+            outgoing = outgoing._replace(payload=self.shown)
+        super().send(outgoing, now)
+
+
+@pytest.mark.parametrize(
+    "step", ["Controlled.Available.Ready/Standby/controller", "table/Management/Controlled.Ready/Standby"]
+)
+def test_state_that_is_reported_a_little_later_is_right(step):
+    report = examined("core-1.1", robot(Lagging, timeout=5), COMPONENT, only=(step,))
+    assert {each.verdict for each in report.results} == {Verdict.PASS}, report.failures
+
+
+def test_component_without_an_answer_to_query_control_is_tested_otherwise_within_a_minute():
+    part, target, _ = deaf_to(QueryControl)()
+    healthy = examined("core-1.1", robot(timeout=5), COMPONENT)
+    report = examined("core-1.1", robot(part, target, timeout=5), COMPONENT)
+    assert report.seconds < healthy.seconds + 60.0
+    assert report.counts[Verdict.PASS] > 0.9 * healthy.counts[Verdict.PASS]
+    assert len([each for each in report.results if each.verdict is Verdict.SILENT]) < 6
+    assert any("does not answer QueryControl 200Dh" in each for each in report.notes)
+
+
+class Management10(Management, version="1.0"):
+    pass
+
+
+class Time10(Time, version="1.0"):
+    pass
+
+
+class Liveness10(Liveness, version="1.0"):
+    pass
+
+
+def test_services_of_version_1_0_are_tested_as_such_without_discovery():
+    services = Management10(), Time10(), Liveness10(), AccessControl(default_authority=10, timeout=5), Events()
+    host = Host(COMPONENT, services, utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
+    offers = Offers({COMPONENT: frozenset(each.key for each in host.definitions.values())})
+    assert {version for _, version in offers.components[COMPONENT]} == {"1.0"}
+    target = VirtualTarget([TargetComponent(host)])
+    report = run(find("core-1.1"), target, COMPONENT, began=0.0, offers=offers)
+    assert (report.problem, report.failures) == ("", ())
+    assert report.counts[Verdict.PASS] > 250
+    taken = {each.name for each in report.transitions if each.step}
+    assert {each for each in taken if "Controlled.StateB: Reset" in each}
+    assert {each for each in taken if "Controlled: Timeout [isControlAvailable()]" in each}
+
+
+def test_target_without_discovery_is_told_how_to_name_its_services():
+    host = Host(COMPONENT, [Management()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
+    report = examined("core-1.1", VirtualTarget([TargetComponent(host)]), COMPONENT)
+    assert "does not report its services" in report.problem
+    assert "--services Management@1.0" in report.problem
