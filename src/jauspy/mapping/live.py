@@ -57,8 +57,10 @@ class LiveMapping:
         self._threaded = threaded
         self.mapper = mapper
         self.counters: Counter[str] = Counter()
-        """`scans` used, and those skipped by reason: `tilted`, `no pose in time`, `sensor not active`; and poses that are
-        skipped: `pose without time`."""
+        """`scans` used, and those skipped by reason: `tilted`, `no pose in time`, `sensor not active`.
+
+        `pose without time` counts the poses that were skipped.
+        """
         self._poses: deque[_StampedPose] = deque(maxlen=MAX_POSES)
         self._updated = asyncio.Condition()
 
