@@ -62,7 +62,9 @@ def cell(id: JausID) -> VirtualTarget:
 
 
 def problems(report: Report) -> list[str]:
-    return [f"{each.id}: {each.reason}" for each in report.results if each.verdict not in (Verdict.PASS, Verdict.SKIPPED)]
+    return [
+        f"{each.id}: {each.reason}" for each in report.results if each.verdict not in (Verdict.PASS, Verdict.SKIPPED)
+    ]
 
 
 @pytest.mark.parametrize("kind", [name for name in KINDS if name not in ("UR10", "car")])
