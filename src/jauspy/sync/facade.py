@@ -22,6 +22,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
+from jauspy.video.h264_payload import Picture
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, Self, TYPE_CHECKING, overload
@@ -564,6 +565,13 @@ class Camera(Facade[_Camera]):
         or none for 5 s later. The camera stops sending when the loop is left.
         """
         return self._portal.iterate(self._async.frames(address=address, timeout=timeout))
+
+    def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Picture, None, None]:
+        """Pictures as the camera encodes them (H.264), from a whole IDR picture on; otherwise as `frames`.
+
+        Pictures of which packets were lost are left out, with those that depend on them, until the next IDR picture.
+        """
+        return self._portal.iterate(self._async.encoded(address=address, timeout=timeout))
 
     def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
         """An image as the content of a file; see `ServiceClient.still`."""
