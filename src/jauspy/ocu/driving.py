@@ -102,10 +102,9 @@ class Driving:
             check_number(value, use)
         check_number(seconds, "seconds", optional=True)
         driver = self.driver()
-        if self._limits is None:
-            self._limits = await self._read_limits(driver)
-        if self._limits is not None:
-            self._limits.check(linear, angular)
+        limits = await self._known_limits()
+        if limits is not None:
+            limits.check(linear, angular)
         stream = await self._opened(driver)
         if not stream.active:
             await check_ready(self._connection, driver.id)
@@ -115,6 +114,16 @@ class Driving:
                 await self._while_active(stream, driver, seconds)
             finally:
                 await self.stop()
+
+    async def speed_limits(self) -> tuple[float, float]:
+        """See `Robot.speed_limits`."""
+        limits = await self._known_limits()
+        return (math.inf, math.inf) if limits is None else (limits.linear, limits.angular)
+
+    async def _known_limits(self) -> VelocityLimits | None:
+        if self._limits is None:
+            self._limits = await self._read_limits(self.driver())
+        return self._limits
 
     async def stop(self) -> None:
         """Stand still."""
