@@ -35,7 +35,6 @@ from jauspy.ocu.streaming import CommandStream
 RATE: Final = 10.0
 """Hz at which a velocity is repeated."""
 VELOCITY, WRENCH = "mobility:VelocityStateDriver", "mobility:PrimitiveDriver"
-ALL_OF_A_POSE: Final = 0x1FF
 X_AND_YAW: Final = 0b100001
 """Presence vector of a velocity: forward and about z."""
 ROUNDING: Final = 1e-3
@@ -144,7 +143,7 @@ class Driving:
         sensor = self._offering("mobility:LocalPoseSensor")
         if sensor is None:
             raise ConfigError("this robot does not tell its pose: it does not offer mobility:LocalPoseSensor")
-        report = await sensor.query(QueryLocalPose(ALL_OF_A_POSE), expects=ReportLocalPose)
+        report = await sensor.query(QueryLocalPose(), expects=ReportLocalPose)
         return pose_of(report, datetime.now(UTC))
 
     async def go_to(
