@@ -14,7 +14,7 @@ TABLE: Final = (
     ),
     *entries(
         "jauspy.messages.cell.v1_0.modular_arm", "urn:jauspy:cell:ModularArm", "1.0",
-        (0xDA65, "MoveModularArm", "072a8636"), (0xDA66, "HoldModularArm", "2e38e77b"),
+        (0xDA65, "MoveModularArm", "98ff05a1"), (0xDA66, "HoldModularArm", "2e38e77b"),
         (0xDA67, "SetModularArmController", "31c86326"), (0xDA68, "SetModularArmOrder", "d29c6248"),
         (0xEA68, "QueryModularArmState", "2e38e77b"), (0xEA69, "QueryModularArmSpecification", "2e38e77b"),
         (0xFA68, "ReportModularArmState", "3c3f36e4"), (0xFA69, "ReportModularArmSpecification", "2716c183"),
@@ -30,10 +30,10 @@ TABLE: Final = (
     ),
     *entries(
         "jauspy.messages.cell.v1_0.servo_module", "urn:jauspy:cell:ServoModule", "1.0",
-        (0xDA60, "SetServoTarget", "5d2d611a"), (0xDA61, "SetServoGains", "c2ad095b"),
+        (0xDA60, "SetServoTarget", "5d2d611a"), (0xDA61, "SetServoGains", "28eb79b5"),
         (0xEA60, "QueryServoState", "b98f4f36"), (0xEA61, "QueryServoGains", "2e38e77b"),
         (0xEA62, "QueryServoSpecification", "2e38e77b"), (0xFA60, "ReportServoState", "95ac4cd3"),
-        (0xFA61, "ReportServoGains", "c2ad095b"), (0xFA62, "ReportServoSpecification", "dac5ca59"),
+        (0xFA61, "ReportServoGains", "28eb79b5"), (0xFA62, "ReportServoSpecification", "dac5ca59"),
     ),
     *entries(
         "jauspy.messages.cell.v1_0.vacuum_connector", "urn:jauspy:cell:VacuumConnector", "1.0",
@@ -149,6 +149,10 @@ TABLE: Final = (
     *entries(
         "jauspy.messages.core.v1_1.time", "urn:jaus:jss:core:Time", "1.1",
         (0x0011, "SetTime", "906a0747"), (0x2011, "QueryTime", "51cd6bfa"), (0x4011, "ReportTime", "906a0747"),
+    ),
+    *entries(
+        "jauspy.messages.description.v1_0.joint_description", "urn:jauspy:description:JointDescription", "1.0",
+        (0xEA80, "QueryJointDescription", "2e38e77b"), (0xFA80, "ReportJointDescription", "1b928093"),
     ),
     *entries(
         "jauspy.messages.environment_sensing.v1_0.analog_video", "urn:jaus:jss:environmentSensing:AnalogVideo", "1.0",

@@ -18,7 +18,7 @@ from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.parts import PartType
 from jauspy.platform.modular.servo import ServoModule
 from jauspy.services.cell.texts import sent_text
-from jauspy.services.service import Service
+from jauspy.services.command_timeout import ContinuousCommands
 
 _MODES: Final[Mapping[int, ControlMode]] = {
     SetServoTarget.Mode.POSITION_MODE: ControlMode.POSITION,
@@ -47,8 +47,11 @@ class ServoControl:
             self.servo.hold()
 
 
-class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
-    """A servo module, unless a modular arm moves it: then targets are ignored and counted, and the state says so."""
+class ServoModuleService(ContinuousCommands, urn="urn:jauspy:cell:ServoModule"):
+    """A servo module, unless a modular arm moves it: then targets are ignored and counted, and the state says so.
+
+    Velocities and torques end without a further target, positions do not.
+    """
 
     def __init__(self, control: ServoControl) -> None:
         self._control = control
@@ -64,11 +67,15 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
             self.host.count("claimed", f"{msg}")
         else:
             self._control.follow(Target(mode, msg.value), feed_forward)
+            if mode is ControlMode.POSITION:
+                self.expect_no_command()
+            else:
+                self.expect_next_command(self._control.stop)
 
     def set_servo_gains(self, msg: SetServoGains) -> None:
         """Set the gains; those that are negative or not finite numbers are ignored, all of them, and counted."""
-        position = Gains(msg.position_p, msg.position_i, msg.position_d, msg.position_i_limit)
-        velocity = Gains(msg.velocity_p, msg.velocity_i, msg.velocity_d, msg.velocity_i_limit)
+        position = Gains(msg.position_p, msg.position_i, msg.position_d, _limit(msg.position_i_limit))
+        velocity = Gains(msg.velocity_p, msg.velocity_i, msg.velocity_d, _limit(msg.velocity_i_limit))
         if _are_valid(position) and _are_valid(velocity):
             self._servo.set_gains(position, velocity)
         else:
@@ -76,12 +83,13 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
 
     def hold_servo(self) -> None:
         """Hold the position; runs when Ready is left."""
+        self.expect_no_command()
         self._control.stop()
 
     def control_lost(self) -> None:
         """Hold the position: the next client must not inherit a motion."""
         super().control_lost()
-        self._control.stop()
+        self.hold_servo()
 
     def report_servo_state(self) -> ReportServoState:
         """What it measures."""
@@ -102,7 +110,16 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
     def report_servo_gains(self) -> ReportServoGains:
         """The gains that were last set."""
         position, velocity = self._servo.gains()
-        return ReportServoGains(*_row(position), *_row(velocity))
+        return ReportServoGains(
+            position_p=position.p,
+            position_i=position.i,
+            position_d=position.d,
+            position_i_limit=_sent_limit(position),
+            velocity_p=velocity.p,
+            velocity_i=velocity.i,
+            velocity_d=velocity.d,
+            velocity_i_limit=_sent_limit(velocity),
+        )
 
     def report_servo_specification(self) -> ReportServoSpecification:
         """The data sheet."""
@@ -118,8 +135,12 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
         )
 
 
-def _row(gains: Gains) -> tuple[float, float, float, float]:
-    return gains.p, gains.i, gains.d, gains.i_limit
+def _limit(sent: float | None) -> float:
+    return math.inf if sent is None else sent
+
+
+def _sent_limit(gains: Gains) -> float | None:
+    return gains.i_limit if math.isfinite(gains.i_limit) else None
 
 
 def _are_valid(gains: Gains) -> bool:
