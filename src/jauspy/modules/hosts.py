@@ -20,6 +20,7 @@ from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
 from jauspy.protocol.header import Packet
+from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
 from jauspy.services.environment_sensing import VideoSource, VideoStreams
 from jauspy.services.host import Host
@@ -99,6 +100,9 @@ def module_host(
         raise ConfigError(f"{id}: {error}") from error
     if isinstance(context, catalogue.ManipulatorContext) and any(config.offers(name) for name in LIST_DRIVERS):
         services.append(ManipulatorListDriver(context.arm))
+    for service in services:
+        if isinstance(service, ContinuousCommands):
+            service.command_timeout = config.command_timeout_of(service.urn.rpartition(":")[2])
     host = Host(id, [*core, *services], utc_now=utc_now, now=now)
     if context.moving is not None:
         Watchdog(host, context.moving)
