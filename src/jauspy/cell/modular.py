@@ -39,12 +39,16 @@ class ArmOperator:
         self.cell = cell
         self.layout = layout
         self.members = tuple(members)
-        self.chain = Chain(base, self.members)
-        self.scene = self._make_scene()
-        self.planner = MotionPlanner(self.scene, self.chain, margin=0.01)
         self.clearance = Clearance(1.0)
+        self.stand(Chain(base, self.members))
         self.tip = f"{self.members[-1].name}/{self.members[-1].connector}"
         """The connector at the end."""
+
+    def stand(self, chain: Chain) -> None:
+        """Plan for the arm standing as this chain does from now on."""
+        self.chain = chain
+        self.scene = self._make_scene()
+        self.planner = MotionPlanner(self.scene, chain, margin=0.01)
 
     @classmethod
     async def found(

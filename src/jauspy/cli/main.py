@@ -32,6 +32,7 @@ VERBS: Final = {
     "ls": ("jauspy.cli.ls:ls", "List subsystems, nodes, components and services that answer discovery."),
     "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
+    "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),
     "console": (
         "jauspy.cli.operator_console:console_page",
         "Operate robots in the browser: cameras, driving, arm, emergency stop.",
@@ -95,6 +96,11 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.assemble:assemble",
         "Build an arm with five joints: the UR10 takes modules out of the bins and joins them.",
     ),
+    "lift": (
+        "jauspy.cli.cell.tasks:lift",
+        "Take a box off the moving conveyor with the modular arm, and throw it into the marked area.",
+    ),
+    "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
 FUZZ_VERBS: Final = {
