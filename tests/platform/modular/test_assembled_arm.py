@@ -107,7 +107,7 @@ class TestMotions:
         for _ in range(80):
             plant.run(arm, 0.01)
             speeds.append(plant.velocities[0])
-        assert max(speeds) == pytest.approx(0.9 * 1.503, rel=0.08)
+        assert max(speeds) == pytest.approx(0.8 * 1.503, rel=0.08)
 
     def test_nan_leaves_a_target(self, plant: ServoPlant, arm: AssembledArm) -> None:
         arm.move((NAN, NAN, NAN, 0.1, NAN), 1.0)

@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 FADE_TIME: Final = 0.05
 """Seconds in which the torques go over from one model or controller to the next."""
 
-RESERVE: Final = 0.9
+RESERVE: Final = 0.8
 """Fraction of a module's speed, and of its torque, that planned motions use; the rest is for control."""
 
 ACCELERATION: Final = 25.0
@@ -144,7 +144,8 @@ class AssembledArm(ModularArm):
             self._error = f"motion refused: {refusal}"
             return
         if self._motion is None:
-            self._shaper = Shaper(self._planned, round(SHAPING_TIME / self._period))
+            shaped = self._controller is ArmController.MODEL
+            self._shaper = Shaper(self._planned, round(SHAPING_TIME / self._period) if shaped else 1)
         self._motion = motion
         self._error, self._since_end = "", 0.0
 

@@ -28,7 +28,7 @@ LARGEST_STEP: Final = 0.35
 STIFFENING: Final = 4.0
 """This natural frequency over that of the rotor on its spring, at most; the gain of the torque error is its square."""
 
-SEPARATION: Final = 5.5
+SEPARATION: Final = 7.5
 """This natural frequency over that of position errors."""
 
 POSITION_DAMPING: Final = 0.9
