@@ -24,7 +24,7 @@ DRIVE = ("send", "101.1.102", "SetWrenchEffort", "propulsive_linear_effort_x=40"
 def folder(tmp_path, capsys):
     """A folder with the key of alice, and the operators file that names her."""
     operators.new(name="alice", output=tmp_path / "alice.key")
-    (tmp_path / "operators.toml").write_text(f"[operators]\n{capsys.readouterr().out}")
+    (tmp_path / "operators.toml").write_text(capsys.readouterr().out)
     return tmp_path
 
 
@@ -43,6 +43,15 @@ def test_keys(folder, capsys):
         operators.new(name='a"b', output=folder / "b.key")
     with pytest.raises(ConfigError, match="cannot write"):
         operators.new(name="b", output=folder / "none" / "b.key")
+
+
+@pytest.mark.parametrize("before", ["", "[operators]\n", "[roles]\nking = 255\n"])
+def test_what_is_printed_may_follow_anything(folder, capsys, before):
+    bob = folder / "bob.key"
+    operators.new(name="bob", output=bob)
+    file = folder / "operators.toml"
+    file.write_text(f"{before}{file.read_text()}{capsys.readouterr().out}")
+    assert [each.name for each in load(file)] == ["alice", "bob"]
 
 
 @pytest.mark.parametrize(

@@ -63,8 +63,12 @@ class FakeCell:
             self.errors[GRIPPER] = "broken off"
         self._attach()
 
-    async def observe(self, samples: int = 4) -> Mapping[str, SeenPart]:
-        self.time += 0.2 * samples
+    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
+        await self.follow(path, speed=speed)
+        return await self.connector(connector)
+
+    async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
+        self.time += 0.8 if fresh else 0.0
         return {
             name: SeenPart(self.layout.type_of(name).name, pose)
             for name, pose in self.poses.items()

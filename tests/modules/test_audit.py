@@ -11,6 +11,7 @@ from contextlib import suppress
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 from hashlib import sha256
+from itertools import count, islice
 from pathlib import Path
 
 import pytest
@@ -49,10 +50,12 @@ def path(tmp_path: Path) -> Path:
 def write(path) -> Callable[..., None]:
     """Writes a log with so many commands."""
 
+    numbers = count(1)
+
     def written(commands: int = 5) -> None:
         with AuditLog(path, "inc1") as log:
-            for number in range(commands):
-                log.record(record(number + 1))
+            for number in islice(numbers, commands):
+                log.record(record(number))
 
     return written
 
@@ -162,6 +165,16 @@ def test_who_rewrites_everything_cannot_invent_commands_of_an_operator(path):
     assert "'alice' has not sealed" in verify(path.with_name("other"), operators=[ALICE]).problem
 
 
+def test_who_rewrites_everything_cannot_repeat_commands_of_an_operator(path):
+    with AuditLog(path, "inc1") as log:
+        for number in (1, 3, 2):
+            log.record(record(number))
+    assert verify(path, operators=[ALICE]).problem == ""
+    with AuditLog(path, "inc1") as log:
+        log.record(record(2))
+    assert verify(path, operators=[ALICE]).problem.startswith("line 7 was not written by the robot: 'alice' has sealed")
+
+
 def test_a_line_that_was_torn_by_a_power_failure(path, write):
     write()
     with path.open("ab") as stream:
@@ -199,7 +212,7 @@ def test_of_large_messages_the_hash_is_kept(path):
     entry = json.loads(lines(path)[1])
     assert (entry["sha256"], "payload" in entry) == (sha256(bytes(MAX_PAYLOAD + 1)).hexdigest(), False)
     report = verify(path, operators=[ALICE])
-    assert (report.problem, report.verified) == ("", 0)
+    assert (report.problem, report.verified, report.unverifiable) == ("", 0, 1)
 
 
 def test_a_disk_that_hangs_stops_nobody(path, monkeypatch):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
 import pytest
@@ -9,7 +10,7 @@ import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files, xacro_files
-from jauspy.modules.xacro_files import MAX_ELEMENTS, MAX_VALUE_LENGTH, expand
+from jauspy.modules.xacro_files import MAX_ELEMENTS, MAX_TOTAL, MAX_VALUE_LENGTH, expand
 
 HEAD = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
@@ -85,6 +86,9 @@ def test_arguments_and_files(written) -> None:
         ("-" * 990 + "1", "recursion"),
         ("max(*[1, 2])", "is not evaluated"),
         ("$(eval 1+1)", "$(eval 1+1): write ${...}"),
+        ("round(7, -999999999)", "round is not evaluated for more than 400 digits"),
+        ("python.sum([[1], [2]])", "sum is not evaluated for texts and lists"),
+        ("math.prod([2, 3])", "'prod' is not defined"),
     ],
 )
 def test_what_is_not_evaluated(written, expression: str, reason: str) -> None:
@@ -100,6 +104,28 @@ def test_properties_that_double_each_other(written) -> None:
     path = written(f'<xacro:property name="p0" value="ten chars."/>{doubled}<link name="${{p60}}"/>')
     with pytest.raises(ConfigError, match=f"a value is longer than {MAX_VALUE_LENGTH}"):
         expand(path)
+
+
+@pytest.mark.parametrize("use", ["${str(p60)}", "x${p60}", "${p60 == [p60]}"])
+def test_lists_of_lists(written, use: str) -> None:
+    lists = "".join(f'<xacro:property name="p{n + 1}" value="${{[p{n}, p{n}]}}"/>' for n in range(60))
+    with pytest.raises(ConfigError, match=f"a value is longer than {MAX_VALUE_LENGTH}"):
+        expand(written(f'<xacro:property name="p0" value="${{[1]}}"/>{lists}<link name="{use}"/>'))
+
+
+def test_long_values_that_are_used_often(written) -> None:
+    doubled = "".join(f'<xacro:property name="p{n + 1}" value="${{p{n}}}${{p{n}}}"/>' for n in range(13))
+    with pytest.raises(ConfigError, match=f"the values of all expressions are longer than {MAX_TOTAL}"):
+        expand(written(f'<xacro:property name="p0" value="ten chars."/>{doubled}<link name="{"${p13}" * 100}"/>'))
+
+
+@pytest.mark.parametrize(
+    "use", ['<xacro:include filename="pipe"/>', """<link name="${xacro.load_yaml('pipe')}"/>"""], ids=["XML", "YAML"]
+)
+def test_files_that_never_end(tmp_path: Path, written, use: str) -> None:
+    os.mkfifo(tmp_path / "pipe")
+    with pytest.raises(ConfigError, match="pipe: is not a regular file"):
+        expand(written(use))
 
 
 def test_macros_that_double_each_other(written, monkeypatch: pytest.MonkeyPatch) -> None:

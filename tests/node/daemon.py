@@ -81,7 +81,7 @@ class Daemon:
 
     def __init__(self, stack: contextlib.ExitStack, root: Path, port: int) -> None:
         self._stack = stack
-        self._root = root
+        self.root = root
         self.port = port
         self.line, device = pty.openpty()
         for file in (self.line, device):
@@ -110,9 +110,9 @@ class Daemon:
         """A component on its Unix socket, by the number that names it."""
         number = id if isinstance(id, int) else int(JausID.parse(id))
         sock = self._stack.enter_context(socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM))
-        (self._root / str(number)).unlink(missing_ok=True)
-        sock.bind(str(self._root / str(number)))
-        end = End(sock, str(self._root / "JuniorRTE"))
+        (self.root / str(number)).unlink(missing_ok=True)
+        sock.bind(str(self.root / str(number)))
+        end = End(sock, str(self.root / "JuniorRTE"))
         if connect:
             own = struct.pack("<I", number).hex()
             end.says(CONNECT.format(own))

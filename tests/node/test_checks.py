@@ -8,6 +8,8 @@ import time
 import pytest
 from tests.node.daemon import ACCEPT, CANCEL, CONNECT, TEN, Daemon, End, plain
 
+from jauspy.transport.node_status import read_at_once
+
 A, B = "100.1.1", "100.1.2"
 TO_A, TO_B = "01016400 02016400", "02016400 01016400"
 """Destination and source, between the two."""
@@ -195,10 +197,26 @@ def test_16_components_that_send_are_registered_after_a_restart(daemon: Daemon) 
     daemon.die()
     daemon.start()
     a.says("02001000 05 ffffffff 01016400 0220 0100")
+    b.hears("02001000 05 ffffffff 01016400 0220 0100")
     b.says(f"02001000 01 {TO_A} 0220 0200")
     a.hears(f"02001000 01 {TO_A} 0220 0200")
     a.says(f"02001000 01 {TO_B} 0240 0200")
     b.hears(f"02001000 01 {TO_B} 0240 0200")
+
+
+def test_silent_components_are_reachable_after_a_restart(daemon: Daemon) -> None:
+    """Of those whose sockets are there: live ones, and no other files."""
+    a, b = daemon.component(A), daemon.component(B)
+    dead = daemon.component("100.1.9")
+    dead.socket.close()
+    daemon.die()
+    daemon.start()
+    a.says(f"02001000 01 {TO_B} 0220 0100")
+    b.hears(f"02001000 01 {TO_B} 0220 0100")
+    a.says("02001000 01 09016400 01016400 0220 0200")  # is searched for on the network
+    b.hears_nothing()
+    found = {each["id"] for each in read_at_once(daemon.root)["components"]}
+    assert found == {A, B}
 
 
 def test_17_subsystems_100_and_356_are_distinguished(daemon: Daemon) -> None:

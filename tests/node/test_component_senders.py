@@ -1,6 +1,7 @@
 """The way to one component: full queues, full send buffers, and components that are replaced."""
 
 import asyncio
+import errno
 import socket
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,6 +10,7 @@ import pytest
 
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.node.liveness import ComponentSockets
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
 
@@ -120,3 +122,43 @@ async def test_a_component_is_heard_again_without_connect_after_it_died(root: Pa
         data = judp.pack(Packet(A, B, b"\x02\x20", 1))
         await wire.send(a, data)
         assert await receive(again) == data
+
+
+async def test_socket_that_may_not_be_written_to_is_a_warning_with_the_fix(
+    root: Path, wire: Wire, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    """As of a component with umask 022 beside a node manager of another user."""
+    path = root / str(int(A))
+    async with manager(root) as node:
+        writer = await wire.connected(B)
+        monkeypatch.setattr("jauspy.node.component_senders.local.connect", _refuse)
+        reader = wire.bound(A)
+        path.chmod(0o755)
+        await wire.send(reader, junior.connect(A))
+        for number in range(3):
+            await wire.send(writer, judp.pack(Packet(B, A, b"\x02\x20", number)))
+        async with asyncio.timeout(20):
+            while node.counters["dropped.local_send"] < 4:
+                await asyncio.sleep(0.01)
+    (warning,) = [each.getMessage() for each in caplog.records if each.levelname == "WARNING"]
+    assert "component 126.1.11 receives nothing: this node manager, which runs as" in warning
+    assert f"may not write to its socket {path}" in warning
+    assert "mode 755); start the component with `umask 002` in a group of" in warning
+    assert f"`chmod o+w {path}`" in warning
+
+
+def _refuse(sock: socket.socket, path: str) -> None:
+    raise PermissionError(errno.EACCES, "Permission denied")
+
+
+def test_sockets_are_taken_up_only_of_users_who_may_use_the_local_socket(wire: Wire) -> None:
+    wire.bound(A)
+    for name in ("007", "5000000000", "12x"):
+        with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as other:
+            other.bind(str(wire.root / name))
+    (wire.root / "77").touch()
+    sockets = ComponentSockets(wire.root)
+    sockets.open()
+    assert list(sockets.find_live(lambda _: True)) == [(int(A), str(wire.root / str(int(A))))]
+    assert list(sockets.find_live(lambda _: False)) == []
+    sockets.close()

@@ -79,7 +79,7 @@ async def test_without_a_key_the_reason_is_told(world, operators, caplog):
     await robot(world, operators)
     ocu = await world.ocu()
     driver = (await ocu.discover(101)).component(ROBOT).service("PrimitiveDriver")
-    with pytest.raises(ControlRejected, match=r"refused RequestControl: it has no seal.*give the OCU"):
+    with pytest.raises(ControlRejected, match=r"refused RequestControl: it has no seal.*give an operator's key"):
         async with driver.control():
             pass
     with caplog.at_level(logging.WARNING, "jauspy.ocu"):

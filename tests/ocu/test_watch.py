@@ -8,9 +8,9 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.messages.core import ReportIdentification, ReportServices
-from jauspy.ocu import Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished
-from jauspy.ocu.subsystems import INTRODUCTION_TIME, MAX_COMPONENTS, SubsystemTree
+from jauspy.messages.core import ComponentRec, ReportIdentification, ReportServices, ServiceRec
+from jauspy.ocu import Appeared, Changed, ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo, Vanished, subsystems
+from jauspy.ocu.subsystems import INTRODUCTION_TIME, MAX_COMPONENTS, MAX_SERVICES_OF_COMPONENT, SubsystemTree
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import pack
 from jauspy.services.core import Discovery, Identity, Liveness
@@ -215,6 +215,35 @@ def test_a_flood_of_ids_is_bounded():
     tree.expire(1.0)
     assert list(tree) == []
     assert tree._names == {}
+
+
+def test_a_flood_of_services_and_levels_is_bounded(monkeypatch):
+    monkeypatch.setattr(subsystems, "MAX_SERVICES", 1000)
+    tree = SubsystemTree()
+    robot = JausID(9, 1, 1)
+    tree.add(listed(robot, 10), robot, 0.0)
+    for number in range(1, 101):
+        source = JausID(7, 1, number)
+        tree.add(listed(source, 2 * MAX_SERVICES_OF_COMPONENT), source, 1.0)
+        for level in range(256):
+            tree.add(ReportIdentification(level, 0, "it"), source, 1.0)
+    assert sum(len(each.services) for each in tree.subsystems()[0].components) == 3 * MAX_SERVICES_OF_COMPONENT
+    assert tree.size < 1000 + 100 * 6
+    tree.expire(0.5)
+    tree.add(listed(robot, 10), robot, 2.0)
+    tree.expire(1.5)
+    source = JausID(7, 1, 1)
+    tree.add(listed(source, 20), source, 2.0)
+    assert [len(each.services) for part in tree.subsystems() for each in part.components] == [20, 10]
+
+
+def listed(id: JausID, services: int) -> ReportServices:
+    """What this component says of itself."""
+    offered = [ServiceRec(f"urn:{number}:{id}", 1, 0) for number in range(services)]
+    lists = [offered[start : start + 255] for start in range(0, services, 255)]
+    component = ReportServices.ComponentSeq
+    components = [component(ComponentRec(id.component, 0), each) for each in lists]
+    return ReportServices([ReportServices.NodeSeq(ReportServices.NodeRec(id.node), components)])
 
 
 async def test_malformed_reports_are_ignored(virtual_network, news):

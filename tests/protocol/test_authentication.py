@@ -185,6 +185,33 @@ def test_other_keys_plain_packets_old_ones_and_our_own_are_refused() -> None:
     assert receiver.poll_output() == []
 
 
+def make_up_sender(lan: Lan, number: int) -> None:
+    lan.nodes[ATTACKER] = Authenticator(KEY, 1000 + number)
+    lan.heard[ATTACKER] = []
+    lan.send(ATTACKER, B, query(number))
+
+
+def test_a_peer_that_sends_is_not_displaced_by_senders_that_are_made_up(lan: Lan, monkeypatch) -> None:
+    monkeypatch.setattr(authentication, "MAX_SENDERS", 16)
+    lan.send(A, B, query(0))
+    for number in range(1, 100):
+        make_up_sender(lan, number)
+        if number % 8 == 0:
+            lan.send(A, B, query(number))
+    assert len(lan.heard[B]) == 1 + 99 + 99 // 8
+
+
+def test_a_peer_whose_counters_were_forgotten_has_to_prove_itself(lan: Lan, monkeypatch) -> None:
+    monkeypatch.setattr(authentication, "MAX_SENDERS", 16)
+    recorded = lan.nodes[A].sign(query(1), lan.utc, B)
+    lan.carry(recorded, A, B)
+    for number in range(100):
+        make_up_sender(lan, number)
+    before = len(lan.heard[B])
+    lan.carry(recorded, A, B)
+    assert len(lan.heard[B]) == before
+
+
 def test_memory_and_challenges_are_bounded() -> None:
     receiver, sender = Authenticator(KEY, 1), Authenticator(KEY, 2)
     for number in range(3 * authentication.MAX_SENDERS):

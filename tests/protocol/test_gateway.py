@@ -191,6 +191,16 @@ def test_decision_for_the_first_fragment_expires() -> None:
     assert not after(core, message(OCU, MOB, 4, data_flag=DataFlag.LAST), OCU_PORT, 2 * late + rules.FRAGMENT_TIMEOUT)
 
 
+@pytest.mark.parametrize("first", [b"", b"\x05"])
+def test_a_first_fragment_without_a_message_id_passes_no_rule(first: bytes) -> None:
+    core = gateway(GatewayRule(allow=True, messages=(range(0x2000, 0x6000),)))
+    after(core, message(MOB, OCU), MOB_PORT)
+    command = b"\x05\x04\x01\x00\x33\xb3"
+    parts = ((first, DataFlag.FIRST), (command[len(first) :], DataFlag.LAST))
+    for sequence, (part, flag) in enumerate(parts):
+        assert not after(core, judp.pack(Packet(OCU, MOB, part, sequence, data_flag=flag)), OCU_PORT)
+
+
 def test_acknowledgements_pass_where_messages_may() -> None:
     core = gateway(GatewayRule(allow=True, source=OCU, messages=(range(0x0405, 0x0406),)))
     after(core, message(MOB, OCU), MOB_PORT)

@@ -32,9 +32,14 @@ JOINS: Final = 4
 """Attempts to join one part before it is put down."""
 PARTS: Final = 3
 """Parts that are tried for one place in the arm."""
-ATTACH_TIME: Final = 0.6
-"""Seconds in which a connector must attach."""
-POLL: Final = 0.05
+ATTACH_TIME: Final = 0.06
+"""Seconds in which a connector in contact must attach."""
+PRESSES: Final = 3
+"""How often the arm presses on while a connector does not attach."""
+NEAR_SPEED: Final = 0.3
+LIFT_SPEED: Final = 0.3
+TOUCH_SPEED: Final = 0.015
+"""Fractions of the UR10's speed on the way to what it is about to touch, and for the last millimetres."""
 MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
@@ -232,15 +237,15 @@ class Assembler:
         tried = "; ".join(row.attempts) or "none is left"
         raise TaskFailed(f"no {' or '.join(slot.types)} could be grasped for {slot.name}: {tried}")
 
-    async def look(self) -> None:
+    async def look(self, *, fresh: bool = False) -> None:
         """Measure where the parts are, and put them there in the scene."""
-        self._seen = await self.cell.observe()
+        self._seen = await self.cell.observe(fresh=fresh)
         for name, seen in self._seen.items():
             if name not in self.used and (self._held is None or name != self._held.name):
                 self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
-        for name in set(self.scene.poses) & {each.name for each in self.layout.setup.parts}:
-            if name not in self._seen and name not in self.used:
-                self.scene.remove(name)
+        for each in self.layout.setup.parts:
+            if each.name not in self._seen and each.name not in self.used and not each.fixed:
+                self.scene.remove(each.name)
 
     def _choose(self, slot: Slot) -> str | None:
         """The next part of a fitting type that lies somewhere and was not rejected."""
@@ -260,7 +265,7 @@ class Assembler:
             if not why:
                 return True
             row.attempts.append(f"{part}: {why}")
-            await self.look()
+            await self.look(fresh=True)
             if part not in self._seen:
                 row.attempts.append(f"{part}: it is lost, the sensor does not see it")
                 return False
@@ -270,14 +275,15 @@ class Assembler:
         """One attempt; returns why it failed, or an empty text."""
         await self.go(plan.approach)
         await self.cell.enable(GRIPPER, True)
-        await self.go(plan.contact, speed=0.3, contact=True)
-        state = await self._attached(GRIPPER)
+        await self.go(plan.near, speed=NEAR_SPEED, contact=True)
+        backward = self.layout.kinematics.forward(plan.contact.end) * turned("x", math.pi)
+        state = await self._touch(plan.contact, GRIPPER, backward)
         if state.attached_to != plan.part:
             await self.cell.enable(GRIPPER, False)
             await self.go(self.handling.retreat(self.at), contact=True)
             return state.last_error or f"the gripper holds {state.attached_to or 'nothing'}"
         self._hold(plan.part, state)
-        await self.go(plan.lift, speed=0.5, contact=True)
+        await self.go(Path((self.at, *plan.lift.points[1:])), speed=LIFT_SPEED, contact=True)
         await self.cell.sleep(0.15)
         state = await self.cell.connector(GRIPPER)
         if state.attached_to != plan.part:
@@ -302,7 +308,7 @@ class Assembler:
         self.used.discard(part)
 
     async def _put_back(self, plan: PickPlan) -> None:
-        await self.go(Path(plan.lift.points[::-1]), speed=0.3, contact=True)
+        await self.go(Path((self.at, *plan.lift.points[-2::-1])), speed=0.1, contact=True)
         await self.cell.enable(GRIPPER, False)
         self._drop(plan.part)
         await self.go(self.handling.retreat(self.at), contact=True)
@@ -343,15 +349,16 @@ class Assembler:
                 continue
             await self.go(plan.transfer)
             await self.cell.enable(tip.connector, True)
-            await self.go(plan.insert, speed=0.25, contact=True)
-            state = await self._attached(tip.connector)
+            await self.go(plan.insert, speed=NEAR_SPEED, contact=True)
+            state = await self._touch(plan.contact, tip.connector, plan.goal)
             why = self._joined_wrongly(part, state)
             if not why:
                 await self._let_go(part, row, tip, slot, state)
                 return True
             row.attempts.append(f"{part}: {why}")
             await self.cell.enable(tip.connector, False)
-            await self.go(Path(plan.insert.points[::-1]), speed=0.3, contact=True)
+            back = plan.insert.points[0]
+            await self.go(Path((self.at, plan.insert.end, back)), speed=NEAR_SPEED, contact=True)
         if self._held is not None:
             await self._put_down(part)
         return False
@@ -400,14 +407,18 @@ class Assembler:
 
     # --- verifying ------------------------------------------------------------------------------------------------
 
-    async def _attached(self, connector: str) -> ConnectorState:
-        """The connector's state as soon as it has attached something, or after the time that this may take."""
-        until = self.cell.now() + ATTACH_TIME
-        while True:
-            state = await self.cell.connector(connector)
-            if state.attached_to or self.cell.now() >= until:
-                return state
-            await self.cell.sleep(POLL)
+    async def _touch(self, path: Path, connector: str, frame: pin.SE3) -> ConnectorState:
+        """Move until a connector attaches something; press on, along -z of `frame`, while none does."""
+        for press in range(PRESSES + 1):
+            state = await self.cell.touch(path, connector, speed=TOUCH_SPEED)
+            if not state.attached_to and state.enabled:
+                await self.cell.sleep(ATTACH_TIME)
+                state = await self.cell.connector(connector)
+            self.at = await self.cell.posture()
+            if state.attached_to or not state.enabled or press == PRESSES:
+                break
+            path = self.handling.pressed(self.at, frame)
+        return state
 
     async def _check_joint(self, part: str) -> None:
         """Turn a new joint to and fro: it has power, belongs to the arm and moves."""

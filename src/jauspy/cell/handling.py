@@ -23,8 +23,12 @@ APPROACH: Final = 0.07
 """Metres from the part at which the straight approach begins."""
 LIFT: Final = 0.10
 """Metres by which a part is lifted out of its bin."""
-PRESS: Final = 0.0012
-"""Metres that the arm is sent beyond contact, so that the plates touch whatever the measurement's error."""
+SLOW: Final = 0.004
+"""Metres before contact from which on the arm moves slowly."""
+PRESS: Final = 0.0002
+"""Metres that the arm is sent beyond contact at first; the lip of a plate seals a gap of 1 mm."""
+PRESS_MORE: Final = 0.0006
+"""Metres by which it is pressed on each time that nothing attaches."""
 INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
@@ -34,22 +38,24 @@ CONDITION: Final = 0.05
 
 @dataclass(frozen=True, slots=True)
 class PickPlan:
-    """Three motions: to a point before the part, to contact, and up."""
+    """Four motions: to a point before the part, close to it, slowly to contact, and up."""
 
     part: str
     grasp: pin.SE3
     """The gripper in the frame of the part."""
     approach: Path
+    near: Path
     contact: Path
     lift: Path
 
 
 @dataclass(frozen=True, slots=True)
 class PlacePlan:
-    """Two motions: to a point before the connector, and to contact; and where the part is then."""
+    """Three motions: to a point before the connector, close to it, slowly to contact; and where the part is then."""
 
     transfer: Path
     insert: Path
+    contact: Path
     goal: pin.SE3
     """The frame of the part, without the press."""
 
@@ -102,7 +108,8 @@ class Handling:
             _, grasp, posture = option
             with self.scene.without(part):
                 approach = self.planner.to_posture(start, posture)
-                contact = self.planner.line(posture, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
+                near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
+                contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
             try:
                 self.scene.hold(part, pieces, grasp.inverse())
                 with self.scene.without(*supports):
@@ -110,7 +117,7 @@ class Handling:
             finally:
                 self.scene.release()
                 self.scene.put(part, pieces, pose)
-            return PickPlan(part, grasp, approach, contact, raised)
+            return PickPlan(part, grasp, approach, near, contact, raised)
 
         return _first(options[skip:] or options, plan)
 
@@ -148,14 +155,22 @@ class Handling:
         def plan(option: tuple[float, pin.SE3, Array, pin.SE3]) -> PlacePlan:
             _, goal, posture, before = option
             transfer = self.planner.to_posture(start, posture)
-            down = before.translation - goal.translation
-            deeper = pin.SE3(goal.rotation, goal.translation - down / max(float((down @ down) ** 0.5), 1e-9) * press)
+            up = before.translation - goal.translation
+            up = up / max(float((up @ up) ** 0.5), 1e-9)
+            near, deeper = (pin.SE3(goal.rotation, goal.translation + up * far) for far in (SLOW, -press))
             with self.scene.without(*touches):
-                insert = self.planner.line(posture, deeper * grasp, margin=LINE_MARGIN)
-                self._check_retreat(insert.end, part)
-            return PlacePlan(transfer, insert, goal)
+                insert = self.planner.line(posture, near * grasp, margin=LINE_MARGIN)
+                contact = self.planner.line(insert.end, deeper * grasp, margin=LINE_MARGIN)
+                self._check_retreat(contact.end, part)
+            return PlacePlan(transfer, insert, contact, goal)
 
         return _first(options, plan)
+
+    def pressed(self, start: Array, direction: pin.SE3) -> Path:
+        """A little further along the negative z of a frame in the world, to bring plates into contact."""
+        tool = self.layout.kinematics.forward(start)
+        deeper = pin.SE3(tool.rotation, tool.translation - PRESS_MORE * direction.rotation[:, 2])
+        return self.planner.line(start, deeper)
 
     def retreat(self, start: Array, distance: float = APPROACH) -> Path:
         """Away from what was released, backward."""

@@ -44,8 +44,12 @@ class Cell(Protocol):
         """Move the UR10 along a path with this fraction of its speed; raises `MotionFailed` if it does not arrive."""
         ...
 
-    async def observe(self, samples: int = 4) -> Mapping[str, SeenPart]:
-        """The parts that the sensor sees, averaged over so many new observations."""
+    async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
+        """As `follow`, but stop as soon as a connector has attached something; returns the connector's state."""
+        ...
+
+    async def observe(self, *, fresh: bool = False) -> Mapping[str, SeenPart]:
+        """The parts that the sensor sees, averaged over several observations; with `fresh` only over new ones."""
         ...
 
     async def connector(self, name: str) -> ConnectorState:

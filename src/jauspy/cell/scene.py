@@ -23,9 +23,7 @@ FAR: Final = 1.0
 NEIGHBOURS: Final = 1
 """Links up to so many joints apart touch each other by design."""
 HAND: Final = 3
-"""The last joint before the wrist."""
-NEIGHBOURS_AT_WRIST: Final = 2
-"""Of the wrist's short links, so many joints apart cannot be told from a collision."""
+"""The last joint before the wrist, whose short links cannot reach each other."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -256,12 +254,7 @@ class PlanningScene:
         self._manager.setup()
 
     def _self_pairs(self) -> list[tuple[_Object, _Object]]:
-        return [
-            (a, b)
-            for a in self._links
-            for b in self._links
-            if b.joint - a.joint > (NEIGHBOURS if b.joint <= HAND else NEIGHBOURS_AT_WRIST)
-        ]
+        return [(a, b) for a in self._links for b in self._links if b.joint - a.joint > NEIGHBOURS and a.joint <= HAND]
 
 
 def _pair_distance(a: _Object, b: _Object, best: Clearance) -> Clearance:

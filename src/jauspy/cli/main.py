@@ -53,9 +53,9 @@ VERBS: Final = {
 KEY_VERBS: Final = {
     "new": (
         "jauspy.cli.operators:new",
-        "Write a new key, and print the line for the robots' operators file.",
+        "Write a new key, and print what to add to the robots' operators file.",
     ),
-    "show": ("jauspy.cli.operators:show", "Print the line for the robots' operators file again."),
+    "show": ("jauspy.cli.operators:show", "Print the lines for the robots' operators file again."),
 }
 NEW_VERBS: Final = {
     "component": (
@@ -86,13 +86,27 @@ SCHEMA_VERBS: Final = {
         "Write message classes as a Python package: typed, byte-exact, like `jauspy.messages`.",
     ),
 }
+CELL_VERBS: Final = {
+    "assemble": (
+        "jauspy.cli.cell.assemble:assemble",
+        "Build an arm with five joints: the UR10 takes modules out of the bins and joins them.",
+    ),
+    "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
+}
 FUZZ_VERBS: Final = {
     "codec": ("jauspy.cli.fuzz:codec", "Decode valid, random and damaged messages and check invariants."),
     "replay": ("jauspy.cli.fuzz:replay", "Check the bytes of a saved finding again."),
 }
 """Each verb's function and its line in the help. Its module is imported when it runs, so that `--help` is fast."""
 
-GROUPS: Final = {"jauspy": VERBS, "new": NEW_VERBS, "schema": SCHEMA_VERBS, "keys": KEY_VERBS, "fuzz": FUZZ_VERBS}
+GROUPS: Final = {
+    "jauspy": VERBS,
+    "new": NEW_VERBS,
+    "schema": SCHEMA_VERBS,
+    "keys": KEY_VERBS,
+    "cell": CELL_VERBS,
+    "fuzz": FUZZ_VERBS,
+}
 
 WRITE_ERRORS: Final = frozenset({errno.ENOSPC, errno.EDQUOT, errno.EFBIG, errno.EIO})
 """Errors of writing results that only the user can resolve."""
@@ -186,6 +200,12 @@ schema_app = typer.Typer(
 keys_app = typer.Typer(
     cls=VerbGroup, name="keys", no_args_is_help=True, help="Make the keys with which operators seal their commands."
 )
+cell_app = typer.Typer(
+    cls=VerbGroup,
+    name="cell",
+    no_args_is_help=True,
+    help="Tasks of the modular factory cell: simulated in this process, on virtual time, unless said otherwise.",
+)
 fuzz_app = typer.Typer(
     cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec with random and damaged messages."
 )
@@ -219,6 +239,7 @@ for _group, _verbs in (
     (new_app, NEW_VERBS),
     (schema_app, SCHEMA_VERBS),
     (keys_app, KEY_VERBS),
+    (cell_app, CELL_VERBS),
     (fuzz_app, FUZZ_VERBS),
 ):
     _add(_group, _verbs)

@@ -17,7 +17,7 @@ from jauspy.protocol.seal import OperatorKey
 
 _NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,64}")
 Role = Annotated[
-    str, typer.Option("--role", metavar="ROLE", help="The role in the printed line: observer, operator or supervisor.")
+    str, typer.Option("--role", metavar="ROLE", help="The role that is printed: observer, operator or supervisor.")
 ]
 
 
@@ -29,16 +29,16 @@ def new(
     ] = None,
     role: Role = "operator",
 ) -> None:
-    """Write a new key, and print the line for the robots' operators file.
+    """Write a new key, and print what to add to the robots' operators file.
 
-    Only its owner may read the file. It stays with the operator; robots need the printed line only, which is no secret.
+    Only its owner may read the key. It stays with the operator; robots need what is printed only, which is no secret.
 
     Example:
       jauspy keys new alice >> operators.toml
     """
     _check_word(name, "NAME")
     key = OperatorKey.generate()
-    line = _line(name, role, key)
+    lines = _lines(name, role, key)
     file = output or Path(f"{name}.key")
     try:
         descriptor = os.open(file, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
@@ -48,24 +48,25 @@ def new(
         raise ConfigError(f"{file} exists; a new key would replace it, so remove it or choose --output") from error
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error.strerror}") from error
-    console.note(f"{file} is written; keep it secret. The line is for [operators] in the robots' operators file")
-    console.print_lines(line)
+    console.note(f"{file} is written; keep it secret. Add these lines to the end of the robots' operators file")
+    console.print_lines(*lines)
 
 
 def show(
     *,
     file: Annotated[Path, typer.Argument(metavar="FILE", help="The file of a key, as in alice.key.")],
     name: Annotated[
-        str | None, typer.Option("--name", metavar="NAME", help="The name in the line.  [default: that of the file]")
+        str | None,
+        typer.Option("--name", metavar="NAME", help="The printed name.  [default: that of the file]"),
     ] = None,
     role: Role = "operator",
 ) -> None:
-    """Print the line for the robots' operators file again.
+    """Print the lines for the robots' operators file again.
 
     Example:
       jauspy keys show alice.key
     """
-    console.print_lines(_line(name or file.stem, role, load_key(file)))
+    console.print_lines(*_lines(name or file.stem, role, load_key(file)))
 
 
 def audit(
@@ -95,7 +96,8 @@ def audit(
     commands = ", ".join(f"{number} of {printable(name)}" for name, number in report.commands.most_common())
     console.print_lines(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
     if operators is not None:
-        console.print_lines(f"signatures: {report.verified} verified")
+        too_long = f"; {report.unverifiable} are not known, of long commands" if report.unverifiable else ""
+        console.print_lines(f"signatures: {report.verified} verified{too_long}")
     if report.not_recorded:
         console.print_lines(f"not recorded: {report.not_recorded}, since they were too many or the disk too slow")
     console.print_lines(f"head: {report.head}")
@@ -103,8 +105,13 @@ def audit(
         raise ConfigError(f"{path}: {report.problem}")
 
 
-def _line(name: str, role: str, key: OperatorKey) -> str:
-    return f'{_check_word(name, "NAME")} = {{ role = "{_check_word(role, "--role")}", key = "{key.public}" }}'
+def _lines(name: str, role: str, key: OperatorKey) -> tuple[str, ...]:
+    """A table of its own, which may follow anything in the file."""
+    return (
+        f"[operators.{_check_word(name, 'NAME')}]",
+        f'role = "{_check_word(role, "--role")}"',
+        f'key = "{key.public}"',
+    )
 
 
 def _check_word(text: str, what: str) -> str:

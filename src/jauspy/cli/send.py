@@ -15,11 +15,13 @@ from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl, QueryEventTimeout, QueryStatus, ReportControl, ReportStatus
 from jauspy.ocu import OCU
+from jauspy.ocu.service import ServiceClient
 
+ACCESS_CONTROL: Final = "urn:jaus:jss:core:AccessControl"
 _UNCONTROLLED_SERVICES: Final = frozenset(
     {"Transport", "Events", "EventsClient", "AccessControl", "Discovery", "Liveness"}
 )
@@ -85,7 +87,7 @@ def send(
         if warning:
             console.note(warning)
     else:
-        run(_send_in_control(ocu, to, command, authority=control, hold=hold, within=within, max_wait=timeout))
+        run(send_in_control(ocu, to, command, authority=control, hold=hold, within=within, max_wait=timeout))
 
 
 async def _send(ocu: OCU, to: JausID, command: Message) -> str:
@@ -128,15 +130,17 @@ def _needs_control(command: Message) -> bool:
     return command.SERVICE.rpartition(":")[2] not in _UNCONTROLLED_SERVICES
 
 
-async def _send_in_control(
+async def send_in_control(
     ocu: OCU, to: JausID, command: Message, *, authority: int, hold: float, within: float | None, max_wait: float
 ) -> None:
-    """Take control, resume the component unless the message is one of Management, send, and release control."""
+    """Take control, resume the component unless the message is one of Management, send, and release control.
+
+    The component is not discovered first: many inherit from AccessControl without listing it, or have no Discovery.
+    """
     async with ocu:
-        robot = await ocu.discover(to.subsystem, timeout=max_wait)
-        client = robot.component(to).service("AccessControl")
+        client = ocu.service(to, ACCESS_CONTROL)
         async with client.control(authority) as control:
-            if not command.SERVICE.endswith(":Management"):
+            if not command.SERVICE.endswith(":Management") and await _has_management(client):
                 await client.resume(max_wait)
             if within is None:
                 await client.send(command)
@@ -145,3 +149,13 @@ async def _send_in_control(
             with suppress(TimeoutError):
                 await asyncio.wait_for(control.until_lost(), hold)
             control.check()
+
+
+async def _has_management(client: ServiceClient) -> bool:
+    """True if the component reports its status; one without Management has nothing to resume."""
+    try:
+        await client.status()
+    except ResponseTimeout:
+        console.note(f"{client.id} does not report a status, so it is not resumed before")
+        return False
+    return True

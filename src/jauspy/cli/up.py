@@ -154,6 +154,7 @@ def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
     discoverable = any(module.offers("Discovery") for module in config.modules)
     driven = [each.id for each, module in pairs if module.offers("Discovery") and module.offers("PrimitiveDriver")]
     connect = "" if root == DEFAULT_ROOT else f" --connect local:{root}"
+    sealed = " --operator-key NAME.key" if config.operators and config.require_operator else ""
     world = "" if config.backend == KINEMATIC else f", world {config.world}"
     lines = [
         f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}{world}",
@@ -162,7 +163,7 @@ def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
         *([f"  audit log: {runner.audit.path}, head {runner.audit.head}"] if runner.audit else []),
         *[f"see it:    jauspy ls{connect}"] * discoverable,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
-        *(f"drive it:  {_DRIVE.format(id)}{connect}" for id in driven),
+        *(f"drive it:  {_DRIVE.format(id)}{connect}{sealed}" for id in driven),
         *_warnings(config),
         "stop it:   Ctrl-C",
     ]

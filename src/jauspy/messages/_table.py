@@ -14,7 +14,7 @@ TABLE: Final = (
     ),
     *entries(
         "jauspy.messages.cell.v1_0.modular_arm", "urn:jauspy:cell:ModularArm", "1.0",
-        (0xDA65, "MoveModularArm", "072a8636"), (0xDA66, "HoldModularArm", "2e38e77b"),
+        (0xDA65, "MoveModularArm", "98ff05a1"), (0xDA66, "HoldModularArm", "2e38e77b"),
         (0xDA67, "SetModularArmController", "31c86326"), (0xDA68, "SetModularArmOrder", "d29c6248"),
         (0xEA68, "QueryModularArmState", "2e38e77b"), (0xEA69, "QueryModularArmSpecification", "2e38e77b"),
         (0xFA68, "ReportModularArmState", "3c3f36e4"), (0xFA69, "ReportModularArmSpecification", "2716c183"),
@@ -30,10 +30,10 @@ TABLE: Final = (
     ),
     *entries(
         "jauspy.messages.cell.v1_0.servo_module", "urn:jauspy:cell:ServoModule", "1.0",
-        (0xDA60, "SetServoTarget", "5d2d611a"), (0xDA61, "SetServoGains", "c2ad095b"),
+        (0xDA60, "SetServoTarget", "5d2d611a"), (0xDA61, "SetServoGains", "28eb79b5"),
         (0xEA60, "QueryServoState", "b98f4f36"), (0xEA61, "QueryServoGains", "2e38e77b"),
         (0xEA62, "QueryServoSpecification", "2e38e77b"), (0xFA60, "ReportServoState", "95ac4cd3"),
-        (0xFA61, "ReportServoGains", "c2ad095b"), (0xFA62, "ReportServoSpecification", "dac5ca59"),
+        (0xFA61, "ReportServoGains", "28eb79b5"), (0xFA62, "ReportServoSpecification", "dac5ca59"),
     ),
     *entries(
         "jauspy.messages.cell.v1_0.vacuum_connector", "urn:jauspy:cell:VacuumConnector", "1.0",

@@ -13,11 +13,12 @@ import json
 import os
 import queue
 import threading
-from collections import Counter
-from collections.abc import Iterable, Iterator, Mapping
+from collections import Counter, defaultdict
+from collections.abc import Hashable, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
+from functools import partial
 from itertools import chain, pairwise
 from pathlib import Path
 from types import TracebackType
@@ -29,6 +30,7 @@ from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.messages import registry
 from jauspy.messages.operators import SealedCommand
+from jauspy.protocol.duplicates import ReplayWindow
 from jauspy.protocol.seal import Operator
 from jauspy.services.core.command_seal import CommandRecord
 
@@ -245,8 +247,12 @@ class AuditReport:
     refused: int = 0
     verified: int = 0
     """Commands whose signature was verified."""
+    unverifiable: int = 0
+    """Commands of operators above `MAX_PAYLOAD`: the log has their hash, and no signature."""
     not_recorded: int = 0
     problem: str = ""
+    numbers: defaultdict[Hashable, ReplayWindow] = field(default_factory=partial(defaultdict, ReplayWindow), repr=False)
+    """The numbers of the commands that were sealed with one challenge: a robot takes each only once."""
 
 
 def verify(path: Path, anchors: Iterable[Head] = (), operators: Iterable[Operator] = ()) -> AuditReport:
@@ -314,24 +320,33 @@ def _count(entry: dict[str, Any], report: AuditReport, operators: Mapping[str, O
         return f"line {entry['n']} was changed: it is no line of an audit log"
     report.commands[name or "-"] += 1
     report.refused += str(entry.get("outcome", "")).startswith("refused")
-    if not operators or name is None or "payload" not in entry:
+    if not operators or name is None:
         return ""
-    if name not in operators or not _is_sealed_as_recorded(entry, operators[name]):
+    if "payload" not in entry:
+        report.unverifiable += 1
+        return ""
+    sealed = _sealed_as_recorded(entry, operators[name]) if name in operators else None
+    if sealed is None:
         return f"line {entry['n']} was not written by the robot: {name!r} has not sealed this command"
+    window = report.numbers[sealed.operator_key, sealed.destination, sealed.source, sealed.challenge_tag]
+    if not window.is_new(sealed.counter):
+        return f"line {entry['n']} was not written by the robot: {name!r} has sealed this command only once"
+    window.add(sealed.counter)
     report.verified += 1
     return ""
 
 
-def _is_sealed_as_recorded(entry: dict[str, Any], operator: Operator) -> bool:
+def _sealed_as_recorded(entry: dict[str, Any], operator: Operator) -> SealedCommand | None:
+    """The command of a line; None if this operator has not sealed what the line says."""
     try:
         payload = bytes.fromhex(entry["payload"])
         sealed = registry.decode_as(SealedCommand, payload)
     except (ValueError, TypeError, DecodeError):
-        return False
+        return None
     inside = sealed.command.NAME if isinstance(sealed.command, Message) else entry["message"]
     ids = [str(JausID.from_int(each)) for each in (sealed.destination, sealed.source)]
     recorded = [entry["message"], entry.get("component"), entry.get("source")]
-    return operator.key.has_signed(payload) and [inside, *ids] == recorded
+    return sealed if operator.key.has_signed(payload) and [inside, *ids] == recorded else None
 
 
 def _lines(stream: BinaryIO) -> Iterator[bytes]:

@@ -12,6 +12,7 @@ import operator
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from importlib.util import module_from_spec
+from io import StringIO
 from itertools import count, pairwise
 from pathlib import Path
 from typing import Any, Final, NoReturn
@@ -20,6 +21,7 @@ import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.printable import printable
+from jauspy.user_files import read_file
 
 MAX_EXPRESSION: Final = 1000
 """Characters of an expression; bounds the depth of its syntax tree, too."""
@@ -28,7 +30,13 @@ MAX_VALUE_BITS: Final = 1024
 """Of an integer; floats have about as many."""
 
 MAX_VALUE_LENGTH: Final = 100_000
-"""Of a text or list; properties that double each other reach it soon."""
+"""Of a text, or of all that a list has at any depth; properties that double each other reach it soon."""
+
+MAX_TOTAL: Final = 2_000_000
+"""Of all values that a file uses, each time that it does; for robots of jauspy it is 4000."""
+
+MAX_DIGITS: Final = 400
+"""Of `round`, which otherwise calculates 10 to the power of any number."""
 
 MAX_ELEMENTS: Final = 100_000
 """XML elements that macros make of a file; robots of jauspy have up to 700."""
@@ -53,17 +61,38 @@ _OPERATORS: Final[Mapping[type[ast.AST], Callable[..., Any]]] = {
     ast.In: lambda one, other: one in other,
     ast.NotIn: lambda one, other: one not in other,
 }
-_MATH: Final = {
-    name: value
-    for name, value in vars(math).items()
-    if not name.startswith("_") and name not in ("comb", "factorial", "perm")  # whose results take for ever
-}
-_BUILTIN: Final = {each.__name__: each for each in (bool, float, int, len, max, min, round, str)}
-_PYTHON: Final = {**_BUILTIN, **{each.__name__: each for each in (abs, all, any, sorted, sum)}}
 
 
 class ExpressionError(Exception):
     """Why an expression is not evaluated."""
+
+
+def _rounded(value: float, digits: int | None = None) -> float:
+    if digits is not None and abs(digits) > MAX_DIGITS:
+        raise ExpressionError(f"round is not evaluated for more than {MAX_DIGITS} digits")
+    return round(value, digits)
+
+
+def _sum(values: Any) -> Any:
+    """Of numbers: Python's also joins lists, each time into a new one."""
+    if not all(isinstance(each, int | float) for each in _sequence(values)):
+        raise ExpressionError("sum is not evaluated for texts and lists")
+    return sum(values)
+
+
+def _sequence(value: Any) -> Any:
+    if not isinstance(value, list | tuple | str):
+        raise ExpressionError(f"{value!r} has no parts")
+    return value
+
+
+_MATH: Final = {
+    name: value
+    for name, value in vars(math).items()
+    if not name.startswith("_") and name not in ("comb", "factorial", "perm", "prod")  # whose results take for ever
+}
+_BUILTIN: Final = {**{each.__name__: each for each in (bool, float, int, len, max, min, str)}, "round": _rounded}
+_PYTHON: Final = {**_BUILTIN, **{each.__name__: each for each in (abs, all, any, sorted)}, "sum": _sum}
 
 
 def expand(path: str) -> str:
@@ -90,6 +119,7 @@ def _copy_of_xacro() -> Any:
         symbols[name].update(values)
     evaluator = Evaluator(filter(callable, (*symbols.values(), *_PYTHON.values(), module.load_yaml)))
     module.eval = module.exec = _refuse
+    module.open = _open
     module.safe_eval = lambda text, names, _=None: evaluator.evaluate(text, names)
     module.eval_extension = partial(_extension, module.eval_extension)
     module.handle_macro_call = _counted(module.handle_macro_call)
@@ -99,6 +129,11 @@ def _copy_of_xacro() -> Any:
 
 def _refuse(*_: object) -> NoReturn:
     raise ExpressionError("this version of xacro evaluates in a way that is not known to be safe")
+
+
+def _open(path: str) -> StringIO:
+    """A file that is included, or is read as YAML: not a device or a pipe, which may never end."""
+    return StringIO(read_file(Path(path)).decode())
 
 
 def _extension(resolve: Callable[[str], object], text: str) -> object:
@@ -125,6 +160,7 @@ class Evaluator:
 
     def __init__(self, functions: Iterable[Callable[..., Any]]) -> None:
         self._functions = tuple(functions)
+        self._total = 0
 
     def evaluate(self, text: str, names: Mapping[str, Any]) -> Any:
         """The value of an expression; raises `ExpressionError`, or what the operators and functions raise."""
@@ -142,24 +178,25 @@ class Evaluator:
             case None:
                 return None
             case ast.Constant(value=bool() | int() | float() | str() | None as constant):
-                return _bounded(constant)
+                return self._bounded(constant)
             case ast.Name(id=name):
-                return _bounded(_item(names, name))
+                return self._bounded(_item(names, name))
             case ast.Attribute(value=holder, attr=name):
-                return _bounded(_item(value(holder), name))
+                return self._bounded(_item(value(holder), name))
             case ast.Subscript(value=holder, slice=ast.Slice(lower, upper, step)):
                 return _sequence(value(holder))[value(lower) : value(upper) : value(step)]
             case ast.Subscript(value=holder, slice=key):
                 found = value(holder)
-                return _bounded(_item(found, value(key)) if isinstance(found, dict) else _sequence(found)[value(key)])
+                at = value(key)
+                return self._bounded(_item(found, at) if isinstance(found, dict) else _sequence(found)[at])
             case ast.List(elts=parts) | ast.Tuple(elts=parts):
-                return [value(part) for part in parts]
+                return self._bounded([value(part) for part in parts])
             case ast.Dict(keys=keys, values=parts) if None not in keys:
-                return {value(key): value(part) for key, part in zip(keys, parts, strict=True)}
+                return self._bounded({value(key): value(part) for key, part in zip(keys, parts, strict=True)})
             case ast.UnaryOp(op=op, operand=operand) if type(op) in _OPERATORS:
                 return _OPERATORS[type(op)](value(operand))
             case ast.BinOp(left=left, op=op, right=right) if type(op) in _OPERATORS:
-                return _calculated(type(op), value(left), value(right))
+                return self._bounded(_calculated(type(op), value(left), value(right)))
             case ast.BoolOp(op=op, values=parts):
                 return self._either(parts, names, until=isinstance(op, ast.Or))
             case ast.Compare(left=left, ops=ops, comparators=others) if all(type(op) in _OPERATORS for op in ops):
@@ -170,10 +207,30 @@ class Evaluator:
             case ast.Call(func=function, args=arguments, keywords=[]):
                 called = value(function)
                 if any(called is each for each in self._functions):
-                    return _bounded(called(*map(value, arguments)))
+                    return self._bounded(called(*map(value, arguments)))
         raise ExpressionError(
             f"{ast.unparse(node)!r} is not evaluated: only numbers, texts, lists, and functions of math"
         )
+
+    def _bounded(self, value: Any) -> Any:
+        """The value. Lists share their parts, so that a few lines make one of 2 to the power of its depth."""
+        if isinstance(value, int) and value.bit_length() > MAX_VALUE_BITS:
+            raise ExpressionError(f"a number has more than {MAX_VALUE_BITS} bits")
+        size, parts = 1, [value]
+        while parts:
+            part = parts.pop()
+            if isinstance(part, str | list | tuple | dict):
+                size += len(part)
+            if size > MAX_VALUE_LENGTH:
+                raise ExpressionError(f"a value is longer than {MAX_VALUE_LENGTH}")
+            if isinstance(part, list | tuple):
+                parts += part
+            elif isinstance(part, dict):
+                parts += part.values()
+        self._total += size
+        if self._total > MAX_TOTAL:
+            raise ExpressionError(f"the values of all expressions are longer than {MAX_TOTAL}")
+        return value
 
     def _either(self, parts: Iterable[ast.expr], names: Mapping[str, Any], *, until: bool) -> Any:
         """`a or b`, until one is true, or `a and b`, until one is false; the last one otherwise."""
@@ -195,12 +252,6 @@ def _item(holder: Any, name: Any) -> Any:
         raise ExpressionError(f"{name!r} is not defined") from None
 
 
-def _sequence(value: Any) -> Any:
-    if not isinstance(value, list | tuple | str):
-        raise ExpressionError(f"{value!r} has no parts")
-    return value
-
-
 def _calculated(op: type[ast.operator], left: Any, right: Any) -> Any:
     """An operation whose result is not too large; this is checked before it takes time."""
     if op is ast.Mod and not isinstance(left, int | float):
@@ -214,12 +265,4 @@ def _calculated(op: type[ast.operator], left: Any, right: Any) -> Any:
         and left.bit_length() * right > 2 * MAX_VALUE_BITS
     ):
         raise ExpressionError(f"a number has more than {MAX_VALUE_BITS} bits")
-    return _bounded(_OPERATORS[op](left, right))
-
-
-def _bounded(value: Any) -> Any:
-    if isinstance(value, int) and value.bit_length() > MAX_VALUE_BITS:
-        raise ExpressionError(f"a number has more than {MAX_VALUE_BITS} bits")
-    if isinstance(value, str | list) and len(value) > MAX_VALUE_LENGTH:
-        raise ExpressionError(f"a value is longer than {MAX_VALUE_LENGTH}")
-    return value
+    return _OPERATORS[op](left, right)

@@ -4,11 +4,16 @@ from __future__ import annotations
 
 import asyncio
 import errno
+import os
 import socket
+import stat
 from collections.abc import Callable, Mapping
+from pathlib import Path
 from typing import Final
 
-from jauspy.node.liveness import ComponentSockets
+from jauspy.ids import JausID
+from jauspy.logs import get_logger
+from jauspy.node.liveness import MAX_ID, ComponentSockets
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import LocalPort
 from jauspy.protocol.component_ports import ComponentPort
@@ -18,6 +23,8 @@ from jauspy.transport import local
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import QueueMemory, SendQueue
 
+_LOGGER = get_logger(__name__)
+
 SEND_BURST: Final = 64
 """Datagrams sent from a queue before others get their turn."""
 RETRY_EVERY: Final = 8
@@ -25,6 +32,24 @@ RETRY_EVERY: Final = 8
 long: the ten datagrams that a component's socket holds are read long before the event loop gets its turn."""
 
 _NOT_LISTENING: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
+
+
+def not_writable(path: Path) -> str:
+    """The sentence for a component whose socket does not let this user write to it."""
+    name = JausID.from_int(int(path.name)) if path.name.isdecimal() and int(path.name) <= MAX_ID else path
+    me = local.user_name(os.geteuid())
+    try:
+        found = path.stat()
+    except OSError:
+        whose, owner = "", "its user"
+    else:
+        owner = local.user_name(found.st_uid)
+        whose = f" (user {owner}, group {local.group_name(found.st_gid)}, mode {stat.S_IMODE(found.st_mode):03o})"
+    return (
+        f"component {name} receives nothing: this node manager, which runs as {me}, may not write to its socket "
+        f"{path}{whose}; start the component with `umask 002` in a group of {me}, or with `umask 000`, or run the "
+        f"node manager as {owner}; until then, `chmod o+w {path}` helps"
+    )
 
 
 class ComponentSender:
@@ -53,6 +78,7 @@ class ComponentSender:
         self._queue = SendQueue(max_age=max_age, memory=memory)
         self._watched = False
         self._since_attempt = 0
+        self._is_refusal_told = False
 
     def __len__(self) -> int:
         return len(self._queue)
@@ -143,6 +169,9 @@ class ComponentSender:
         self._connect().send(datagram)
 
     def _lost(self, error: OSError) -> None:
+        if error.errno in (errno.EACCES, errno.EPERM) and not self._is_refusal_told:
+            self._is_refusal_told = True
+            _LOGGER.warning("%s", not_writable(Path(self._path)))
         no_component = error.errno in (*_NOT_LISTENING, errno.ELOOP)
         self._counters.drop("component_gone" if no_component else "local_send", error)
         if no_component:

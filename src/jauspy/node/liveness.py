@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import contextlib
+import os
+import re
+import stat
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
@@ -10,6 +14,8 @@ from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.transport.local import SocketProbe
 
 CHECK_INTERVAL: Final = 1.0
+MAX_ID: Final = 0xFFFFFFFF
+"""An id has 32 bits."""
 MAX_CHECKS: Final = 32
 """Ports checked in one turn, so that a thousand components do not delay the routing."""
 
@@ -58,6 +64,21 @@ class ComponentSockets:
         if self._probe is not None:
             self._probe.close()
         self._probe = None
+
+    def find_live(self, may_use: Callable[[int], bool]) -> Iterator[tuple[int, str]]:
+        """Id and path of each socket in `root` on which a component listens whose user may use the local socket."""
+        try:
+            entries = [each for each in os.scandir(self._root) if re.fullmatch(r"[1-9][0-9]{0,9}", each.name)]
+        except OSError:
+            return
+        for entry in entries:
+            path = Path(entry.path)
+            with contextlib.suppress(OSError):  # it ended just now
+                found = path.lstat()
+                if int(entry.name) > MAX_ID or not stat.S_ISSOCK(found.st_mode) or not may_use(found.st_uid):
+                    continue
+                if self._probe is not None and self._probe.error(path) == 0:
+                    yield int(entry.name), entry.path
 
     def is_dead(self, path: str) -> bool:
         """True when nobody listens on a local socket; a component's socket file is then removed."""

@@ -5,13 +5,14 @@ from __future__ import annotations
 import asyncio
 import math
 import socket
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from contextlib import AsyncExitStack
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
 
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.node import descriptors, liveness, status
 from jauspy.node.component_senders import ComponentSenders
 from jauspy.node.config import NodeConfig, load_key, make_gateway, parse_pattern, source_limits
@@ -33,6 +34,8 @@ from jauspy.transport.base import QueueMemory
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
+
+_LOGGER = get_logger(__name__)
 
 MAX_SENDERS: Final = 4096
 """Names of local sockets that are cached."""
@@ -155,7 +158,8 @@ class NodeManager:
         try:
             self._component_sockets.open()
             local.give_to_group(self.path, config.local_group)
-            self._local_users = LocalUsers(users_of(self.path))
+            may_use = users_of(self.path)
+            self._local_users = LocalUsers(may_use)
             for each in config.all_networks:
                 authenticator = load_key(each.key_file)
                 self._networks[each.name] = Network(
@@ -163,6 +167,7 @@ class NodeManager:
                 )
             await self._links.open(config, self.port, (port for ports in self._known.values() for port in ports))
             self._mirror = await self._open_services()
+            self._take_up_components(may_use)
         except BaseException:
             await self.close()
             raise
@@ -178,6 +183,16 @@ class NodeManager:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
         self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
         self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)
+
+    def _take_up_components(self, may_use: Callable[[int], bool]) -> None:
+        """Register the components of an earlier node manager here: some never send by themselves."""
+        ids = []
+        for id, path in self._component_sockets.find_live(may_use):
+            if not self._router.components.register(id, LocalPort(path)):
+                break
+            ids.append(JausID.from_int(id))
+        if ids:
+            _LOGGER.info("found %d components that run: %s", len(ids), ", ".join(map(str, sorted(ids))))
 
     async def _open_services(self) -> Mirror | None:
         """Open status, metrics and mirror as configured; modules that are not needed are not imported."""

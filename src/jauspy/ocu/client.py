@@ -20,6 +20,7 @@ from jauspy.ocu.connection import Connection, RetryPolicy, Stats
 from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.sealing import load_key
+from jauspy.ocu.service import ServiceClient
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
@@ -155,6 +156,14 @@ class OCU:
             yield news
 
     # --- without discovery ----------------------------------------------------------------------------------------
+
+    def service(self, destination: str | JausID, name: str) -> ServiceClient:
+        """The client of a service of any component, whether it was discovered, and lists the service, or not.
+
+        `name` is the URN or the end of it; `ConfigError` if it is not known. With AccessControl, or any service that
+        inherits from it, `async with ocu.service("126.1.11", "AccessControl").control(): ...` takes control.
+        """
+        return ServiceClient(self._connection, JausID.of(destination), self._connection.service_info(name))
 
     @overload
     async def query(

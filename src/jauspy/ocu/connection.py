@@ -23,7 +23,7 @@ from jauspy.errors import (
     ResponseTimeout,
     TransportError,
 )
-from jauspy.ids import JausID
+from jauspy.ids import JausID, is_called
 from jauspy.logs import get_logger
 from jauspy.messages.core import (
     CancelEvent,
@@ -37,6 +37,7 @@ from jauspy.messages.core import (
 from jauspy.messages.operators import QuerySealChallenge, RejectCommand, ReportSealChallenge
 from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
 from jauspy.ocu.sealing import CommandSealer, Refusals
+from jauspy.ocu.subsystems import ServiceInfo
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.protocol.seal import OperatorKey
 from jauspy.services.core.command_seal import explained
@@ -270,6 +271,16 @@ class Connection:
         if self._sealer is not None:
             self._sealer.close()
         self.replies.fail(TransportError("the OCU was closed while this waited for an answer"))
+
+    def service_info(self, name: str) -> ServiceInfo:
+        """The newest known definition of a service, by its URN or the end of it; `ConfigError` unless there is one."""
+        check_text(name, "a service's name")
+        versions = {each.service: each.version for each in self.registry.entries if is_called(each.service, name)}
+        if len(versions) == 1:
+            return ServiceInfo(*versions.popitem())
+        if versions:
+            raise ConfigError(f"several services are called {name}; name one of {', '.join(sorted(versions))}")
+        raise ConfigError(f"no service {name} is known here; give its definition: OCU(registry=jauspy.load(FILE))")
 
     def message_class(self, urn: str, version: str | None, name: str) -> type[Any]:
         """The message class of this JAUS name in a service, in this version of it when that is known.
@@ -521,7 +532,11 @@ class Connection:
 
 def _refused(destination: JausID, message: Message, reject: RejectCommand) -> RequestError:
     kind = ControlRejected if message.CODE == RequestControl.CODE else RequestError
-    hint = "; give the OCU an operator's key (`operator`)" if reject.reason == RejectCommand.Reason.NO_SEAL else ""
+    hint = (
+        "; give an operator's key (`OCU(operator=)`, `--operator-key`)"
+        if reject.reason == RejectCommand.Reason.NO_SEAL
+        else ""
+    )
     return kind(f"{destination} refused {message.NAME}: {explained(reject.reason)}{hint}")
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass, field
-from itertools import groupby
+from itertools import groupby, islice
 from operator import attrgetter
 from typing import Final, TypeAlias
 
@@ -15,9 +15,13 @@ from jauspy.messages.core import QueryIdentification, ReportIdentification, Repo
 from jauspy.printable import printable
 
 Level: TypeAlias = QueryIdentification.QueryType
+_LEVELS: Final = frozenset(map(int, Level))
 
 MAX_COMPONENTS: Final = 4096
 """Components that a tree holds, and silent ones that it remembers; a flood of invented ids cannot exceed it."""
+MAX_SERVICES: Final = 1 << 16
+"""Services that a tree holds; a component whose report does not fit any more is shown without them."""
+MAX_SERVICES_OF_COMPONENT: Final = 256
 INTRODUCTION_TIME: Final = 1.0
 """Seconds that a new component has for reporting its names and services before it is shown without them."""
 
@@ -129,6 +133,8 @@ class SubsystemTree:
     def __init__(self) -> None:
         self._entries: dict[JausID, _Entry] = {}
         self._names: dict[tuple[int, JausID], tuple[str, int]] = {}
+        self._services = 0
+        """Those of all entries, for `MAX_SERVICES`."""
         self._silent: dict[JausID, None] = {}
         """Components that responded once and fell silent; other components may still list them."""
 
@@ -155,8 +161,8 @@ class SubsystemTree:
             return
         entry.last_seen, entry.responds = now, True
         if isinstance(message, ReportIdentification):
-            level = int(message.query_type)
-            self._names[level, name_owner(level, source)] = (message.identification, int(message.type))
+            if (level := int(message.query_type)) in _LEVELS:
+                self._names[level, name_owner(level, source)] = (message.identification, int(message.type))
         elif isinstance(message, ReportServices):
             for id, services in offered_services(message, source).items():
                 self._add_services(id, services, source, now)
@@ -167,9 +173,9 @@ class SubsystemTree:
         for id in silent:
             if self._entries.pop(id).responds:
                 self._silent[id] = None
-        for id in silent:
-            for entry in self._entries.values():
-                entry.services.pop(id, None)
+        for entry in self._entries.values() if silent else ():
+            entry.services = {source: services for source, services in entry.services.items() if source not in silent}
+        self._services = sum(len(services) for entry in self._entries.values() for services in entry.services.values())
         while len(self._silent) > MAX_COMPONENTS:
             del self._silent[next(iter(self._silent))]
         if silent:
@@ -247,7 +253,11 @@ class SubsystemTree:
     def _add_services(self, id: JausID, services: frozenset[ServiceInfo], source: JausID, now: float) -> None:
         entry = None if id in self._silent else self._entry(id, now)
         if entry is not None:
-            entry.services[source] = services
+            services = frozenset(islice(services, MAX_SERVICES_OF_COMPONENT))
+            more = len(services) - len(entry.services.get(source, ()))
+            if self._services + more <= MAX_SERVICES:
+                entry.services[source] = services
+                self._services += more
             if not entry.responds:
                 entry.last_seen = now
 

@@ -108,10 +108,11 @@ class Authenticator:
             raise ProtocolError("stale", f"signed {utc - milliseconds / 1000:.0f} s ago; are the clocks right?")
         peer = (source, sender)
         if kind == MAGIC:
-            if recipient not in (0, self._session) or peer not in self._proven:
+            if recipient not in (0, self._session) or peer not in self._proven or sender not in self._windows:
                 self._challenge(source, sender, counter, utc)
                 raise ProtocolError("unproven", f"{sender:016x} has to prove that it is at {source[0]}:{source[1]}")
             self._check_replay(sender, counter)
+            self._proven.move_to_end(peer)  # whoever makes up senders displaces those, and nobody who sends
             return content
         if recipient != self._session:
             raise ProtocolError("replayed", f"a challenge or answer for {recipient:016x}, which is not this one")

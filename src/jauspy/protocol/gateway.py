@@ -13,11 +13,12 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol.header import Broadcast, DataFlag, RawPacket
+from jauspy.protocol.header import Ack, Broadcast, DataFlag, RawPacket
 from jauspy.protocol.sources import TokenBuckets
 
 MAX_FRAGMENT_STREAMS: Final = 1024
 """Large messages whose first fragment was allowed."""
+_ACKNOWLEDGEMENTS: Final = frozenset({Ack.ACK, Ack.NAK})
 FRAGMENT_TIMEOUT: Final = 10.0
 """Seconds after an allowed fragment in which the next one is allowed without a first one."""
 
@@ -72,7 +73,10 @@ class GatewayRules:
                 return "rule"
             self._note(stream, now)
             return None
-        why = self._apply(raw, data, network, now)
+        if flag == DataFlag.FIRST and raw.ack not in _ACKNOWLEDGEMENTS and _message_id(raw, data) is None:
+            why: str | None = "rule"  # the message id is in the next fragment, where no rule would see it
+        else:
+            why = self._apply(raw, data, network, now)
         if flag == DataFlag.FIRST:
             if why is None:
                 self._note(stream, now)

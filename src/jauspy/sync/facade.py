@@ -519,6 +519,14 @@ class OCU(OpensPortal):
         """
         return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence))
 
+    def service(self, destination: str | JausID, name: str) -> ServiceClient:
+        """The client of a service of any component, whether it was discovered, and lists the service, or not.
+
+        `name` is the URN or the end of it; `ConfigError` if it is not known. With AccessControl, or any service that
+        inherits from it, `with ocu.service("126.1.11", "AccessControl").control(): ...` takes control.
+        """
+        return ServiceClient(self._portal, self._async.service(destination, name))
+
     @overload
     def query(
         self,

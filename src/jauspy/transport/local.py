@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import errno
+import grp
 import os
 import pwd
 import shutil
@@ -395,7 +396,7 @@ def check_directory(root: Path) -> None:
     for each in (link, found):
         if each.st_uid not in (os.geteuid(), 0):
             raise TransportError(
-                f"{root} belongs to another user ({_user_name(each.st_uid)}), who could replace the local sockets; "
+                f"{root} belongs to another user ({user_name(each.st_uid)}), who could replace the local sockets; "
                 f"{OTHER_DIRECTORY}, or run as this user"
             )
     if found.st_mode & stat.S_IWOTH and not found.st_mode & stat.S_ISVTX:
@@ -431,11 +432,20 @@ def clean_up(path: Path) -> None:
         probe.clean_up(path)
 
 
-def _user_name(user: int) -> str:
+def user_name(user: int) -> str:
+    """The name of a user, or the number of one without a name."""
     try:
         return pwd.getpwuid(user).pw_name
     except KeyError:
         return str(user)
+
+
+def group_name(group: int) -> str:
+    """The name of a group, or the number of one without a name."""
+    try:
+        return grp.getgrgid(group).gr_name
+    except KeyError:
+        return str(group)
 
 
 def _probe(path: Path) -> int:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import Rotation, Vector
-from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
+from jauspy.platform.modular.connector import ConnectorError, ConnectorState, VacuumConnector
 from jauspy.platform.modular.parts import PartKind, PartType, Shape
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, angle_between, carrier
 
@@ -34,8 +34,8 @@ OVERLOAD_CYCLES: Final = 4
 PLATE_RADIUS: Final = 0.02
 """Metres: a plate must lie on the face of a box with this radius."""
 
-WAKING_SPEED: Final = 1e-12
-"""m/s: a speed that is not zero wakes what sleeps."""
+WAKING_FORCE: Final = 1e-9
+"""Newtons: an applied force, however small, wakes what sleeps."""
 
 TURNED: Final = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
 """Half a turn about x: two plates that face each other."""
@@ -66,18 +66,42 @@ class SimulatedConnector(VacuumConnector):
         self.held: Face | None = None
         self.failing = False
         """True while an attempt fails by itself: until it is disabled."""
+        self.load = (0.0, 0.0)
+        """Newtons, newton metres."""
         self._state = ConnectorState()
 
     def state(self) -> ConnectorState:
         """What it measures."""
+        state = self._state
+        if self.held is None or (state.force, state.moment) == self.load:
+            return state
+        # written out: `replace` takes five times as long
+        self._state = ConnectorState(
+            state.powered,
+            state.enabled,
+            state.attached_to,
+            state.offset,
+            *self.load,
+            state.broken_off,
+            state.error,
+            state.last_error,
+        )
         return self._state
+
+    @property
+    def enabled(self) -> bool:
+        """Whether its pump runs."""
+        return self._state.enabled
 
     def set(self, enabled: bool) -> None:
         """Start the pump, or let air in; without power neither happens."""
-        if not self._state.powered or enabled is self._state.enabled:
+        if not self._state.powered:
+            self.change(error=ConnectorError.NO_POWER, last_error=f"{self.part} has no power")
+            return
+        if enabled is self._state.enabled:
             return
         if enabled:
-            self.change(enabled=True, last_error="")
+            self.change(enabled=True, error=ConnectorError.NO_CONTACT, last_error="nothing is in contact")
         else:
             self.change(enabled=False)
 
@@ -105,6 +129,7 @@ class Attachments:
         self._any_place = np.array([face.half_size is not None for face in self._faces])
         self._unused_exclusions = cell.model.exclude_signature[-len(self.connectors) :].copy()
         self._own_exclusions = cell.model.exclude_signature[: -len(self.connectors)].copy()
+        self._woken: list[int] = []
         self._loads = np.zeros((cell.model.neq, 2))
 
     def attached(self) -> Iterable[tuple[SimulatedConnector, Face]]:
@@ -113,16 +138,18 @@ class Attachments:
 
     def control(self) -> None:
         """Attach what is in contact, release what is to be released, and break off what is overloaded."""
+        for dof in self._woken:
+            self._data.qfrc_applied[dof] = 0.0
+        self._woken.clear()
         seeking: list[SimulatedConnector] = []
         holding = False
         for connector in self.connectors.values():
-            state = connector.state()
             if connector.held is not None:
-                if state.enabled:
+                if connector.enabled:
                     holding = True
                 else:
                     self._release(connector)
-            elif state.enabled:
+            elif connector.enabled:
                 seeking.append(connector)
             elif connector.failing:
                 connector.failing = False
@@ -161,7 +188,7 @@ class Attachments:
         self, connector: SimulatedConnector, near: NDArray[np.int64], between: Array, gaps: Array, cosines: Array
     ) -> None:
         limits = self._setup.limits
-        reason, best = "", math.inf
+        error, reason, best = ConnectorError.NO_CONTACT, "nothing is in contact", math.inf
         for number in near.tolist():
             face = self._faces[number]
             if face.part == connector.part:
@@ -185,20 +212,21 @@ class Attachments:
                 return
             if distance < best:
                 best = distance
-                reason = self._misaligned(face.part, distance, angle)
+                error, reason = self._misaligned(face.part, distance, angle)
         if not connector.failing and reason != connector.state().last_error:
-            connector.change(last_error=reason)
+            connector.change(error=error, last_error=reason)
 
-    def _misaligned(self, part: str, distance: float, angle: float) -> str:
+    def _misaligned(self, part: str, distance: float, angle: float) -> tuple[ConnectorError, str]:
         """Why it does not attach; rounded, so that it does not change in every cycle."""
         limits = self._setup.limits
         if distance <= limits.max_distance and angle <= limits.max_angle:
-            return f"not in contact with {part}"
+            return ConnectorError.NO_CONTACT, f"not in contact with {part}"
         far = f"{1e3 * distance:.0f} mm" if distance > limits.max_distance else ""
         tilted = f"{math.degrees(angle):.0f} degrees" if angle > limits.max_angle else ""
         what = " and ".join(each for each in (far, tilted) if each)
         most = f"{1e3 * limits.max_distance:.1f} mm and {math.degrees(limits.max_angle):.1f} degrees"
-        return f"not aligned with {part}: {what} off, at most {most} hold"
+        error = ConnectorError.TOO_FAR if far else ConnectorError.NOT_ALIGNED
+        return error, f"not aligned with {part}: {what} off, at most {most} hold"
 
     def _beside(self, connector: SimulatedConnector, face: Face) -> float | None:
         """Distance from the face of a box along its normal; None if the plate is not within the face."""
@@ -216,14 +244,15 @@ class Attachments:
             return True
         connector.failing = bool(self._random.random() < self._setup.attach_failure)
         if connector.failing:
-            connector.change(last_error=f"no vacuum on {face.part}: the plate leaks")
+            leak = f"no vacuum on {face.part}: the plate leaks"
+            connector.change(error=ConnectorError.FAILED, last_error=leak)
         return connector.failing
 
     def _attach(self, connector: SimulatedConnector, face: Face) -> None:
         connector.held = face
         self._hold(connector, face, self.relative(connector.body, face.body))
         offset = connector.frame.inverse() @ self.relative(connector.body, self._model.body(face.part).id)
-        connector.change(attached_to=face.part, offset=offset, last_error="")
+        connector.change(attached_to=face.part, offset=offset, error=ConnectorError.NONE, last_error="")
 
     def _hold(self, connector: SimulatedConnector, face: Face, pose: Transform) -> None:
         model, weld = self._model, connector.weld
@@ -234,6 +263,7 @@ class Attachments:
         model.eq_data[weld][:10] = [*anchor, *connector.frame.position, *quaternion]
         self._data.eq_active[weld] = 1
         self._loads[weld] = 0.0
+        self.wake(face.body)
         self._changed()
 
     def _release(self, connector: SimulatedConnector, **fields: object) -> None:
@@ -243,6 +273,7 @@ class Attachments:
         self._data.eq_active[weld] = 0
         self._model.eq_obj2id[weld] = 0
         connector.held = None
+        connector.load = 0.0, 0.0
         connector.change(attached_to="", offset=IDENTITY, force=0.0, moment=0.0, **fields)
         self.wake(connector.body)
         self.wake(held.body)
@@ -252,7 +283,9 @@ class Attachments:
         """Wake the tree of a body that sleeps: gravity acts on it again."""
         tree = self._model.body_treeid[body]
         if tree >= 0 and self._data.tree_asleep[tree] >= 0:
-            self._data.qvel[self._model.tree_dofadr[tree]] = WAKING_SPEED
+            dof = int(self._model.tree_dofadr[tree])
+            self._data.qfrc_applied[dof] = WAKING_FORCE
+            self._woken.append(dof)
 
     def _changed(self) -> None:
         self.revision += 1
@@ -269,7 +302,8 @@ class Attachments:
 
     def _measure(self) -> None:
         """Read forces and moments of all welds from the constraints of the last step, and break off overloads."""
-        data, limits = self._data, self._setup.limits
+        data = self._data
+        max_force, max_moment = self._setup.limits.max_force, self._setup.limits.max_moment
         rows = data.ne // 6
         if not rows:
             return
@@ -284,10 +318,10 @@ class Attachments:
             connector = self._by_weld[weld]
             if connector.held is None:
                 continue
-            if force > limits.max_force or moment > limits.max_moment:
+            if force > max_force or moment > max_moment:
                 self._break_off(connector, force, moment)
-            else:
-                connector.change(force=force, moment=moment)
+                continue
+            connector.load = force, moment
 
     def _break_off(self, connector: SimulatedConnector, force: float, moment: float) -> None:
         limits, state = self._setup.limits, connector.state()
@@ -300,6 +334,7 @@ class Attachments:
             connector,
             enabled=False,
             broken_off=state.broken_off + 1,
+            error=ConnectorError.OVERLOADED,
             last_error=f"{state.attached_to} broke off: {too_much}",
         )
 

@@ -18,7 +18,7 @@ from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, redirect_warnings
-from jauspy_sim.cameras import SimulatedCamera
+from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.cell.assembly import CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
@@ -78,6 +78,7 @@ class SimulatedCell:
         self._run(SETTLING_STEPS)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
+        self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot.cameras)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedCell:
@@ -127,8 +128,8 @@ class SimulatedCell:
 
     @property
     def cameras(self) -> Mapping[str, SimulatedCamera]:
-        """None."""
-        return {}
+        """Its cameras, by name."""
+        return self._cameras.cameras
 
     @property
     def servos(self) -> Mapping[str, SimulatedServo]:
@@ -159,6 +160,7 @@ class SimulatedCell:
         if steps:
             self._owed -= steps
             self._run(steps)
+            self._cameras.show()
 
     def close(self) -> None:
         """Stop. What connectors hold stays held. May be called twice."""
@@ -168,6 +170,7 @@ class SimulatedCell:
             servo.hold()
         if self._conveyor is not None:
             self._conveyor.set_speed(0.0)
+        self._cameras.close()
 
     def _run(self, steps: int) -> None:
         model, data = self._model, self._data
@@ -196,11 +199,23 @@ class SimulatedCell:
 
     def _follow_attachments(self) -> None:
         self._revision = self._attachments.revision
+        self._let_sleep()
         self._power.update()
         if self._payload is not None:
             self._payload.update()
         if self._car is not None:
             self._car.update()
+
+    def _let_sleep(self) -> None:
+        """Let parts sleep that no connector holds; of the others, forces are measured."""
+        model, policy = self._model, mujoco.mjtSleepPolicy
+        for part in self._setup.parts:
+            if not part.fixed:
+                model.tree_sleep_policy[model.body_treeid[model.body(part.name).id]] = int(policy.mjSLEEP_ALLOWED)
+        for connector, face in self._attachments.attached():
+            for body in (connector.body, face.body):
+                if (tree := model.body_treeid[body]) >= 0:
+                    model.tree_sleep_policy[tree] = int(policy.mjSLEEP_NEVER)
 
     def _make_arm(self, setup: CellSetup) -> AssembledArm | None:
         """The controller of the modular arm, which needs the libraries of the extra `cell`."""
@@ -228,12 +243,9 @@ class SimulatedCell:
                 yield connector.part, face.part
 
     def _set_powered(self, powered: Mapping[str, bool]) -> None:
-        """Pass on which modules have power; those with power do not sleep."""
-        policy = mujoco.mjtSleepPolicy
+        """Pass on which modules have power."""
         for name, servo in self._servos.items():
-            now = powered.get(name, False)
-            servo.set_powered(now)
-            self._model.tree_sleep_policy[servo.tree] = int(policy.mjSLEEP_NEVER if now else policy.mjSLEEP_ALLOWED)
+            servo.set_powered(powered.get(name, False))
         self._powered = tuple(servo for servo in self._servos.values() if servo.powered)
         self._attachments.set_powered(powered)
 

@@ -26,7 +26,7 @@ EXPRESSIONS = (
     "[0]()._module.__builtins__['open']('" + CANARY + "', 'w')}",
     "$(eval " + EXPRESSION + ")",
 )
-COSTLY = ("${9**9**9}", "${'a' * 10**10}", "${[0] * 10**10}", "${sum(range(10**11))}")
+COSTLY = ("${9**9**9}", "${'a' * 10**10}", "${[0] * 10**10}", "${sum(range(10**11))}", "${round(7, -10**9)}")
 _OPEN = b'<robot name="r" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
 from jauspy.geometry.poses import Transform
@@ -36,6 +37,16 @@ _REPORTED: Final = {
 }
 
 
+def motion_command(positions: Iterable[float], duration: float = 0.0) -> MoveModularArm:
+    """The command for a motion to these positions, in radians; with NaN a joint stays as it is.
+
+    `duration` in seconds; with 0 the motion takes as long as the limits of the joints demand.
+    """
+    kind = MoveModularArm
+    rows = [kind.JointPositionRec(None if math.isnan(position) else position) for position in positions]
+    return kind(kind.MotionDurationRec(duration), rows)
+
+
 class ArmMotionControl:
     """Commands a modular arm for the services of its component."""
 
@@ -67,7 +78,8 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
     def move_modular_arm(self, msg: MoveModularArm) -> None:
         """Begin a motion; the command is completed when it has ended, and has failed if it ended early."""
         self._end_command(False)
-        self._control.move([each.position for each in msg.position_list], msg.motion_duration_rec.duration)
+        positions = [math.nan if each.position is None else each.position for each in msg.position_list]
+        self._control.move(positions, msg.motion_duration_rec.duration)
         self._command = self.host.begin_command()
         self.host.set_timer(_TIMER, self.host.now + CHECK_PERIOD, self._check)
 

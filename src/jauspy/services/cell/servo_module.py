@@ -67,8 +67,8 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
 
     def set_servo_gains(self, msg: SetServoGains) -> None:
         """Set the gains; those that are negative or not finite numbers are ignored, all of them, and counted."""
-        position = Gains(msg.position_p, msg.position_i, msg.position_d, msg.position_i_limit)
-        velocity = Gains(msg.velocity_p, msg.velocity_i, msg.velocity_d, msg.velocity_i_limit)
+        position = Gains(msg.position_p, msg.position_i, msg.position_d, _limit(msg.position_i_limit))
+        velocity = Gains(msg.velocity_p, msg.velocity_i, msg.velocity_d, _limit(msg.velocity_i_limit))
         if _are_valid(position) and _are_valid(velocity):
             self._servo.set_gains(position, velocity)
         else:
@@ -102,7 +102,16 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
     def report_servo_gains(self) -> ReportServoGains:
         """The gains that were last set."""
         position, velocity = self._servo.gains()
-        return ReportServoGains(*_row(position), *_row(velocity))
+        return ReportServoGains(
+            position_p=position.p,
+            position_i=position.i,
+            position_d=position.d,
+            position_i_limit=_sent_limit(position),
+            velocity_p=velocity.p,
+            velocity_i=velocity.i,
+            velocity_d=velocity.d,
+            velocity_i_limit=_sent_limit(velocity),
+        )
 
     def report_servo_specification(self) -> ReportServoSpecification:
         """The data sheet."""
@@ -118,8 +127,12 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
         )
 
 
-def _row(gains: Gains) -> tuple[float, float, float, float]:
-    return gains.p, gains.i, gains.d, gains.i_limit
+def _limit(sent: float | None) -> float:
+    return math.inf if sent is None else sent
+
+
+def _sent_limit(gains: Gains) -> float | None:
+    return gains.i_limit if math.isfinite(gains.i_limit) else None
 
 
 def _are_valid(gains: Gains) -> bool:

@@ -20,10 +20,11 @@ class MoveModularArm(jd.Message):
         """duration: in second. Seconds until the arm is there; with 0 it takes as long as limits demand"""
         duration: float = jd.field("Duration", jd.Number("d", jd.ANY, "second"))
 
-    @jd.record()
+    @jd.record("B")
     class JointPositionRec(jd.Struct):
-        """position: in radian. Position in radians, of any number of turns; NaN leaves the joint as it is"""
-        position: float = jd.field("Position", jd.Number("d", jd.ANY, "radian"))
+        """position: in radian, optional. Position in radians, of any number of turns; left out, the joint stays as it is"""
+        position: float | None = jd.field("Position", jd.Number("d", jd.ANY, "radian"), default=None)
+        reserved_presence: int = 0
 
     motion_duration_rec: MoveModularArm.MotionDurationRec = jd.field("MotionDurationRec", lambda: MoveModularArm.MotionDurationRec.layout())
     position_list: list[MoveModularArm.JointPositionRec] = jd.field("PositionList", lambda: jd.Repeat(jd.Count("B", 0, 255), MoveModularArm.JointPositionRec.layout()))

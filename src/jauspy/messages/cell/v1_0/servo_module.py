@@ -28,27 +28,28 @@ class SetServoTarget(jd.Message):
     reserved_presence: int = 0
 
 
-@jd.message(_SERVICE, 0xDA61, command=True)
+@jd.message(_SERVICE, 0xDA61, presence="B", command=True, kw_only=True)
 class SetServoGains(jd.Message):
     """SetServoGains (0xDA61): Sets the gains of the position and velocity controllers.
 
     position_p: Torque per error, in newton metres per radian
     position_i: Torque per integrated error, in newton metres per radian and second
     position_d: Torque per rate of change of the error, in newton metre seconds per radian
-    position_i_limit: in newton meter. Limit of the integral part, in newton metres; infinity is none
+    position_i_limit: in newton meter, optional. Limit of the integral part, in newton metres; none when left out
     velocity_p: Torque per error, in newton metres per rad/s
     velocity_i: Torque per integrated error, in newton metres per rad/s and second
     velocity_d: Torque per rate of change of the error, in newton metre seconds per rad/s
-    velocity_i_limit: in newton meter. Limit of the integral part, in newton metres; infinity is none
+    velocity_i_limit: in newton meter, optional. Limit of the integral part, in newton metres; none when left out
     """
     position_p: float = jd.field("PositionP", jd.Number("f"))
     position_i: float = jd.field("PositionI", jd.Number("f"))
     position_d: float = jd.field("PositionD", jd.Number("f"))
-    position_i_limit: float = jd.field("PositionILimit", jd.Number("f", jd.ANY, "newton meter"))
+    position_i_limit: float | None = jd.field("PositionILimit", jd.Number("f", jd.ANY, "newton meter"), default=None)
     velocity_p: float = jd.field("VelocityP", jd.Number("f"))
     velocity_i: float = jd.field("VelocityI", jd.Number("f"))
     velocity_d: float = jd.field("VelocityD", jd.Number("f"))
-    velocity_i_limit: float = jd.field("VelocityILimit", jd.Number("f", jd.ANY, "newton meter"))
+    velocity_i_limit: float | None = jd.field("VelocityILimit", jd.Number("f", jd.ANY, "newton meter"), default=None)
+    reserved_presence: int = 0
 
 
 @jd.message(_SERVICE, 0xFA60, presence="I")
@@ -103,27 +104,28 @@ class QueryServoState(jd.Message):
     presence_vector: int = jd.field("PresenceVector", jd.Number("I"))
 
 
-@jd.message(_SERVICE, 0xFA61)
+@jd.message(_SERVICE, 0xFA61, presence="B", kw_only=True)
 class ReportServoGains(jd.Message):
     """ReportServoGains (0xFA61): Tells the gains of the position and velocity controllers.
 
     position_p: Torque per error, in newton metres per radian
     position_i: Torque per integrated error, in newton metres per radian and second
     position_d: Torque per rate of change of the error, in newton metre seconds per radian
-    position_i_limit: in newton meter. Limit of the integral part, in newton metres; infinity is none
+    position_i_limit: in newton meter, optional. Limit of the integral part, in newton metres; none when left out
     velocity_p: Torque per error, in newton metres per rad/s
     velocity_i: Torque per integrated error, in newton metres per rad/s and second
     velocity_d: Torque per rate of change of the error, in newton metre seconds per rad/s
-    velocity_i_limit: in newton meter. Limit of the integral part, in newton metres; infinity is none
+    velocity_i_limit: in newton meter, optional. Limit of the integral part, in newton metres; none when left out
     """
     position_p: float = jd.field("PositionP", jd.Number("f"))
     position_i: float = jd.field("PositionI", jd.Number("f"))
     position_d: float = jd.field("PositionD", jd.Number("f"))
-    position_i_limit: float = jd.field("PositionILimit", jd.Number("f", jd.ANY, "newton meter"))
+    position_i_limit: float | None = jd.field("PositionILimit", jd.Number("f", jd.ANY, "newton meter"), default=None)
     velocity_p: float = jd.field("VelocityP", jd.Number("f"))
     velocity_i: float = jd.field("VelocityI", jd.Number("f"))
     velocity_d: float = jd.field("VelocityD", jd.Number("f"))
-    velocity_i_limit: float = jd.field("VelocityILimit", jd.Number("f", jd.ANY, "newton meter"))
+    velocity_i_limit: float | None = jd.field("VelocityILimit", jd.Number("f", jd.ANY, "newton meter"), default=None)
+    reserved_presence: int = 0
 
 
 @jd.message(_SERVICE, 0xEA61, query=True)

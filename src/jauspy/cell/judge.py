@@ -1,0 +1,126 @@
+"""The judge: true poses, for measurements only. No task uses it, and a cell elsewhere has none."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol, runtime_checkable
+
+import pinocchio as pin
+
+from jauspy.cell.frames import offset_between, se3, se3_of_pose, tilt_between
+from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose, Transform
+from jauspy.geometry.vectors import Vector
+from jauspy.platform.camera import Camera
+from jauspy.platform.contract import Backend, Robot
+from jauspy.platform.description import RobotModel
+from jauspy.platform.modular.connector import VacuumConnector
+
+
+class Truth(Protocol):
+    """What is really the case in a simulation."""
+
+    def pose(self, part: str) -> Pose:
+        """The pose of a part's frame in the world."""
+        ...
+
+    def connector(self, name: str) -> Transform:
+        """The frame of a connector in the world, or of the gripper."""
+        ...
+
+    def velocity(self, body: str) -> tuple[Vector, Vector]:
+        """Linear and angular velocity of a part, in its own frame: m/s and rad/s."""
+        ...
+
+    def penetration(self) -> float:
+        """Metres of the deepest overlap of shapes in the last step."""
+        ...
+
+
+@runtime_checkable
+class KnowsTruth(Protocol):
+    """A robot of a simulation."""
+
+    @property
+    def truth(self) -> Truth:
+        """What is really the case."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """How far a part is off the connector that holds it, as measured in the simulation."""
+
+    part: str
+    distance: float
+    """Metres between the middles of the plates."""
+    tilt: float
+    """Radians between their normals."""
+    turn: float
+    """Radians about the normal, from the nearest quarter of a turn."""
+
+
+class Judge:
+    """Reads the simulation's true state."""
+
+    def __init__(self, robot: Robot) -> None:
+        if not isinstance(robot, KnowsTruth):
+            raise ConfigError("this backend does not tell where parts really are; use the backend `sim`")
+        self._truth = robot.truth
+        self._robot = robot
+
+    @property
+    def time(self) -> float:
+        """Seconds of the robot's own time."""
+        return self._robot.time
+
+    def pose(self, part: str) -> pin.SE3:
+        """The true frame of a part in the world."""
+        return se3_of_pose(self._truth.pose(part))
+
+    def connector(self, name: str) -> pin.SE3:
+        """The true frame of a connector in the world."""
+        return se3(self._truth.connector(name))
+
+    def velocity(self, part: str) -> tuple[Vector, Vector]:
+        """Linear and angular velocity of a part, in its own frame: m/s and rad/s."""
+        return self._truth.velocity(part)
+
+    def attached(self) -> dict[str, str]:
+        """Which part each connector holds."""
+        found = {}
+        for part in self._robot.optional_parts:
+            if isinstance(part, VacuumConnector) and (held := part.state().attached_to):
+                found[part.name] = held
+        return found
+
+    def placement(self, connector: str, part: str) -> Placement:
+        """How far a part is off a connector, as in `servo_1/output`."""
+        frame, there = self.connector(connector), self.pose(part)
+        distance, angle = offset_between(frame, there)
+        tilt = tilt_between(frame, there)
+        turn = max(0.0, angle * angle - tilt * tilt) ** 0.5
+        quarter = 1.5707963267948966
+        return Placement(part, distance, tilt, abs(turn - quarter * round(turn / quarter)))
+
+    def camera(self) -> Camera | None:
+        """The first camera of the cell, for films."""
+        return next(iter(self._robot.cameras.values()), None)
+
+
+class WatchedBackend:
+    """Opens robots with another backend, and remembers the last one for the judge."""
+
+    def __init__(self, backend: Backend) -> None:
+        self._backend = backend
+        self.robot: Robot | None = None
+
+    @property
+    def name(self) -> str:
+        """That of the other backend."""
+        return self._backend.name
+
+    def open(self, robot: RobotModel, world: str) -> Robot:
+        """Open a robot."""
+        self.robot = self._backend.open(robot, world)
+        return self.robot

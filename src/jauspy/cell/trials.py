@@ -1,0 +1,120 @@
+"""Many seeded runs of a task: in processes of this machine, or on a Dask cluster."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+import multiprocessing
+import os
+from collections.abc import Iterable, Iterator
+from concurrent.futures import ProcessPoolExecutor, as_completed
+from dataclasses import dataclass
+from importlib import import_module
+from statistics import fmean, median
+
+from jauspy.cell.runs import Measured, run_one
+from jauspy.cell.session import Disturbances
+from jauspy.errors import ConfigError
+
+
+def run_seed(task: str, seed: int, disturbances: Disturbances | None) -> Measured:
+    """One run, in whichever process this is called."""
+    os.environ.setdefault("OMP_NUM_THREADS", "1")
+    return asyncio.run(run_one(task, seed, disturbances))
+
+
+def run_trials(
+    task: str,
+    seeds: Iterable[int],
+    disturbances: Disturbances | None = None,
+    *,
+    jobs: int | None = None,
+    cluster: str | None = None,
+) -> Iterator[Measured]:
+    """Yield the results as they come, in any order; `cluster` is the address of a Dask scheduler."""
+    wanted = list(seeds)
+    if cluster is not None:
+        yield from _on_cluster(cluster, task, wanted, disturbances)
+    elif jobs == 1 or len(wanted) == 1:
+        for seed in wanted:
+            yield run_seed(task, seed, disturbances)
+    else:
+        context = multiprocessing.get_context("spawn")
+        with ProcessPoolExecutor(jobs or os.cpu_count(), mp_context=context) as pool:
+            futures = [pool.submit(run_seed, task, seed, disturbances) for seed in wanted]
+            for future in as_completed(futures):
+                yield future.result()
+
+
+def _on_cluster(address: str, task: str, seeds: list[int], disturbances: Disturbances | None) -> Iterator[Measured]:
+    try:
+        distributed = import_module("distributed")
+    except ImportError:
+        raise ConfigError("--cluster needs Dask's `distributed`; run: pip install 'jauspy[cell-cluster]'") from None
+    try:
+        client = distributed.Client(address, timeout="10s")
+    except (OSError, ValueError) as error:
+        raise ConfigError(f"no Dask scheduler answers at {address!r}: {error}") from error
+    with client:
+        futures = [client.submit(run_seed, task, seed, disturbances, pure=False) for seed in seeds]
+        for _, result in distributed.as_completed(futures, with_results=True):
+            yield result
+
+
+@dataclass(frozen=True, slots=True)
+class Summary:
+    """What many runs have shown."""
+
+    task: str
+    runs: int
+    successes: int
+    low: float
+    """Lower end of the 95 % confidence interval of the success rate (Wilson)."""
+    high: float
+    duration: float
+    """Median of the successful runs, in seconds of the cell's time."""
+    longest: float
+    speed: float
+    """Times real time, of all runs together on this machine."""
+    failures: tuple[tuple[int, str], ...]
+    """Seed and reason."""
+
+    @property
+    def rate(self) -> float:
+        """Fraction of successful runs."""
+        return self.successes / self.runs if self.runs else 0.0
+
+
+def summarised(results: Iterable[Measured]) -> Summary:
+    """The summary of the runs of one task."""
+    found = sorted(results, key=lambda each: each.seed)
+    good = [each for each in found if each.success]
+    low, high = wilson(len(good), len(found))
+    wall = sum(each.wall for each in found)
+    return Summary(
+        found[0].task if found else "",
+        len(found),
+        len(good),
+        low,
+        high,
+        median(each.duration for each in good) if good else math.nan,
+        max((each.duration for each in good), default=math.nan),
+        sum(each.duration for each in found) / wall if wall else math.nan,
+        tuple((each.seed, each.failure) for each in found if not each.success),
+    )
+
+
+def wilson(successes: int, runs: int) -> tuple[float, float]:
+    """The 95 % confidence interval of a rate: E. B. Wilson, 1927."""
+    if not runs:
+        return 0.0, 1.0
+    z, rate = 1.959964, successes / runs
+    middle = (rate + z * z / (2 * runs)) / (1 + z * z / runs)
+    half = z * math.sqrt(rate * (1 - rate) / runs + z * z / (4 * runs * runs)) / (1 + z * z / runs)
+    return max(0.0, middle - half), min(1.0, middle + half)
+
+
+def mean_of(results: Iterable[Measured], name: str) -> float:
+    """The mean of a figure over the runs that have it."""
+    found = [each.values[name] for each in results if name in each.values]
+    return fmean(found) if found else math.nan

@@ -1,0 +1,1 @@
+"""`jauspy cell`: the tasks of the modular factory cell."""

@@ -1,0 +1,74 @@
+"""`jauspy cell assemble`: the UR10 builds the arm with five joints."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import typer
+
+from jauspy.cli import console
+from jauspy.cli.cell.options import Exact, Record, Seed, check_extra, millimetres
+from jauspy.cli.client import make_ocu
+from jauspy.cli.options import Connect, Json, OperatorKey, OwnId
+from jauspy.cli.processes import run
+
+
+def assemble(
+    *,
+    seed: Seed = 0,
+    exact: Exact = False,
+    record: Record = None,
+    connect: Connect = None,
+    id: OwnId = None,
+    operator_key: OperatorKey = None,
+    json: Json = False,
+) -> None:
+    """Build an arm with five joints: the UR10 takes modules out of the bins and joins them on platform_1.
+
+    Every grasp and every joint is verified by the connectors' state and by force; what fails is tried again another
+    way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task is
+    carried out by a cell that runs already, as `jauspy up cell`.
+
+    Exit status 1 when the arm could not be built; the reason is printed, and the cell is left at rest.
+    """
+    check_extra()
+    from dataclasses import asdict
+
+    from jauspy.cell import runs
+    from jauspy.cell.session import NONE, connected
+    from jauspy.cli.cell.tables import assembly_table
+
+    async def elsewhere() -> runs.Measured:
+        ocu = make_ocu(id, connect, 3.0, operator=operator_key)
+        async with connected(ocu) as session:
+            return await runs.assemble(session, seed)
+
+    async def here() -> runs.Measured:
+        return await runs.run_one("assemble", seed, NONE if exact else None, film=record)
+
+    found = run(here() if connect is None else elsewhere())
+    if found is None:
+        return
+    if json:
+        console.print_json(asdict(found))
+    else:
+        console.stdout(140).print(assembly_table(found))
+        _print_summary(found, record)
+    if not found.success:
+        if found.failure and not json:
+            console.error(f"the arm was not finished: {found.failure}")
+        raise typer.Exit(1)
+
+
+def _print_summary(found: object, record: Path | None) -> None:
+    from jauspy.cell.runs import Measured
+
+    assert isinstance(found, Measured)
+    values = found.values
+    speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
+    console.print_lines(
+        f"{values.get('parts', 0):.0f} parts in {found.duration:.1f} s{speed}; "
+        f"smallest distance {millimetres(values.get('clearance', 0.0))} mm; {values.get('retries', 0):.0f} retries"
+    )
+    if record is not None:
+        console.print_lines(f"film: {record}")

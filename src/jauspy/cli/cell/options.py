@@ -1,0 +1,47 @@
+"""Options that the verbs of `jauspy cell` share."""
+
+from __future__ import annotations
+
+import math
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Annotated, Final
+
+import typer
+
+from jauspy.errors import ConfigError
+
+MODULES: Final = ("pinocchio", "coal", "ruckig", "numpy")
+OUTPUT: Final = Path("cell_out")
+
+Seed = Annotated[
+    int, typer.Option("--seed", min=0, metavar="N", help="Of all that is random; equal seeds give equal runs.")
+]
+Record = Annotated[
+    Path | None, typer.Option("--record", metavar="FILE", help="Film the task, as .mp4. Needs the extra 'video'.")
+]
+Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="Directory of plots, films and results.")]
+Jobs = Annotated[
+    int | None, typer.Option("--jobs", "-j", min=1, metavar="N", help="Processes at once. Default: one a core.")
+]
+Seeds = Annotated[int, typer.Option("--seeds", min=1, metavar="N", help="Runs, with the seeds 0 to N - 1.")]
+Exact = Annotated[
+    bool, typer.Option("--exact", help="Without errors of the parts' poses and without grasps that fail.")
+]
+
+
+def check_extra() -> None:
+    """Raise `ConfigError` when the packages of the extra `cell` are missing."""
+    missing = [name for name in MODULES if find_spec(name) is None]
+    if missing:
+        raise ConfigError(f"`jauspy cell` needs {', '.join(missing)}; run: pip install 'jauspy[cell,sim]'")
+
+
+def degrees(angle: float) -> str:
+    """An angle for a table."""
+    return f"{math.degrees(angle):.2f}"
+
+
+def millimetres(distance: float) -> str:
+    """A distance for a table."""
+    return f"{1000.0 * distance:.2f}"

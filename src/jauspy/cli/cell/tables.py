@@ -1,0 +1,61 @@
+"""Tables of the results of `jauspy cell`."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from jauspy.cell.runs import Measured
+from jauspy.cell.trials import Summary, mean_of
+from jauspy.cli.cell.options import degrees, millimetres
+
+if TYPE_CHECKING:
+    from rich.table import Table
+
+
+def assembly_table(found: Measured) -> Table:
+    """A line for each part of an arm that was built."""
+    from rich.table import Table
+
+    table = Table(title=f"assembly, seed {found.seed}", title_justify="left")
+    for heading in ("place", "part"):
+        table.add_column(heading)
+    for heading in ("fetch s", "join s", "grasp N", "joint N", "joint Nm", "off mm", "tilt deg", "turn deg", "retries"):
+        table.add_column(heading, justify="right")
+    for row in found.rows:
+        placed = "error" in row
+        table.add_row(
+            row["slot"],
+            row["part"],
+            f"{row['fetch_time']:.1f}",
+            f"{row['join_time']:.1f}",
+            f"{row['grasp_force']:.1f}",
+            f"{row['joint_force']:.1f}",
+            f"{row['joint_moment']:.2f}",
+            millimetres(row["error"]) if placed else "-",
+            degrees(row["error_tilt"]) if placed else "-",
+            degrees(row["error_turn"]) if placed else "-",
+            str(len(row["attempts"])),
+        )
+    return table
+
+
+def trials_table(summary: Summary, results: Sequence[Measured]) -> Table:
+    """What many runs have shown."""
+    from rich.table import Table
+
+    table = Table(title=f"{summary.runs} runs of {summary.task}", title_justify="left", show_header=False)
+    table.add_column()
+    table.add_column()
+    table.add_row(
+        "success",
+        f"{summary.successes} of {summary.runs} (95 %: {100 * summary.low:.0f} to {100 * summary.high:.0f} %)",
+    )
+    table.add_row("time of a run", f"median {summary.duration:.1f} s, longest {summary.longest:.1f} s")
+    table.add_row("simulated time", f"{summary.speed:.1f} times real time in each process")
+    for name in sorted({name for each in results for name in each.values}):
+        values = [each.values[name] for each in results if name in each.values]
+        table.add_row(name.replace("_", " "), f"mean {mean_of(results, name):.4g}, most {max(values):.4g}")
+    for seed, reason in summary.failures:
+        table.add_row(f"[red]seed {seed}[/]", reason)
+    return table

@@ -1,0 +1,54 @@
+"""`jauspy send --control` with components that list less than they have, as those of other vendors do."""
+
+from __future__ import annotations
+
+import pytest
+from tests.helpers.robot import FakeDrive
+
+from jauspy.cli.send import send_in_control
+from jauspy.component.component import loop_time
+from jauspy.errors import ControlRejected, JausError
+from jauspy.ids import JausID
+from jauspy.messages.core import ReleaseControl, RequestControl, Resume, SetTime
+from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.services.core import AccessControl, Discovery, Time
+from jauspy.services.mobility import PrimitiveDriver, Vehicle
+from jauspy.testing import VirtualNetwork
+
+COMPONENT = JausID(126, 1, 11)
+DRIVE = SetWrenchEffort(propulsive_linear_effort_x=40.0)
+
+
+async def send(network: VirtualNetwork, message, authority=200):
+    await send_in_control(network.ocu(), COMPONENT, message, authority=authority, hold=0.0, within=None, max_wait=2.0)
+
+
+@pytest.mark.parametrize("services", [[], [Discovery]], ids=["without Discovery", "with Discovery"])
+async def test_a_service_that_inherits_access_control_is_enough(virtual_network, services):
+    drive = FakeDrive(clock=loop_time)
+    made = [PrimitiveDriver(Vehicle(drive)), AccessControl(timeout=5), *(each() for each in services)]
+    async with virtual_network.component(COMPONENT, made, core=False):
+        await send(virtual_network, DRIVE)
+        (sent,) = virtual_network.sent(SetWrenchEffort)
+        assert virtual_network.sent(Resume)
+        assert virtual_network.sent(ReleaseControl)
+        assert sent.payload == DRIVE.encode()
+        assert any(linear == pytest.approx(0.4, abs=0.01) for linear, _ in drive.efforts)
+
+
+async def test_a_component_without_management_is_not_resumed(virtual_network, capsys):
+    async with virtual_network.component(COMPONENT, [Time(), AccessControl(timeout=5)], core=False):
+        await send(virtual_network, SetTime())
+    assert virtual_network.sent(RequestControl)
+    assert virtual_network.sent(SetTime)
+    assert not virtual_network.sent(Resume)
+    assert "126.1.11 does not report a status" in capsys.readouterr().err
+
+
+async def test_refusals_and_silence_are_told(virtual_network):
+    with pytest.raises(JausError, match=r"126\.1\.11"):
+        await send(virtual_network, DRIVE)
+    access = AccessControl(default_authority=100, timeout=5)
+    async with virtual_network.component(COMPONENT, [Time(), access], core=False):
+        with pytest.raises(ControlRejected, match="gives control to authority 100 and above; requested with 50"):
+            await send(virtual_network, SetTime(), authority=50)
