@@ -15,8 +15,8 @@ def main(connect: str | None) -> None:
         start = sensor.query(QueryLocalPose(0x1FF)).yaw
         with driver.control(authority=200):
             driver.resume()
-            driver.send(SetWrenchEffort(propulsive_rotational_effort_z=40.0))  # percent; positive turns right
             for pose in sensor.subscribe(QueryLocalPose(0x1FF), rate=10.0):
+                driver.send(SetWrenchEffort(propulsive_rotational_effort_z=40.0))  # percent, to the right, for 2 s
                 turned = math.remainder(pose.yaw - start, math.tau)
                 print(f"turned {math.degrees(turned):.0f} degrees")
                 if turned > math.radians(90.0):

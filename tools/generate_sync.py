@@ -17,7 +17,12 @@ CLASSES: Final = {
     "Subscription": "subscription",
     "Control": "control",
     "Elements": "lists",
+    "CommandStream": "streaming",
     "ServiceClient": "service",
+    "Arm": "arm",
+    "Gripper": "gripper",
+    "Camera": "camera",
+    "RobotControl": "robot_control",
     "ComponentClient": "robot",
     "Robot": "robot",
     "OCU": "client",
@@ -28,13 +33,18 @@ BASES: Final = {
     "Elements": "Facade[{name}], MutableSequence[Element]",
     "OCU": "OpensPortal",
 }
-SKIPPED: Final = {"OCU": {"open", "close", "__aenter__", "__aexit__"}, "Control": {"on_sent"}}
+OF_EXTRAS: Final = {"jauspy.video.frames"}
+"""Modules that need packages of an extra; imported for type checkers only."""
+SKIPPED: Final = {"OCU": {"open", "close", "watch_program", "__aenter__", "__aexit__"}, "Control": {"on_sent"}}
 """What `sync/base.py` has, and what is the OCU's own business."""
 SPECIAL: Final = {"__aenter__": "__enter__", "__aexit__": "__exit__", "__aiter__": "__iter__"}
 KEPT: Final = {"__len__", "__getitem__"}
 ALIASES: Final = {"Elements": {"replace": "__setitem__", "delete": "__delitem__"}}
 """What Python's own syntax calls these methods."""
 WORDS: Final = (
+    ("the program's event loop turns", "the program calls the OCU at least once a second"),
+    ("the event loop of the program turns", "the program calls the OCU at least once a second"),
+    ("When the loop stood still for a second", "When it does not"),
     ("an `async", "a `async"),
     ("async with", "with"),
     ("async for", "for"),
@@ -65,8 +75,10 @@ class Names:
         by_module: dict[str, set[str]] = {}
         for module, name in self.imports.values():
             by_module.setdefault(module, set()).add(name)
-        for module in sorted(by_module):
+        for module in sorted(by_module.keys() - OF_EXTRAS):
             yield f"from {module} import {', '.join(sorted(by_module[module]))}"
+        for module in sorted(by_module.keys() & OF_EXTRAS):
+            yield f"if TYPE_CHECKING:\n    from {module} import {', '.join(sorted(by_module[module]))}"
 
 
 def origins(tree: ast.Module, module: str) -> dict[str, tuple[str, str]]:
@@ -134,9 +146,13 @@ def parameters(arguments: ast.arguments) -> list[str]:
         _parameter(each, None if index < missing else arguments.defaults[index - missing])
         for index, each in enumerate(positional)
     ]
-    if arguments.kwonlyargs:
+    if arguments.vararg:
+        found.append(f"*{_parameter(arguments.vararg, None)}")
+    elif arguments.kwonlyargs:
         found.append("*")
-        found += [_parameter(*pair) for pair in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)]
+    found += [_parameter(*pair) for pair in zip(arguments.kwonlyargs, arguments.kw_defaults, strict=True)]
+    if arguments.kwarg:
+        found.append(f"**{_parameter(arguments.kwarg, None)}")
     return found
 
 
@@ -150,7 +166,10 @@ def _parameter(argument: ast.arg, default: ast.expr | None) -> str:
 def passed(arguments: ast.arguments) -> str:
     """The arguments of a call that hands all of them on."""
     found = [each.arg for each in [*arguments.posonlyargs, *arguments.args][1:]]
-    return ", ".join(found + [f"{each.arg}={each.arg}" for each in arguments.kwonlyargs])
+    found += [f"*{arguments.vararg.arg}"] if arguments.vararg else []
+    found += [f"{each.arg}={each.arg}" for each in arguments.kwonlyargs]
+    found += [f"**{arguments.kwarg.arg}"] if arguments.kwarg else []
+    return ", ".join(found)
 
 
 def head(name: str, arguments: ast.arguments, result: str) -> Iterator[str]:
@@ -248,10 +267,12 @@ class ClassWriter:
 
     def _need(self, node: Function) -> None:
         given = node.args
-        for each in [*given.posonlyargs, *given.args, *given.kwonlyargs]:
+        starred = [each for each in (given.vararg, given.kwarg) if each is not None]
+        for each in [*given.posonlyargs, *given.args, *given.kwonlyargs, *starred]:
             if each.annotation:
                 self.names.need(each.annotation, self.module, self.origins)
-        for expression in [*given.defaults, *given.kw_defaults, node.returns, *node.decorator_list]:
+        defaults = [each for each in [*given.defaults, *given.kw_defaults] if not isinstance(each, ast.Constant)]
+        for expression in [*defaults, node.returns, *node.decorator_list]:
             if expression:
                 self.names.need(expression, self.module, self.origins)
 
@@ -281,6 +302,7 @@ def generated() -> str:
     names, classes, originals = Names(), [], []
     names.imports |= {
         "Generic": ("typing", "Generic"),
+        "TYPE_CHECKING": ("typing", "TYPE_CHECKING"),
         "MutableSequence": ("collections.abc", "MutableSequence"),
         "Generator": ("collections.abc", "Generator"),
         "Iterator": ("collections.abc", "Iterator"),

@@ -13,7 +13,7 @@ import pytest
 from jauspy.cell.frames import offset_between, shifted, turned
 from jauspy.cell.layout import Layout
 from jauspy.cell.motion import STEP, MotionPlanner, NoPath, profile
-from jauspy.cell.scene import Piece, PlanningScene, connector_frame, output_frame, pieces_of_part
+from jauspy.cell.scene import Piece, PlanningScene, connector_frame, links_of_urdf, output_frame, pieces_of_part
 from jauspy.errors import ConfigError
 
 DOWN = turned("x", math.pi)
@@ -21,7 +21,7 @@ DOWN = turned("x", math.pi)
 
 @pytest.fixture
 def scene(layout: Layout) -> PlanningScene:
-    return PlanningScene(layout.kinematics, layout.urdf, layout.group.joints)
+    return PlanningScene(layout.kinematics, links_of_urdf(layout.urdf, layout.group.joints))
 
 
 def cube(side: float) -> list[Piece]:
@@ -30,9 +30,9 @@ def cube(side: float) -> list[Piece]:
 
 def test_distance_to_a_cube_before_the_gripper(layout: Layout, scene: PlanningScene) -> None:
     tool = layout.kinematics.forward(layout.home)
-    scene.put("cube", cube(0.1), tool * shifted(z=0.05 + 0.03))
+    scene.put("cube", cube(0.1), tool * shifted(z=0.05 + 0.01))
     found = scene.explain(layout.home)
-    assert found.distance == pytest.approx(0.03, abs=1e-4)
+    assert found.distance == pytest.approx(0.01, abs=1e-4)
     assert found.between == ("gripper_1", "cube")
 
 
@@ -49,13 +49,13 @@ def test_what_is_ignored_or_removed_does_not_count(layout: Layout, scene: Planni
 
 def test_a_held_part_counts_as_the_arm(layout: Layout, scene: PlanningScene) -> None:
     tool = layout.kinematics.forward(layout.home)
-    scene.put("wall", cube(0.2), tool * shifted(z=0.1 + 0.1 + 0.02))
+    scene.put("wall", cube(0.2), tool * shifted(z=0.1 + 0.1 + 0.01))
     before = scene.clearance(layout.home).distance
     scene.hold("cube", cube(0.1), shifted(z=0.05 + 0.001))
     found = scene.explain(layout.home)
     scene.release()
-    assert before > 0.05
-    assert found.distance == pytest.approx(0.019, abs=1e-4)
+    assert before > 0.015
+    assert found.distance == pytest.approx(0.009, abs=1e-4)
     assert found.between == ("cube", "wall")
     assert scene.clearance(layout.home).distance == before
 
@@ -72,17 +72,17 @@ def test_connectors_of_servos_turn_with_the_joint(layout: Layout) -> None:
 
 
 def test_a_detour_keeps_its_distance(layout: Layout, scene: PlanningScene) -> None:
-    planner = MotionPlanner(scene, margin=0.02)
+    planner = MotionPlanner(scene, layout.kinematics, margin=0.015)
     scene.put("wall", [Piece(coal.Box(0.05, 0.3, 1.3), pin.SE3.Identity())], shifted(0.7, 0.0, 0.65))
     k = layout.kinematics
     start = k.solve(shifted(0.6, 0.5, 0.5) * DOWN, layout.home)[0].positions
-    goals = [each for each in k.solve(shifted(0.6, -0.5, 0.5) * DOWN, start) if scene.is_free(each.positions, 0.02)]
+    goals = [each for each in k.solve(shifted(0.6, -0.5, 0.5) * DOWN, start) if scene.is_free(each.positions, 0.015)]
     direct = scene.along((start, goals[0].positions), STEP)
     path = planner.to_posture(start, goals[0].positions)
-    assert direct.distance < 0.02, "or there is nothing to go around"
-    assert path.clearance.distance >= 0.02
-    assert scene.along(path.points, STEP / 5.0).distance >= 0.015, "between the checked postures, too"
-    again = MotionPlanner(scene, margin=0.02).to_posture(start, goals[0].positions)
+    assert direct.distance < 0.015, "or there is nothing to go around"
+    assert path.clearance.distance >= 0.015
+    assert scene.along(path.points, STEP / 5.0).distance >= 0.01, "between the checked postures, too"
+    again = MotionPlanner(scene, layout.kinematics, margin=0.015).to_posture(start, goals[0].positions)
     assert all(np.array_equal(a, b) for a, b in zip(path.points, again.points, strict=True))
 
 
@@ -91,13 +91,13 @@ def test_a_goal_inside_something_is_named(layout: Layout, scene: PlanningScene) 
     goal = k.solve(shifted(0.6, -0.5, 0.5) * DOWN, layout.home)[0].positions
     scene.put("crate", cube(0.3), shifted(0.6, -0.5, 0.5))
     with pytest.raises(NoPath, match="crate"):
-        MotionPlanner(scene).to_posture(layout.home, goal)
+        MotionPlanner(scene, layout.kinematics).to_posture(layout.home, goal)
 
 
 def test_lines_are_straight(layout: Layout, scene: PlanningScene) -> None:
     k = layout.kinematics
     start = k.solve(shifted(0.6, 0.3, 0.6) * DOWN, layout.home)[0].positions
-    path = MotionPlanner(scene).line(start, shifted(0.6, 0.3, 0.3) * DOWN)
+    path = MotionPlanner(scene, layout.kinematics).line(start, shifted(0.6, 0.3, 0.3) * DOWN)
     for a, b in pairwise(path.points):
         for share in (0.25, 0.5, 0.75):
             x, y, _ = k.forward(a + (b - a) * share).translation

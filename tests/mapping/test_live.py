@@ -11,10 +11,11 @@ import pytest
 
 from jauspy.errors import ConfigError, JausError
 from jauspy.geometry.poses import PlanarPose
+from jauspy.mapping import live as live_module
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.live import LiveMapping, _StampedPose, interpolated
 from jauspy.mapping.mapper import Mapper
-from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.platform import kinematic
@@ -84,6 +85,19 @@ async def test_a_robot_without_reports_raises_one_error(robot: RobotRunner, ocu:
     await robot.close()
     with pytest.raises(JausError):
         await asyncio.wait_for(mapping, 200.0)
+
+
+async def test_poses_without_a_time_are_counted(robot: RobotRunner, ocu: OCU, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(live_module, "QueryLocalPose", lambda _: QueryLocalPose(0xFF))
+    live = LiveMapping(await ocu.discover(101), Mapper())
+    mapping = asyncio.create_task(live.run())
+    await asyncio.sleep(3.0)
+    assert not mapping.done()
+    mapping.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await mapping
+    assert live.counters["pose without time"] > 30
+    assert set(live.counters) == {"pose without time", "no pose in time"}
 
 
 def test_poses_are_interpolated_across_midnight() -> None:

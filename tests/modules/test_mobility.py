@@ -132,10 +132,21 @@ def test_access_control_is_as_configured(fake_robot):
     assert module.host.controller is None
 
 
-def test_drive_continues_while_the_client_has_control(driving):
-    driving.run(4.5)
-    assert driving.drive.effort != (0.0, 0.0)
+def test_drive_continues_while_the_client_commands(driving):
+    for _ in range(3):
+        driving.run(1.5)
+        assert driving.drive.effort != (0.0, 0.0)
+        driving.tell(SetWrenchEffort(propulsive_linear_effort_x=40.0))
     assert may_move(driving.host)
+
+
+def test_drive_stops_when_no_further_command_arrives(driving):
+    driving.run(1.9)
+    assert driving.drive.effort != (0.0, 0.0)
+    driving.run(0.2)
+    assert driving.drive.effort == (0.0, 0.0)
+    assert may_move(driving.host)
+    assert driving.host.counters["command_timeout"] == 1
 
 
 @pytest.mark.parametrize("message", [Standby(), SetEmergency(1)])

@@ -19,7 +19,7 @@ def test_steps_do_not_drift_when_each_starts_a_little_late(timer):
     for n in range(1, 101):
         assert timer.wait(99.995 + n * 0.01) == pytest.approx(0.005)
         timer.begin(100.003 + n * 0.01)
-    assert timer.counters == {"steps": 100, "late": 0, "skipped": 0, "abandoned": 0}
+    assert timer.counters == {"steps": 100, "late": 0, "slow": 0, "skipped": 0, "abandoned": 0, "faults": 0}
 
 
 def test_catches_up_after_a_short_delay(timer):

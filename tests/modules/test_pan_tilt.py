@@ -110,8 +110,18 @@ def test_velocity_turns_until_the_limit(head: Head) -> None:
     assert pan == pytest.approx(0.7, abs=0.15)
     assert tilt == pytest.approx(-0.28, abs=0.06)
     assert head.ask(m.QueryCommandedPanTiltJointVelocity()).joint1_velocity == pytest.approx(0.5)
-    head.run(5.0)
+    for _ in range(4):
+        head.tell(m.SetPanTiltJointVelocity(0.5, -0.2))
+        head.run(1.25)
     assert head.angles() == pytest.approx((2.0, -0.7), abs=0.03)
+
+
+def test_velocity_ends_when_no_further_command_arrives(head: Head) -> None:
+    head.tell(m.SetPanTiltJointVelocity(0.3, 0.0))
+    head.run(1.9)
+    assert head.speeds()[0] == pytest.approx(0.3, abs=0.05)
+    head.run(0.4)
+    assert head.speeds()[0] == pytest.approx(0.0, abs=0.05)
 
 
 def test_effort_moves_and_zero_effort_holds(head: Head) -> None:

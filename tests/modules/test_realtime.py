@@ -86,15 +86,6 @@ def test_open_twice_has_no_effect(fake_robot):
     assert len(fake_robot.threads) == 1
 
 
-def test_exception_in_the_robot_stops_it_and_is_reported(fragile_robot):
-    with RealTime(fragile_robot, step=0.002) as runner:
-        runner.drive.set_effort(1.0, 0.0)
-        error = runner.ended.exception(timeout=30.0)
-        assert isinstance(error, RuntimeError)
-    assert fragile_robot.steps == 3
-    assert fragile_robot.drive.effort == (0.0, 0.0)
-
-
 class Clock:
     def __init__(self) -> None:
         self.now = 50.0

@@ -31,7 +31,6 @@ from jauspy.messages.mobility import (
 )
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load
-from jauspy.platform.description import RobotModel
 from jauspy.platform.kinematic import KinematicBackend
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.transport import LoopbackHub, LoopbackTransport
@@ -180,22 +179,6 @@ async def test_backend_object_is_accepted(hub, client):
     async with runner:
         client.tell(RequestControl(authority_code=100), Resume(), FORWARD)
         await client.drive_past(0.05)
-
-
-async def test_run_ends_when_the_robot_fails(hub, fragile_robot):
-    class Workshop:
-        name = "workshop"
-
-        def open(self, robot: RobotModel, world: str):
-            return fragile_robot
-
-    config = load("inc1")
-    config = config.model_copy(update={"modules": config.modules[:1]})
-    runner = RobotRunner(config, lambda me: LoopbackTransport(me, hub), backend=Workshop())
-    with pytest.raises(RuntimeError, match="a track came off"):
-        async with asyncio.timeout(30.0):
-            await runner.run()
-    assert fragile_robot.closed == 1
 
 
 @pytest.mark.parametrize(

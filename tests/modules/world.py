@@ -41,7 +41,7 @@ class World:
         self.robot = find(backend).open(model, "empty")
         self.now = 0.0
         self.vehicle = Vehicle(self.robot.drive, name="inc1", chassis=chassis_of(model), origin=origin)
-        config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": 0})
+        config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": 0}, command_timeout="off")
         self.host = module_host(
             ME,
             config,

@@ -5,12 +5,14 @@ No action fails, and whoever is answered for a valid message is answered for thi
 
 from __future__ import annotations
 
+import asyncio
 import logging
 from collections.abc import Callable, Iterable, Iterator
 from random import Random
 from typing import Any, Final
 
 import pytest
+from tests.helpers.memory_cell import MemoryBackend
 
 from jauspy.codec.items import Bits, Choice, Formatted, Item, Number, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
@@ -21,10 +23,13 @@ from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import RejectEventRequest, RequestControl, Resume
 from jauspy.modules.catalogue import BUILT_IN
+from jauspy.modules.robot import RobotRunner
+from jauspy.modules.robot_files import load
 from jauspy.schema import load_builtin
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 from jauspy.services.host import Host
 from jauspy.testing import VirtualNetwork
+from jauspy.virtual.environment import VirtualTime
 
 CLIENT: Final = JausID(42, 1, 1)
 TARGETS: Final = {each.cls: each for each in targets(registry, load_builtin())}
@@ -174,11 +179,19 @@ def _quiet() -> None:
 
 async def test_every_service_of_a_robot() -> None:
     running: set[str] = set()
-    async with VirtualNetwork() as network, network.robot("inc1") as runner:
-        for component in runner.components:
-            Sender(component.host, network.now).try_all()
-            assert component.host.counters["unencodable"] == 0
-            running |= {each.name for each in component.host.definitions.values()}
+    backend = MemoryBackend()
+    async with VirtualNetwork() as network, network.robot("inc1") as inc1:
+        cell = RobotRunner(load("cell"), network.transport, backend=backend, realtime=VirtualTime)
+        async with cell:
+            backend.robot.assemble("servo_1")
+            async with asyncio.timeout(5.0):
+                while not any(module.part == "servo_1" for _, module in cell.running):
+                    await asyncio.sleep(0.05)
+            kinds_of_modules = {module.type: component for component, module in cell.running}
+            for component in (*inc1.components, *kinds_of_modules.values()):
+                Sender(component.host, network.now).try_all()
+                assert component.host.counters["unencodable"] == 0
+                running |= {each.name for each in component.host.definitions.values()}
     others = {name for services in BUILT_IN.values() for name in services} - running
     inputs = {(each.name, *own.key) for own in load_builtin().services if own.name in others for each in own.inputs}
     kinds = [kind for kind in registry if (kind.NAME, kind.SERVICE, kind.VERSION) in inputs]

@@ -303,3 +303,22 @@ def test_ctrl_c_leaves_the_robot_in_standby(robot, node_manager, ocu, wait):
     assert problems.endswith("KeyboardInterrupt\n")
     mobility = robot.components[0]
     assert mobility.host.state.endswith("NotControlled.Available.Standby")
+
+
+def test_verbs_are_the_same_without_await(node_manager, ocu, caplog):
+    with Portal("robot") as portal:
+        running = node_manager.robot()
+        runner = portal.run(running.__aenter__())
+        try:
+            robot = ocu.robot(101)
+            with robot.control("drive", "gripper") as control:
+                assert control.held
+                robot.drive(linear=0.4, seconds=0.5)
+                assert robot.pose().x > 0.05
+                robot.gripper.close(force=20)
+                robot.drive(linear=0.3)
+                time.sleep(1.8)  # the program hangs: no call for more than a second
+                assert abs(runner.snapshot.twist.vx) < 0.05
+        finally:
+            portal.run(running.__aexit__(None, None, None))
+    assert "101.1.102 was stopped: the program stood still for 1." in caplog.text

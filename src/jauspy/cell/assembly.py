@@ -37,6 +37,7 @@ ATTACH_TIME: Final = 0.06
 PRESSES: Final = 3
 """How often the arm presses on while a connector does not attach."""
 NEAR_SPEED: Final = 0.3
+INSERT_SPEED: Final = 0.15
 LIFT_SPEED: Final = 0.3
 TOUCH_SPEED: Final = 0.015
 """Fractions of the UR10's speed on the way to what it is about to touch, and for the last millimetres."""
@@ -54,6 +55,8 @@ PUT_DOWN: Final = ((-0.45, 0.0), (-0.45, 0.12), (-0.45, -0.12), (0.5, 0.0), (0.0
 """Places on the floor where parts are put down that could not be joined, metres."""
 PUT_DOWN_HEIGHT: Final = 0.2
 """Of the gripper above the floor, metres."""
+PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
+"""The UR10's posture away from platforms and conveyor, in radians."""
 SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
 """Metres beside the connector at which the attempts to join press the part down."""
 
@@ -135,7 +138,7 @@ class Assembler:
         self.cell = cell
         self.layout = layout
         self.scene = layout.scene()
-        self.planner = MotionPlanner(self.scene, seed=seed)
+        self.planner = MotionPlanner(self.scene, layout.kinematics, seed=seed)
         self.handling = Handling(layout, self.scene, self.planner)
         self.at: Array = layout.home
         """The UR10's present posture."""
@@ -189,6 +192,11 @@ class Assembler:
     async def go_home(self) -> None:
         """Move the UR10 to its posture at the start."""
         await self.go(self.planner.to_posture(self.at, self.layout.home))
+
+    async def park(self) -> None:
+        """Move the UR10 out of the way of what stands on the platforms and on the conveyor."""
+        await self.look()
+        await self.go(self.planner.to_posture(self.at, PARKED))
 
     async def go(self, path: Path, *, speed: float = 1.0, contact: bool = False) -> None:
         """Move along a path; paths that do not end in contact count for the smallest distance."""
@@ -348,9 +356,11 @@ class Assembler:
                     return False
                 continue
             await self.go(plan.transfer)
-            await self.cell.enable(tip.connector, True)
-            await self.go(plan.insert, speed=NEAR_SPEED, contact=True)
-            state = await self._touch(plan.contact, tip.connector, plan.goal)
+            await self.go(plan.insert, speed=INSERT_SPEED, contact=True)
+            await self.go(plan.contact, speed=TOUCH_SPEED, contact=True)
+            await self.cell.enable(tip.connector, True)  # in contact: enabled before, it would leave a gap of its lip
+            await self.cell.sleep(ATTACH_TIME)
+            state = await self._touch(Path((self.at,)), tip.connector, plan.goal)
             why = self._joined_wrongly(part, state)
             if not why:
                 await self._let_go(part, row, tip, slot, state)

@@ -62,6 +62,8 @@ BLOCKED: Final = 0.03
 """Radians off the goal, that late, which count as blocked."""
 SAMPLES: Final = 6
 """Observations of a part that are averaged."""
+WATCH_PERIOD: Final = 0.1
+"""Seconds between two looks for a new observation."""
 MOVED: Final = 0.008
 """Metres, or a tenth of a radian, between two observations that say that the part has moved."""
 APPEAR_TIME: Final = 5.0
@@ -88,6 +90,9 @@ class CellClient:
         self._seen: dict[str, deque[pin.SE3]] = {}
         self._observed = asyncio.Event()
         self._last_seen: Mapping[str, str] = {}
+        self._latest: dict[str, tuple[float, pin.SE3]] = {}
+        self._offset = math.inf
+        """Seconds that the robot's clock is behind this one, by the observation that came fastest."""
         self.counts: dict[str, int] = defaultdict(int)
 
     async def __aenter__(self) -> Self:
@@ -193,6 +198,13 @@ class CellClient:
                 return {name: SeenPart(type, averaged(list(self._seen[name]))) for name, type in known.items()}
             self._observed.clear()
             await asyncio.wait_for(self._observed.wait(), 5.0)
+
+    def latest(self, part: str) -> tuple[float, pin.SE3]:
+        """The last single observation of a part: when, on this client's clock, and where. Raises `RequestError`."""
+        if part not in self._latest:
+            raise RequestError(f"the part sensor does not see {part}")
+        time, pose = self._latest[part]
+        return time + self._offset, pose
 
     async def connector(self, name: str) -> ConnectorState:
         """What a connector, or the gripper, measures. One whose module has no power reports nothing."""
@@ -369,14 +381,16 @@ class CellClient:
                 time = report.observation_time_rec.time
                 if time > last:
                     last = time
-                    self._add(report.part_list)
-            await asyncio.sleep(0.1)
+                    self._offset = min(self._offset, self.now() - time)
+                    self._add(report.part_list, time)
+            await asyncio.sleep(WATCH_PERIOD)
 
-    def _add(self, rows: Sequence[Any]) -> None:
+    def _add(self, rows: Sequence[Any], time: float) -> None:
         for row in rows:
             quaternion = (row.orientation_w, row.orientation_x, row.orientation_y, row.orientation_z)
             rotation = np.array(rotation_from_quaternion(*quaternion))
             pose = pin.SE3(rotation, np.array([row.x, row.y, row.z]))
+            self._latest[row.name] = time, pose
             seen = self._seen.setdefault(row.name, deque(maxlen=SAMPLES))
             if seen:
                 distance, angle = offset_between(seen[-1], pose)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -46,6 +47,10 @@ class KnowsTruth(Protocol):
         """What is really the case."""
         ...
 
+    def prepare(self, connector: str, parts: Sequence[str]) -> None:
+        """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class Placement:
@@ -67,7 +72,9 @@ class Judge:
         if not isinstance(robot, KnowsTruth):
             raise ConfigError("this backend does not tell where parts really are; use the backend `sim`")
         self._truth = robot.truth
-        self._robot = robot
+        self._robot: Robot = robot
+        self.prepare = robot.prepare
+        """Has an arm there before a task starts; for tasks of which the assembly is no part."""
 
     @property
     def time(self) -> float:

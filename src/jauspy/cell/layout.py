@@ -11,7 +11,7 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted
 from jauspy.cell.kinematics import ArmKinematics
-from jauspy.cell.scene import Piece, PlanningScene, pieces_of, pieces_of_part
+from jauspy.cell.scene import Piece, PlanningScene, links_of_urdf, pieces_of, pieces_of_part
 from jauspy.errors import ConfigError
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.modular.parts import CellSetup, PartType
@@ -63,7 +63,7 @@ class Layout:
 
     def scene(self) -> PlanningScene:
         """A scene with all that is fixed, and the parts where the file has them."""
-        scene = PlanningScene(self.kinematics, self.urdf, self.group.joints)
+        scene = PlanningScene(self.kinematics, links_of_urdf(self.urdf, self.group.joints))
         scene.put("floor", [Piece(coal.Box(FLOOR_SIZE, FLOOR_SIZE, 0.1), shifted(z=-0.05))], pin.SE3.Identity())
         for bin in self.setup.bins:
             scene.put(bin.name, pieces_of(bin.solids()), se3_of_pose(bin.pose))

@@ -9,13 +9,13 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Final
+from typing import Final, Protocol
 
 import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, offset_between
-from jauspy.cell.kinematics import ArmKinematics, Posture
+from jauspy.cell.kinematics import Posture
 from jauspy.cell.scene import CLEAR, Clearance, PlanningScene
 from jauspy.errors import RequestError
 
@@ -75,21 +75,32 @@ def profile(start: Array, goal: Array, speeds: Array, accelerations: Array) -> P
     return Profile(goal, np.maximum(way * rate, least), np.maximum(way * change, least), duration)
 
 
+class Movable(Protocol):
+    """The arm that a planner moves; positions in radians."""
+
+    lower: Array
+    upper: Array
+
+    def forward(self, positions: Array) -> pin.SE3:
+        """The pose of the tool in the world."""
+        ...
+
+    def solve_from(self, goal: pin.SE3, start: Array) -> Array | None:
+        """The posture near `start` that has the tool at `goal`; None without one."""
+        ...
+
+
 class MotionPlanner:
     """Plans motions in a scene; the same seed gives the same paths."""
 
-    def __init__(self, scene: PlanningScene, *, margin: float = 0.012, seed: int = 0) -> None:
+    def __init__(self, scene: PlanningScene, kinematics: Movable, *, margin: float = 0.012, seed: int = 0) -> None:
         self.scene = scene
+        self.kinematics = kinematics
         self.margin = margin
         """Metres to keep from everything, except at the end of an approach."""
         self._random = np.random.default_rng(seed)
-        k = scene.kinematics
+        k = kinematics
         self._lower, self._upper = np.maximum(k.lower, -math.tau), np.minimum(k.upper, math.tau)
-
-    @property
-    def kinematics(self) -> ArmKinematics:
-        """The arm."""
-        return self.scene.kinematics
 
     # --- to a posture ---------------------------------------------------------------------------------------------
 

@@ -7,14 +7,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Final
+from typing import Any, Final, Protocol
 
 import coal
 import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, se3
-from jauspy.cell.kinematics import ArmKinematics
 from jauspy.errors import ConfigError
 from jauspy.platform.modular.parts import PartType, Shape, Solid
 
@@ -43,6 +42,24 @@ class Piece:
 
     shape: Any
     frame: pin.SE3
+
+
+@dataclass(frozen=True, slots=True)
+class LinkPiece:
+    """A piece of an arm, and the number of the joint that moves it; 0 is the foot."""
+
+    name: str
+    piece: Piece
+    joint: int
+
+
+class Kinematics(Protocol):
+    """An arm of which pinocchio has a model."""
+
+    model: Any
+    data: Any
+    tool: int
+    """The number of the tool's frame in the model."""
 
 
 def pieces_of(solids: Iterable[Solid], frame: pin.SE3 | None = None) -> list[Piece]:
@@ -88,10 +105,15 @@ class _Object:
     """A shape with its name, as the broad phase knows it."""
 
     name: str
-    body: Any
+    shape: Any
     frame: pin.SE3
     """In the frame of the thing, or of the arm's link."""
     joint: int = 0
+    body: Any = None
+    """The shape where it is, for coal."""
+
+    def __post_init__(self) -> None:
+        self.body = coal.CollisionObject(self.shape)
 
     def place(self, frame: pin.SE3) -> None:
         world = frame * self.frame
@@ -102,9 +124,11 @@ class _Object:
 class PlanningScene:
     """What may collide with the arm. Things are named; each consists of convex shapes and has a pose in the world."""
 
-    def __init__(self, kinematics: ArmKinematics, urdf: str, joints: Sequence[str]) -> None:
+    def __init__(self, kinematics: Kinematics, links: Iterable[LinkPiece], *, wrist: int | None = HAND) -> None:
         self.kinematics = kinematics
-        self._links = _links(urdf, joints)
+        self._links = [_Object(each.name, each.piece.shape, each.piece.frame, each.joint) for each in links]
+        self._last_checked = math.inf if wrist is None else wrist
+        """Of two links of the arm, one must be moved by this joint or one before."""
         self._things: dict[str, list[_Object]] = {}
         self._poses: dict[str, pin.SE3] = {}
         self._ignored: set[str] = set()
@@ -122,10 +146,23 @@ class PlanningScene:
         """The poses of the things that stand around, in the world."""
         return self._poses
 
+    def pieces(self, name: str) -> list[Piece]:
+        """The shapes of a thing."""
+        return [Piece(each.shape, each.frame) for each in self._things[name]]
+
+    def links_at(self, positions: Array) -> list[tuple[str, Piece, pin.SE3]]:
+        """The arm's links in a posture: name, shape and the frame of the joint that moves it, in the world."""
+        k = self.kinematics
+        pin.forwardKinematics(k.model, k.data, positions)
+        return [
+            (f"{number} {each.name}", Piece(each.shape, each.frame), k.data.oMi[each.joint].copy())
+            for number, each in enumerate(self._links)
+        ]
+
     def put(self, name: str, pieces: Iterable[Piece], pose: pin.SE3) -> None:
         """Put a thing somewhere, or put it elsewhere."""
         self.remove(name)
-        objects = [_Object(name, coal.CollisionObject(each.shape), each.frame) for each in pieces]
+        objects = [_Object(name, each.shape, each.frame) for each in pieces]
         for each in objects:
             each.place(pose)
         self._things[name], self._poses[name] = objects, pose
@@ -142,7 +179,7 @@ class PlanningScene:
     def hold(self, name: str, pieces: Iterable[Piece], frame: pin.SE3) -> None:
         """The arm holds a thing, whose frame is `frame` in that of the tool; it is no longer an obstacle."""
         self.remove(name)
-        self._held = [_Object(name, coal.CollisionObject(each.shape), frame * each.frame) for each in pieces]
+        self._held = [_Object(name, each.shape, frame * each.frame) for each in pieces]
         self._held_name = name
 
     def release(self) -> None:
@@ -192,7 +229,7 @@ class PlanningScene:
             best = _pair_distance(a, b, best)
         for held in self._held:
             for link in self._links:
-                if link.joint <= HAND:
+                if link.joint <= self._last_checked:
                     best = _pair_distance(held, link, best)
         return best
 
@@ -254,7 +291,8 @@ class PlanningScene:
         self._manager.setup()
 
     def _self_pairs(self) -> list[tuple[_Object, _Object]]:
-        return [(a, b) for a in self._links for b in self._links if b.joint - a.joint > NEIGHBOURS and a.joint <= HAND]
+        links, last = self._links, self._last_checked
+        return [(a, b) for a in links for b in links if b.joint - a.joint > NEIGHBOURS and a.joint <= last]
 
 
 def _pair_distance(a: _Object, b: _Object, best: Clearance) -> Clearance:
@@ -265,7 +303,7 @@ def _pair_distance(a: _Object, b: _Object, best: Clearance) -> Clearance:
     return Clearance(float(found), (a.name, b.name)) if found < best.distance else best
 
 
-def _links(urdf: str, joints: Sequence[str]) -> list[_Object]:
+def links_of_urdf(urdf: str, joints: Sequence[str]) -> list[LinkPiece]:
     """The collision shapes of a URDF's links, each with the joint that moves it."""
     model = pin.buildModelFromXML(urdf)
     shapes = pin.buildGeomFromUrdfString(model, urdf, pin.GeometryType.COLLISION)
@@ -273,6 +311,5 @@ def _links(urdf: str, joints: Sequence[str]) -> list[_Object]:
     if others:
         _, shapes = pin.buildReducedModel(model, shapes, others, pin.neutral(model))
     return [
-        _Object(each.name, coal.CollisionObject(each.geometry), each.placement, each.parentJoint)
-        for each in shapes.geometryObjects
+        LinkPiece(each.name, Piece(each.geometry, each.placement), each.parentJoint) for each in shapes.geometryObjects
     ]

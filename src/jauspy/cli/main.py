@@ -91,6 +91,11 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.assemble:assemble",
         "Build an arm with five joints: the UR10 takes modules out of the bins and joins them.",
     ),
+    "lift": (
+        "jauspy.cli.cell.tasks:lift",
+        "Take a box off the moving conveyor with the modular arm, and throw it into the marked area.",
+    ),
+    "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
 FUZZ_VERBS: Final = {

@@ -15,12 +15,15 @@ from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
-from jauspy.errors import ConfigError, ResponseTimeout
+from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl, QueryEventTimeout, QueryStatus, ReportControl, ReportStatus
 from jauspy.ocu import OCU
 from jauspy.ocu.service import ServiceClient
+from jauspy.services.command_timeout import CONTINUOUS_COMMANDS
 
+REPEAT_INTERVAL: Final = 0.2
+"""Seconds between two efforts, velocities or vectors during --hold."""
 ACCESS_CONTROL: Final = "urn:jaus:jss:core:AccessControl"
 _UNCONTROLLED_SERVICES: Final = frozenset(
     {"Transport", "Events", "EventsClient", "AccessControl", "Discovery", "Liveness"}
@@ -146,9 +149,22 @@ async def send_in_control(
                 await client.send(command)
             else:
                 await client.perform(command, within=within)
-            with suppress(TimeoutError):
-                await asyncio.wait_for(control.until_lost(), hold)
+            repeats = asyncio.create_task(_repeat(client, command))
+            try:
+                with suppress(TimeoutError):
+                    await asyncio.wait_for(control.until_lost(), hold)
+            finally:
+                repeats.cancel()
+                await asyncio.wait({repeats})
             control.check()
+
+
+async def _repeat(client: ServiceClient, command: Message) -> None:
+    """Send an effort, velocity or vector again and again: components stop when no further command arrives."""
+    with suppress(ControlRejected):
+        while command.NAME in CONTINUOUS_COMMANDS:
+            await asyncio.sleep(REPEAT_INTERVAL)
+            await client.send(command)
 
 
 async def _has_management(client: ServiceClient) -> bool:

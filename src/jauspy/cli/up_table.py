@@ -25,6 +25,7 @@ from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import status
 from jauspy.platform.contract import Snapshot
+from jauspy.printable import printable
 from jauspy.services.core import AccessControl, Events
 from jauspy.services.core.subscriptions import Subscription
 from jauspy.video.camera_process import CameraProcess
@@ -85,6 +86,8 @@ class RobotStatus:
     modules: tuple[ModuleStatus, ...]
     cameras: tuple[CameraStatus, ...]
     node: NodeStatus | None
+    faults: Mapping[str, str] = field(default_factory=dict)
+    """What has failed, by the id of the component that is in Failure for it."""
 
 
 @dataclass(slots=True)
@@ -111,6 +114,7 @@ class StatusSampler:
             tuple(self._module(each, module) for each, module in pairs),
             tuple(self._camera(name, shown[name], camera) for name, camera in self.runner.videos.items()),
             None if status is None else _node_status(status, self._rate("routed")),
+            self.runner.faults,
         )
 
     def _rate(self, name: str) -> float:
@@ -186,9 +190,22 @@ def table(config: RobotConfig, look: RobotStatus, seconds: float) -> RenderableT
     parts: list[RenderableType] = [Rule(title, style="cyan", align="left"), _head(look), Text(), _modules(look.modules)]
     if look.cameras:
         parts += [Text(), _cameras(look.cameras)]
+    if look.faults:
+        parts += [
+            Text(),
+            *(Text(f"{id} has failed: {why}; Reset tries again", "bold red") for id, why in _grouped(look.faults)),
+        ]
     if losses := _losses(look):
         parts += [Text(), *losses]
     return Padding(Group(*parts, Text("Ctrl-C stops the robot", style="dim")), (1, 0, 0, 0))
+
+
+def _grouped(faults: Mapping[str, str]) -> list[tuple[str, str]]:
+    """The ids that have failed for the same reason, and that reason."""
+    reasons: dict[str, list[str]] = {}
+    for id, why in faults.items():
+        reasons.setdefault(printable(why), []).append(id)
+    return [(", ".join(ids), why) for why, ids in reasons.items()]
 
 
 def _head(look: RobotStatus) -> Table:

@@ -21,6 +21,7 @@ GROUP: Final = "jauspy.conformance"
 
 BUILT_IN: Final = {
     "core-1.1": "jauspy.conformance.state_tests.plan:CORE",
+    "cell-1.0": "jauspy.conformance.state_tests.plan:CELL",
     "mobility-1.1": "jauspy.conformance.state_tests.plan:MOBILITY",
     "manipulator-2.0": "jauspy.conformance.state_tests.plan:MANIPULATOR",
     "sensing-2.0": "jauspy.conformance.state_tests.plan:SENSING",

@@ -57,7 +57,10 @@ class LiveMapping:
         self._threaded = threaded
         self.mapper = mapper
         self.counters: Counter[str] = Counter()
-        """`scans` used, and those skipped by reason: `tilted`, `no pose in time`, `sensor not active`."""
+        """`scans` used, and those skipped by reason: `tilted`, `no pose in time`, `sensor not active`.
+
+        `pose without time` counts the poses that were skipped.
+        """
         self._poses: deque[_StampedPose] = deque(maxlen=MAX_POSES)
         self._updated = asyncio.Condition()
 
@@ -96,6 +99,9 @@ class LiveMapping:
         async for report in sensor.subscribe(
             QueryLocalPose(0x1FF), rate=POSE_RATE, silence=SILENCE_TIMEOUT, expects=ReportLocalPose
         ):
+            if report.time_stamp is None:
+                self.counters["pose without time"] += 1
+                continue
             tilt = max(abs(report.roll or 0.0), abs(report.pitch or 0.0))
             pose = PlanarPose(report.x or 0.0, -(report.y or 0.0), -(report.yaw or 0.0))
             async with self._updated:

@@ -151,6 +151,10 @@ TABLE: Final = (
         (0x0011, "SetTime", "906a0747"), (0x2011, "QueryTime", "51cd6bfa"), (0x4011, "ReportTime", "906a0747"),
     ),
     *entries(
+        "jauspy.messages.description.v1_0.joint_description", "urn:jauspy:description:JointDescription", "1.0",
+        (0xEA80, "QueryJointDescription", "2e38e77b"), (0xFA80, "ReportJointDescription", "1b928093"),
+    ),
+    *entries(
         "jauspy.messages.environment_sensing.v1_0.analog_video", "urn:jaus:jss:environmentSensing:AnalogVideo", "1.0",
         (0x0806, "SetAnalogVideoSensorConfiguration", "09c4e7a7"),
         (0x2811, "QueryAnalogVideoSensorConfiguration", "87fc0911"),

@@ -250,6 +250,15 @@ def _pan_tilt(make: Callable[[manipulator.PanTilt], Service]) -> ServiceEntry[Vi
     )
 
 
+def _described(context: ManipulatorContext | EndEffectorContext | VisionContext) -> Service | None:
+    arm = context.pan_tilt if isinstance(context, VisionContext) else context.arm
+    if arm is not None:
+        for name, group in context.robot.groups.items():
+            if group.joints[0].name == arm.joints.joints[0].name:
+                return manipulator.JointDescription(name, group, arm)
+    return None
+
+
 def _connectors(
     part: str, type: str, connectors: Sequence[VacuumConnector], setup: CellSetup
 ) -> cell.VacuumConnectorService | None:
@@ -296,12 +305,14 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "ManipulatorEndEffectorVelocityStateSensor": _arm(manipulator.EndEffectorVelocityStateSensor),
         "ManipulatorEndEffectorVelocityStateDriver": _arm(manipulator.EndEffectorVelocityStateDriver),
         "ManipulatorToolOffsetService": _arm(manipulator.ToolOffset),
+        "JointDescription": ServiceEntry(ManipulatorContext, _described),
     },
     "CM-EEF": {
         "PrimitiveEndEffector": ServiceEntry(EndEffectorContext, lambda context: context.driver),
         "ManipulatorJointPositionSensor": ServiceEntry(
             EndEffectorContext, lambda context: manipulator.JointPositionSensor(context.arm)
         ),
+        "JointDescription": ServiceEntry(EndEffectorContext, _described),
     },
     "CM-SEN": {
         "RangeSensor": ServiceEntry(
@@ -326,6 +337,7 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "PanTiltJointVelocityDriver": _pan_tilt(manipulator.PanTiltJointVelocityDriver),
         "PanTiltMotionProfileService": _pan_tilt(manipulator.PanTiltMotionProfile),
         "PanTiltSpecificationService": _pan_tilt(manipulator.PanTiltSpecification),
+        "JointDescription": ServiceEntry(VisionContext, _described, needs=PAN_TILT),
     },
     "CM-SRV": {
         "ServoModule": ServiceEntry(ServoContext, lambda context: cell.ServoModuleService(context.control)),

@@ -21,6 +21,7 @@ from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
 from jauspy.transport.age import MAX_AGE
@@ -235,6 +236,9 @@ def _check_single_component(text: str) -> str:
     return text
 
 
+CommandTimeout: TypeAlias = Annotated[float, Field(gt=0.0, le=3600.0)] | Literal["off"]
+
+
 class ModuleConfig(StrictConfig):
     """One capability module: a JAUS component."""
 
@@ -254,6 +258,9 @@ class ModuleConfig(StrictConfig):
     access_control: AccessControlConfig = AccessControlConfig()
     registrants: Registrants = "machine"
     """Whose registrations the module's Discovery lists: those of components on its machine, or of its subsystem."""
+    command_timeout: CommandTimeout | Mapping[str, CommandTimeout] = DEFAULT_TIMEOUT
+    """Seconds after which an effort, velocity or vector ends unless the client sends a further command, or "off": one
+    value for all services of the module, or a table by service."""
     announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
     """The id of a console that the module queries for its identification until it answers, to be discovered by it."""
 
@@ -263,6 +270,10 @@ class ModuleConfig(StrictConfig):
             needs = self.needs()
         except ConfigError as error:
             raise ValueError(f"services: {error}") from None
+        if isinstance(self.command_timeout, Mapping):
+            known = catalogue.defaults(self.type) if self.services is None else self.services
+            if unknown := sorted(set(self.command_timeout) - set(known)):
+                raise ValueError(f"command_timeout: this module does not offer {', '.join(unknown)}")
         if self.group is not None and self.type not in (*DEFAULT_GROUPS, "CM-VIS"):
             raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
         if self.type in OF_PARTS and self.part is None:
@@ -287,6 +298,12 @@ class ModuleConfig(StrictConfig):
     def moves(self) -> str | None:
         """The group of joints that the module moves."""
         return self.group or DEFAULT_GROUPS.get(self.type)
+
+    def command_timeout_of(self, service: str) -> float | None:
+        """Seconds after which the service stops unless a further command arrives; None is never."""
+        given = self.command_timeout
+        value = given.get(service, DEFAULT_TIMEOUT) if isinstance(given, Mapping) else given
+        return None if value == "off" else value
 
     def offers(self, service: str) -> bool:
         """True if the module has the service, as far as the robot has what it needs."""

@@ -8,18 +8,32 @@ import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from functools import partial
 from types import TracebackType
 from typing import Final, Self
 
+from jauspy.logs import get_logger
 from jauspy.modules.proxies import DriveProxy, ForceTorqueProxy, JointGroupProxy, LidarProxy
 from jauspy.platform.camera import Camera
+from jauspy.platform.commands import CHASSIS
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Snapshot
+from jauspy.platform.joints import JointGroup
+
+_LOG: Final = get_logger("jauspy.robot")
 
 STEP: Final = 0.002
 """Seconds of one step, and so the longest delay of a command; the same as MuJoCo's step."""
 
 MAX_DELAY: Final = 0.1
 """Seconds that the robot may fall behind the clock before missed steps are skipped."""
+
+SLOW_STEP: Final = 0.15
+"""Seconds; a step that takes longer causes a warning."""
+WARNING_INTERVAL: Final = 10.0
+"""Seconds between two warnings."""
+
+WHOLE_ROBOT: Final = PartId(Robot)
+"""Stands for all parts where `RealTime.faults` says that the robot itself has failed."""
 
 
 class StepTimer:
@@ -32,7 +46,7 @@ class StepTimer:
     def __init__(self, step: float, max_delay: float, *, start: float) -> None:
         self.step = step
         self.max_delay = max_delay
-        self.counters: Counter[str] = Counter(steps=0, late=0, skipped=0, abandoned=0)
+        self.counters: Counter[str] = Counter(steps=0, late=0, slow=0, skipped=0, abandoned=0, faults=0)
         self._due = start + step
 
     def wait(self, now: float) -> float:
@@ -61,6 +75,10 @@ class RealTime:
 
     `heartbeat_timeout`: seconds without a call of `alive` after which the robot is stopped, so that the robot does not
     go on driving when the program hangs; infinite by default.
+
+    An exception of the robot never ends the thread: it is logged, everything is stopped, and `faults` names the part
+    that the command was for, or `WHOLE_ROBOT` when the robot cannot advance. Failed parts get no commands, and a robot
+    that cannot advance stands still, until `retry`.
     """
 
     def __init__(
@@ -80,6 +98,9 @@ class RealTime:
         self._alive = clock()
         self._lock = threading.Lock()
         self._pending: dict[PartId, Command] = {}
+        self._faults: Mapping[PartId, str] = {}
+        self._retried: set[PartId] = set()
+        self._warned_at = -math.inf
         self._abandoned = False
         self._snapshot = Snapshot.of(robot)
         self._closing = threading.Event()
@@ -130,12 +151,23 @@ class RealTime:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """Numbers of `steps`, of `late` and `skipped` ones, and of `abandoned` ones, without a heartbeat."""
+        """Numbers of `steps`, of `late`, `slow` and `skipped` ones, of `abandoned` ones, and of `faults`."""
         return Counter(self._timer.counters)
 
     @property
+    def faults(self) -> Mapping[PartId, str]:
+        """The parts that have failed, and why; a new mapping after each change."""
+        return self._faults
+
+    def retry(self, part: PartId) -> None:
+        """Use a failed part again: it is stopped first, and fails again if that raises an exception."""
+        with self._lock:
+            self._faults = {each: why for each, why in self._faults.items() if each != part}
+            self._retried.add(part)
+
+    @property
     def ended(self) -> Future[None]:
-        """Done when the thread is: with None after `close`, with the error when the robot raised one."""
+        """Done when the thread is: with None after `close`."""
         return self._ended
 
     def submit(self, command: Command) -> None:
@@ -179,33 +211,86 @@ class RealTime:
                 self._timer.begin(self._clock())
                 self._make_step()
         finally:
-            stop(self._robot)
+            self._stop_all()
 
     def _make_step(self) -> None:
         with self._lock:
             commands, self._pending = self._pending, {}
+            retried, self._retried = self._retried, set()
+        began = self._clock()
+        for part in retried:
+            self._try(part, partial(_stop_part, self._robot, part))
         for command in commands.values():
-            command.apply(self._robot)
+            if command.part not in self._faults:
+                self._try(command.part, partial(command.apply, self._robot))
         self._stop_if_abandoned()
+        if WHOLE_ROBOT not in self._faults:
+            self._try(WHOLE_ROBOT, self._advance)
+        if (duration := self._clock() - began) > SLOW_STEP:
+            self._timer.counters["slow"] += 1
+            self._warn(f"a step of the robot took {duration:.2f} s; it should take less than {self._step:g} s")
+
+    def _advance(self) -> None:
         self._robot.advance(self._step)
         snapshot = Snapshot.of(self._robot)
         with self._lock:
             self._snapshot = snapshot
 
+    def _try(self, part: PartId, action: Callable[[], None]) -> None:
+        """Call the robot; an exception is a fault of the part, which stops all others, too."""
+        try:
+            action()
+        except Exception as error:  # noqa: BLE001 - whatever a backend raises
+            self._fail(part, error)
+            self._stop_all()
+
+    def _fail(self, part: PartId, error: Exception) -> None:
+        why = f"{type(error).__name__}: {error}"
+        if self._faults.get(part) != why:
+            _LOG.error("%s failed: %s", described(part), why)
+            _LOG.debug("%s failed", described(part), exc_info=error)
+        self._timer.counters["faults"] += 1
+        with self._lock:
+            self._faults = {**self._faults, part: why}
+
+    def _stop_all(self) -> None:
+        """Stop each part, whether or not others can be stopped."""
+        joints = (PartId(JointGroup, name) for name in self._robot.groups)
+        for part in (CHASSIS, *joints, *(each.id for each in self._robot.optional_parts)):
+            try:
+                _stop_part(self._robot, part)
+            except Exception as error:  # noqa: BLE001 - whatever a backend raises
+                self._fail(part, error)
+
     def _stop_if_abandoned(self) -> None:
         abandoned = self._clock() - self._alive > self._heartbeat_timeout
         if abandoned:
             self._timer.counters["abandoned"] += 1
-            self._robot.drive.stop()
+            self._try(CHASSIS, self._robot.drive.stop)
             if not self._abandoned:  # repeated holds would follow joints that sag
-                stop(self._robot)
+                self._stop_all()
         self._abandoned = abandoned
 
+    def _warn(self, text: str) -> None:
+        now = self._clock()
+        if now - self._warned_at > WARNING_INTERVAL:
+            self._warned_at = now
+            _LOG.warning("%s", text)
 
-def stop(robot: Robot) -> None:
-    """Brake the chassis, hold all joints where they are, and stop the optional parts."""
-    robot.drive.stop()
-    for group in robot.groups.values():
-        group.hold()
-    for part in robot.optional_parts:
-        part.stop()
+
+def described(part: PartId) -> str:
+    """The part in words, as in `the chassis` or `the joints 'arm'`."""
+    if part == WHOLE_ROBOT:
+        return "the robot"
+    kind = {CHASSIS.kind: "chassis", JointGroup: "joints"}.get(part.kind, part.kind.__name__)
+    return f"the {kind} {part.name!r}" if part.name else f"the {kind}"
+
+
+def _stop_part(robot: Robot, part: PartId) -> None:
+    if part == CHASSIS:
+        robot.drive.stop()
+    elif part.kind is JointGroup:
+        robot.groups[part.name].hold()
+    for each in robot.optional_parts:
+        if each.id == part:
+            each.stop()

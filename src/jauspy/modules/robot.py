@@ -12,11 +12,13 @@ from types import TracebackType
 from typing import Final, Self
 
 from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.modules.audit import AuditLog
 from jauspy.modules.cell_hosts import is_present
 from jauspy.modules.config import ModuleConfig, RobotConfig
+from jauspy.modules.faults import FaultMonitor, reason
 from jauspy.modules.hosts import Announcement, check_parts, host_of
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
@@ -29,13 +31,15 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.core import Identity
+from jauspy.services.core import FailureRecovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
 from jauspy.services.service import Service
 from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
+
+_LOG: Final = get_logger("jauspy.robot")
 
 HEARTBEAT_TIMEOUT: Final = 1.0
 """Seconds without a heartbeat of the event loop after which the robot is stopped."""
@@ -116,6 +120,14 @@ class RobotRunner:
         return self._realtime.snapshot if self._realtime else None
 
     @property
+    def faults(self) -> Mapping[str, str]:
+        """What has failed and why, by the id of the component that is in Failure for it."""
+        if self._realtime is None or not self._realtime.faults:
+            return {}
+        found = {str(each.id): reason(module, self._realtime.faults) for each, module in self.running}
+        return {id: why for id, why in found.items() if why}
+
+    @property
     def counters(self) -> Mapping[str, int]:
         """Counters of `RealTime`, and those of the components by id."""
         counts = {f"realtime.{name}": n for name, n in self._realtime.counters.items()} if self._realtime else {}
@@ -134,7 +146,7 @@ class RobotRunner:
         async with AsyncExitStack() as stack:
             model = robot_model(self.config)
             realtime = self._start_robot(stack, model)
-            stack.push_async_callback(_cancel, asyncio.create_task(_heartbeat(realtime)))
+            stack.push_async_callback(_cancel, asyncio.create_task(self._send_heartbeats(realtime)))
             videos = await self._open_cameras(stack, realtime)
             audit = None
             if self.config.audit_log is not None:
@@ -227,10 +239,26 @@ class RobotRunner:
             videos[camera.name] = await stack.enter_async_context(video)
         return videos
 
+    async def _send_heartbeats(self, realtime: RealTime) -> None:
+        clock = asyncio.get_running_loop().time
+        while True:
+            sent_at = clock()
+            realtime.alive()
+            await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
+            if self._modules and clock() - sent_at > HEARTBEAT_TIMEOUT:
+                _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
+
     def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
         backend = self._backend or backends.find(self.config.backend)
-        robot = backend.open(model, self.config.world)
-        stack.callback(robot.close)
+        try:
+            robot = backend.open(model, self.config.world)
+        except JausError:
+            raise
+        except Exception as error:
+            raise ConfigError(
+                f"the backend {self.config.backend!r} cannot open the robot: {type(error).__name__}: {error}"
+            ) from error
+        stack.callback(_close, robot)
         return stack.enter_context(self._make_realtime(robot))
 
 
@@ -249,7 +277,8 @@ def _host(
         NODE: Identity(f"{config.name} node {module.node or config.node}", _NODE),
         COMPONENT: Identity(f"{module.type} {module.part}" if module.part else module.type, _COMPONENT),
     }
-    return host_of(
+    recovery = FailureRecovery()
+    host = host_of(
         config,
         module,
         model,
@@ -258,8 +287,10 @@ def _host(
         videos=videos,
         utc_now=lambda: datetime.now(UTC),
         now=loop_time(),
-        more=more,
+        more=(*more, recovery),
     )
+    FaultMonitor(host, recovery, module, robot)
+    return host
 
 
 def announcement(host: Host, module: ModuleConfig) -> Intercept | None:
@@ -267,10 +298,11 @@ def announcement(host: Host, module: ModuleConfig) -> Intercept | None:
     return Announcement(host, JausID.parse(module.announce_to)).intercept if module.announce_to else None
 
 
-async def _heartbeat(realtime: RealTime) -> None:
-    while True:
-        realtime.alive()
-        await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
+def _close(robot: Robot) -> None:
+    try:
+        robot.close()
+    except Exception:  # noqa: BLE001 - whatever a backend raises
+        _LOG.exception("the backend could not close the robot")
 
 
 async def _cancel(task: asyncio.Task[None]) -> None:

@@ -1,25 +1,40 @@
 """The client API: discover, query and control robots, and subscribe to their events."""
 
+from jauspy.ocu.arm import Arm
+from jauspy.ocu.camera import Camera
 from jauspy.ocu.client import OCU
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control
 from jauspy.ocu.discovery import Appeared, Changed, Vanished
+from jauspy.ocu.driving import Progress
+from jauspy.ocu.gripper import Gripper
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.robot import ComponentClient, Robot
+from jauspy.ocu.robot_control import RobotControl
 from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.state import Joints, RobotPose
+from jauspy.ocu.streaming import CommandStream
 from jauspy.ocu.subscription import Subscription
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 
 __all__ = [
     "OCU",
     "Appeared",
+    "Arm",
+    "Camera",
     "Changed",
+    "CommandStream",
     "ComponentClient",
     "ComponentInfo",
     "Control",
     "Elements",
+    "Gripper",
+    "Joints",
     "NodeInfo",
+    "Progress",
     "Robot",
+    "RobotControl",
+    "RobotPose",
     "ServiceClient",
     "ServiceInfo",
     "Stats",

@@ -4,8 +4,12 @@
 
 from __future__ import annotations
 
-from collections.abc import AsyncGenerator, Mapping
+import asyncio
+import atexit
+from collections.abc import AsyncGenerator, Callable, Mapping
+from contextlib import ExitStack
 from datetime import UTC, datetime
+from functools import partial
 from pathlib import Path
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
@@ -18,9 +22,11 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
 from jauspy.ocu.discovery import News, discover, discover_all, watch
+from jauspy.ocu.explain import explain
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.sealing import load_key
 from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.termination import leave, orderly
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
@@ -72,6 +78,7 @@ class OCU:
         key = None if operator is None else load_key(operator)
         self._connection = Connection(self.id, registry or _builtin(), RetryPolicy(timeout, retries), key)
         self._component: Component | None = None
+        self._stack = ExitStack()
 
     def __repr__(self) -> str:
         return f"<OCU {self.id}, {'open' if self.is_open else 'closed'}>"
@@ -92,7 +99,11 @@ class OCU:
         return self._component is not None
 
     async def open(self) -> None:
-        """Connect; without effect when open. Raises `TransportError`, and `ConfigError` for an invalid `connect`."""
+        """Connect; without effect when open. Raises `TransportError`, and `ConfigError` for an invalid `connect`.
+
+        While it is open in the main thread, SIGTERM and SIGHUP end the program as `sys.exit` does, unless the program
+        handles them: blocks are left in order, and robots stop.
+        """
         if self._component is not None:
             return
         transport = self._transport or await transport_for(self.id, self._connect)
@@ -106,6 +117,12 @@ class OCU:
         await component.open()
         self._component = component
         self._connection.attach(component)
+        loop = asyncio.get_running_loop()
+        install = partial(_on_signal, loop)
+        self._stack.enter_context(orderly(install, loop.remove_signal_handler))
+        at_exit = partial(self._close_at_exit, loop)
+        atexit.register(at_exit)
+        self._stack.callback(atexit.unregister, at_exit)
 
     async def close(self) -> None:
         """Put controlled components in Standby, release them, cancel events, disconnect; without effect when closed.
@@ -119,8 +136,14 @@ class OCU:
         try:
             await self._connection.run_on_close()
         finally:
+            self._stack.close()
             self._connection.detach()
             await component.close()
+
+    def _close_at_exit(self, loop: asyncio.AbstractEventLoop) -> None:
+        """Close an OCU that the program left open, if its event loop can still run."""
+        if self.is_open and not loop.is_running() and not loop.is_closed():
+            loop.run_until_complete(self.close())
 
     async def __aenter__(self) -> Self:
         await self.open()
@@ -134,11 +157,23 @@ class OCU:
     if not TYPE_CHECKING:
         __enter__ = __exit__ = async_only("`async with`")
 
+    def watch_program(self, silence: Callable[[], float]) -> None:
+        """Stop what `CommandStream` and `Robot.drive` repeat when `silence()` exceeds a second.
+
+        For programs whose own code does not run in this event loop, which turns even when they hang. `silence` is
+        called in the event loop and returns seconds.
+        """
+        self._connection.program_silence = silence
+
     # --- discovery ------------------------------------------------------------------------------------------------
 
     async def discover(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
         """The subsystem of this number; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
         return Robot(self._connection, await discover(self._connection, subsystem, timeout))
+
+    async def robot(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
+        """The robot of this number: another name of `discover`."""
+        return await self.discover(subsystem, timeout=timeout)
 
     async def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
         """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
@@ -224,6 +259,14 @@ class OCU:
         With `ack` it is resent until that one component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
         await self._connection.send_checked(JausID.of(destination), message, ack=ack)
+
+    async def explain(self, destination: str | JausID, command: Message | None = None) -> str:
+        """Why a component ignores commands, or this one; see `ServiceClient.explain`."""
+        return await explain(self._connection, JausID.of(destination), command)
+
+
+def _on_signal(loop: asyncio.AbstractEventLoop, number: int) -> None:
+    loop.add_signal_handler(number, leave, number)
 
 
 def _services(name: str) -> list[Discovery | Liveness]:

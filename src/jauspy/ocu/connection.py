@@ -38,6 +38,7 @@ from jauspy.messages.operators import QuerySealChallenge, RejectCommand, ReportS
 from jauspy.ocu.replies import QuerySerializer, Reply, ReplyDispatcher, ReplyWaiter, check_message, reply_class
 from jauspy.ocu.sealing import CommandSealer, Refusals
 from jauspy.ocu.subsystems import ServiceInfo
+from jauspy.protocol.addressing import Location
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.protocol.seal import OperatorKey
 from jauspy.services.core.command_seal import explained
@@ -235,6 +236,8 @@ class Connection:
         self.request_counts: Counter[JausID] = Counter()
         self.controls = ActiveControls()
         self.events = EventUsers()
+        self.program_silence: Callable[[], float] = lambda: 0.0
+        """Seconds for which the program has stood still, where that is another thread than the event loop's."""
         self._component: Component | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._on_close: list[Callable[[], Awaitable[object]]] = []
@@ -378,6 +381,17 @@ class Connection:
         """The id of the next event or list request to this component; wraps after 255."""
         self.request_counts[destination] += 1
         return self.request_counts[destination] & 0xFF
+
+    async def locate(self, id: JausID) -> Location:
+        """The machine of a component, as far as it is known."""
+        found: asyncio.Future[Location] = asyncio.get_running_loop().create_future()
+
+        def on_found(location: Location) -> None:
+            if not found.done():
+                found.set_result(location)
+
+        self._opened().host.locate(id, on_found)
+        return await found
 
     # --- queries --------------------------------------------------------------------------------------------------
 

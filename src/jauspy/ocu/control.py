@@ -240,6 +240,19 @@ class Control:
     # --- keeping --------------------------------------------------------------------------------------------------
 
     async def _keep_alive(self) -> None:
+        """Keep control until the block is left; when the event loop is ended around the block, stop the component.
+
+        `asyncio.run` cancels what still runs when the program ends by an error, in the block or outside.
+        """
+        try:
+            await self._check_and_renew()
+        except asyncio.CancelledError:
+            if self._renewal is not None and not self._taken and not self._returned:
+                self._returned = True
+                await self._release()
+            raise
+
+    async def _check_and_renew(self) -> None:
         """Check and renew control at a third of its timeout, so that single lost packets do no harm."""
         clock = asyncio.get_running_loop().time
         interval = min(self.timeout / 3 or CHECK_INTERVAL, CHECK_INTERVAL)

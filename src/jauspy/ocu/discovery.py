@@ -156,7 +156,7 @@ def _query_missing(connection: Connection, tree: SubsystemTree, subsystem: int |
             queries.append((id, QueryIdentification(query_type=Level.NODE)))
     for level in (Level.SUBSYSTEM, Level.COMPONENT):
         queries += [(id, QueryIdentification(query_type=level)) for id in tree.unnamed(level, subsystem)]
-    queries += [(id, _query_all_services()) for id in tree.without_services(subsystem)]
+    queries += [(id, query_all_services()) for id in tree.without_services(subsystem)]
     for id, query in queries[:MAX_FOLLOW_UPS]:
         connection.send(id, query)
 
@@ -230,7 +230,7 @@ async def _next_reports(received: asyncio.Event, until: float) -> bool:
 
 def _query_unknown(connection: Connection, tree: SubsystemTree, since: float) -> None:
     """Query the components first seen `since` for names and services that are not known."""
-    queries: list[tuple[JausID, Message]] = [(id, _query_all_services()) for id in tree.without_services(since=since)]
+    queries: list[tuple[JausID, Message]] = [(id, query_all_services()) for id in tree.without_services(since=since)]
     for level in (Level.COMPONENT, Level.NODE, Level.SUBSYSTEM):
         queries += [(id, QueryIdentification(query_type=level)) for id in tree.unnamed(level, since=since)]
     for id, query in queries[:MAX_FOLLOW_UPS]:
@@ -274,12 +274,12 @@ def _broadcast_queries(connection: Connection, subsystem: int | None) -> JausID:
     """Broadcast the queries for identification and services, to all or to one subsystem; returns the address used."""
     number = ANY_SUBSYSTEM if subsystem is None else subsystem
     destination = JausID(number, ANY_NODE, ANY_COMPONENT)
-    for query in (QueryIdentification(query_type=Level.SUBSYSTEM), _query_all_services()):
+    for query in (QueryIdentification(query_type=Level.SUBSYSTEM), query_all_services()):
         connection.send(destination, query, broadcast=Broadcast.GLOBAL)
     return destination
 
 
-def _query_all_services() -> QueryServices:
+def query_all_services() -> QueryServices:
     """The query for all services of all components."""
     return QueryServices(
         node_list=[

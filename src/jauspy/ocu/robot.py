@@ -1,14 +1,34 @@
-"""Clients of a discovered subsystem and of its components."""
+"""Clients of a discovered subsystem and of its components; what a robot does is in driving, arm, gripper and camera."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says where the robot is
 
 from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable
+from datetime import UTC, datetime
+from typing import Final
 
 from jauspy.arguments import check_text
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.ocu.arm import POSE_DRIVER, POSITION_DRIVER, Arm
+from jauspy.ocu.camera import VIDEO, Camera
 from jauspy.ocu.connection import Connection
+from jauspy.ocu.control import DEFAULT_AUTHORITY
+from jauspy.ocu.driving import TOLERANCE, VELOCITY, WRENCH, Driving, Progress
+from jauspy.ocu.gripper import DRIVER as GRIPPER_DRIVER, Gripper
+from jauspy.ocu.joints import PAN_TILT_SENSOR, POSITION_SENSOR, joint_table, reported
+from jauspy.ocu.robot_control import RobotControl
 from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo
 from jauspy.printable import printable
+
+MOVING: Final = (VELOCITY, WRENCH, "mobility:LocalWaypointDriver", POSITION_DRIVER, POSE_DRIVER, GRIPPER_DRIVER)
+"""Services that move a robot; a component that offers one of them is controlled by `Robot.control`."""
+DEFAULT_SPEED: Final = 0.5
+"""m/s on the way to a point."""
 
 
 class ComponentClient:
@@ -36,11 +56,17 @@ class ComponentClient:
 
 
 class Robot:
-    """The client of a discovered subsystem; `info` describes it as it was discovered."""
+    """The client of a discovered subsystem; `info` describes it as it was discovered.
+
+    Its verbs use metres, radians and seconds with the axes of REP-103 (x forward, y left, z up), and need `control()`
+    where they move something. They raise `ConfigError` when the robot offers no service for them.
+    """
 
     def __init__(self, connection: Connection, info: SubsystemInfo) -> None:
         self.info = info
         self._connection = connection
+        self._driving = Driving(connection, self._offering)
+        self._arms: dict[JausID, Arm] = {}
 
     def __repr__(self) -> str:
         return f"<{self.info.kind} {self.id} {self.name!r} with {len(self.components)} components>"
@@ -93,6 +119,140 @@ class Robot:
             )
         offers = "; ".join(f"{each.id}: {_listed(each)}" for each in self.components) or "nothing"
         raise ConfigError(f"subsystem {self.id} does not offer {name}; it offers {offers}")
+
+    # --- what it does ---------------------------------------------------------------------------------------------
+
+    def control(self, *parts: str | int, authority: int = DEFAULT_AUTHORITY) -> RobotControl:
+        """Control for an `async with` block of all components that move the robot, or of some; it resumes them.
+
+        `parts` are "drive", "arm", "gripper", or components by number (102) or id ("101.1.102"). At the end of the
+        block they are put in Standby and released.
+        """
+        ids: list[JausID] = [id for part in parts for id in self._part(part)] if parts else self._moving()
+        return RobotControl(self._connection, list(dict.fromkeys(ids)), authority, self._driving.close)
+
+    async def drive(self, linear: float = 0.0, angular: float = 0.0, *, seconds: float | None = None) -> None:
+        """Drive at `linear` m/s forward and `angular` rad/s counterclockwise; until the next command, or for `seconds`.
+
+        The command is repeated while the program's event loop turns (dead-man): when the program hangs for a second,
+        or ends, the robot stops. Raises `ConfigError` for velocities that the robot does not reach, `ControlRejected`
+        without control, and `RequestError`, which says why, when the robot is not Ready.
+        """
+        await self._driving.drive(linear, angular, seconds)
+
+    async def stop(self) -> None:
+        """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
+        await self._driving.stop()
+
+    async def go_to(
+        self,
+        x: float,
+        y: float,
+        yaw: float | None = None,
+        *,
+        frame: str = "local",
+        speed: float = DEFAULT_SPEED,
+        tolerance: float = TOLERANCE,
+        timeout: float = 120.0,
+        progress: Callable[[Progress], None] | None = None,
+    ) -> RobotPose:
+        """Drive to a point and wait until the robot stands there; returns its pose. Nothing is driven around.
+
+        `frame`: "local", in which `pose()` is, or "robot", forward and left of where it is now. `progress` is called
+        five times a second with the distance that is left. Raises `RequestError` when the robot does not arrive within
+        `timeout` seconds. If the call is cancelled, the robot stops.
+        """
+        return await self._driving.go_to(
+            x, y, yaw, frame, speed=speed, tolerance=tolerance, timeout=timeout, progress=progress
+        )
+
+    async def pose(self) -> RobotPose:
+        """Where the robot is, in its local frame."""
+        return await self._driving.pose()
+
+    async def joints(self) -> Joints:
+        """Positions of all joints that are reported, in radians or metres by their names in the description (URDF)."""
+        offering = [each for each in self.components if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR)]
+        if not offering:
+            raise ConfigError(f"subsystem {self.id} does not tell where its joints are: it offers no {POSITION_SENSOR}")
+        groups = await asyncio.gather(*map(self._joints_of, offering))
+        found: dict[str, float] = {}
+        for component, group in zip(offering, groups, strict=True):
+            for name, value in group.items():  # names of components that do not tell theirs are not unique
+                found[f"{component.id} {name}" if name in found else name] = value
+        return Joints(found, datetime.now(UTC))
+
+    @property
+    def arm(self) -> Arm:
+        """Its arm: the component that moves a tool, or else the only one that moves joints to positions."""
+        with_tool, joints = list(self.info.offering(POSE_DRIVER)), list(self.info.offering(POSITION_DRIVER))
+        return self._arm_of(with_tool if len(with_tool) == 1 else joints)
+
+    def manipulator(self, which: int | str | JausID) -> Arm:
+        """The joints that a component moves, by number (103) or id: another arm, or flippers."""
+        return self._arm_of([self.component(which).info])
+
+    @property
+    def gripper(self) -> Gripper:
+        """Its gripper."""
+        return Gripper(
+            self._connection, self._only(list(self.info.offering(GRIPPER_DRIVER)), "gripper", GRIPPER_DRIVER)
+        )
+
+    def camera(self, name: str | None = None) -> Camera:
+        """A camera by its name; the only one without a name."""
+        return Camera(self._connection, tuple(self.info.offering(VIDEO)), name)
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _offering(self, *names: str) -> ServiceClient | None:
+        """The client of the first of these services that the robot offers."""
+        for name in names:
+            offering = list(self.info.offering(name))
+            if offering:
+                return self.service(name) if len(offering) == 1 else self._of_the_driver(name, offering)
+        return None
+
+    def _of_the_driver(self, name: str, offering: list[ComponentInfo]) -> ServiceClient:
+        """Of several components, the one that this program controls, if that is one."""
+        controlled = [each for each in offering if each.id in self._connection.controls]
+        return (
+            self.service(name)
+            if len(controlled) != 1
+            else ComponentClient(self._connection, controlled[0]).service(name)
+        )
+
+    def _moving(self) -> list[JausID]:
+        return [each.id for each in self.components if any(each.find(name) for name in MOVING)]
+
+    def _part(self, part: str | int) -> list[JausID]:
+        if part == "drive":
+            return [self._driving.driver().id]
+        if part == "arm":
+            return [self.arm.info.id]
+        if part == "gripper":
+            return [self.gripper.info.id]
+        if isinstance(part, str) and "." not in part:
+            raise ConfigError(f"there is no part {part!r}; parts are drive, arm, gripper, and components, as in 102")
+        return [self.component(part).id]
+
+    def _arm_of(self, found: list[ComponentInfo]) -> Arm:
+        info = self._only(found, "arm", POSITION_DRIVER, "robot.manipulator({})")
+        return self._arms.setdefault(info.id, Arm(self._connection, info))
+
+    def _only(
+        self, found: list[ComponentInfo], what: str, service: str, choose: str = "robot.component({})"
+    ) -> ComponentInfo:
+        if not found:
+            raise ConfigError(f"subsystem {self.id} has no {what}: it does not offer {service}")
+        if len(found) > 1:
+            which = choose.format(found[0].id.component)
+            raise ConfigError(f"subsystem {self.id} has several: {_ids(found)}; choose one, as in {which}")
+        return found[0]
+
+    async def _joints_of(self, component: ComponentInfo) -> dict[str, float]:
+        table = await joint_table(self._connection, component)
+        return table.from_reported(await reported(self._connection, component))
 
 
 def _ids(components: list[ComponentInfo] | tuple[ComponentInfo, ...]) -> str:

@@ -17,9 +17,11 @@ from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
+from jauspy.ocu.explain import explain
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.replies import reply_class
 from jauspy.ocu.stills import Photo, configuration, take_photo
+from jauspy.ocu.streaming import CommandStream
 from jauspy.ocu.subscription import Subscription, subscribe
 from jauspy.ocu.subsystems import ServiceInfo
 
@@ -109,6 +111,21 @@ class ServiceClient:
         jauspy recognise it, others may execute it twice.
         """
         await perform(self._connection, self.id, command, within)
+
+    def streaming(self, rate: float = 20.0) -> CommandStream:
+        """`async with driver.streaming(rate=20) as stream: await stream.send(command)`: a command that stays fresh.
+
+        It is sent again at `rate` Hz only while the event loop of the program turns, so that the robot stops when the
+        program hangs. Needs control.
+        """
+        return CommandStream(self._connection, self.id, rate)
+
+    async def explain(self, command: Message | None = None) -> str:
+        """Why the component ignores commands, or this one, as one sentence; empty if nothing is found.
+
+        JAUS has no answer to a command that is ignored, so this queries control, status, services, joints and limits.
+        """
+        return await explain(self._connection, self.id, command)
 
     def control(
         self, authority: int = DEFAULT_AUTHORITY, *, timeout: float | None = None, retries: int | None = None

@@ -1,5 +1,31 @@
 """The OCU without `await`, for scripts and notebooks; its event loop runs in a thread."""
 
-from jauspy.sync.facade import OCU, ComponentClient, Control, Elements, Robot, ServiceClient, Subscription
+from jauspy.sync.facade import (
+    OCU,
+    Arm,
+    Camera,
+    CommandStream,
+    ComponentClient,
+    Control,
+    Elements,
+    Gripper,
+    Robot,
+    RobotControl,
+    ServiceClient,
+    Subscription,
+)
 
-__all__ = ["OCU", "ComponentClient", "Control", "Elements", "Robot", "ServiceClient", "Subscription"]
+__all__ = [
+    "OCU",
+    "Arm",
+    "Camera",
+    "CommandStream",
+    "ComponentClient",
+    "Control",
+    "Elements",
+    "Gripper",
+    "Robot",
+    "RobotControl",
+    "ServiceClient",
+    "Subscription",
+]

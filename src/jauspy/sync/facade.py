@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterable, Iterator, Mapping, MutableSequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, MutableSequence, Sequence
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
+from jauspy.messages.manipulator import SetJointPositions
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
+from jauspy.ocu.driving import Progress, TOLERANCE
 from jauspy.ocu.lists import Element
+from jauspy.ocu.robot import DEFAULT_SPEED
+from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import EventRequest, R
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
@@ -20,13 +24,20 @@ from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Generic, Self, overload
+from typing import Any, Generic, Self, TYPE_CHECKING, overload
+if TYPE_CHECKING:
+    from jauspy.video.frames import Frame
+from jauspy.ocu.arm import Arm as _Arm
+from jauspy.ocu.camera import Camera as _Camera
 from jauspy.ocu.client import OCU as _OCU
 from jauspy.ocu.control import Control as _Control
+from jauspy.ocu.gripper import Gripper as _Gripper
 from jauspy.ocu.lists import Elements as _Elements
 from jauspy.ocu.robot import ComponentClient as _ComponentClient
 from jauspy.ocu.robot import Robot as _Robot
+from jauspy.ocu.robot_control import RobotControl as _RobotControl
 from jauspy.ocu.service import ServiceClient as _ServiceClient
+from jauspy.ocu.streaming import CommandStream as _CommandStream
 from jauspy.ocu.subscription import Subscription as _Subscription
 
 
@@ -229,6 +240,50 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         return self._portal.iterate(self._async.progress(rate=rate, grace=grace))
 
 
+class CommandStream(Facade[_CommandStream]):
+    """Sends the last command again at `rate` Hz, only while the program calls the OCU at least once a second.
+
+    When it does not, the command is dropped and the robot is stopped; the next `send`
+    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero. A
+    command of positions is not repeated any more; it ends by itself.
+    """
+
+    @property
+    def rate(self) -> float:
+        """Hz."""
+        return self._async.rate
+
+    @property
+    def dropped(self) -> int:
+        """How often the command was dropped because the program had stood still."""
+        return self._async.dropped
+
+    @property
+    def active(self) -> bool:
+        """True while a command is repeated."""
+        return self._async.active
+
+    def send(self, command: Message) -> None:
+        """Send this command now, and repeat it from now on; raises `ControlRejected` when control was lost."""
+        self._portal.run(self._async.send(command))
+
+    def stop(self) -> None:
+        """Stop: the last command with efforts and velocities of zero, resent until acknowledged; then send nothing."""
+        self._portal.run(self._async.stop())
+
+    def __enter__(self) -> Self:
+        self._portal.run(self._async.__aenter__())
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._portal.leave(self._async.__aexit__(kind, error, trace))
+
+
 class ServiceClient(Facade[_ServiceClient]):
     """Sends to one component. `timeout` is for each attempt, in seconds; `retries` is the number of further ones."""
 
@@ -307,6 +362,21 @@ class ServiceClient(Facade[_ServiceClient]):
         jauspy recognise it, others may execute it twice.
         """
         self._portal.run(self._async.perform(command, within=within))
+
+    def streaming(self, rate: float = 20.0) -> CommandStream:
+        """`with driver.streaming(rate=20) as stream: stream.send(command)`: a command that stays fresh.
+
+        It is sent again at `rate` Hz only while the program calls the OCU at least once a second, so that the robot stops when the
+        program hangs. Needs control.
+        """
+        return CommandStream(self._portal, self._async.streaming(rate))
+
+    def explain(self, command: Message | None = None) -> str:
+        """Why the component ignores commands, or this one, as one sentence; empty if nothing is found.
+
+        JAUS has no answer to a command that is ignored, so this queries control, status, services, joints and limits.
+        """
+        return self._portal.run(self._async.explain(command))
 
     def control(
         self,
@@ -396,6 +466,153 @@ class ServiceClient(Facade[_ServiceClient]):
         self._portal.run(self._async.standby(timeout))
 
 
+class Arm(Facade[_Arm]):
+    """An arm, or another group of joints such as flippers; radians or metres by the name of each joint.
+
+    Names and positions are those of the robot's description (URDF), when the robot has jauspy's service
+    JointDescription, as jauspy's own robots have; else those of its specification (AS6057).
+    """
+
+    @property
+    def info(self) -> ComponentInfo:
+        """The component."""
+        return self._async.info
+
+    def joints(self) -> Joints:
+        """Present positions by name."""
+        return self._portal.run(self._async.joints())
+
+    def limits(self) -> dict[str, tuple[float, float]]:
+        """The least and the greatest position of each joint."""
+        return self._portal.run(self._async.limits())
+
+    def joint_positions(self, **positions: float) -> SetJointPositions:
+        """The message for these joints; the others stay where they are commanded to be. For lists, and `perform`."""
+        return self._portal.run(self._async.joint_positions(**positions))
+
+    def move(self, joints: Mapping[str, float], *, speed: float | None = None, timeout: float = 60.0) -> Joints:
+        """Move joints, as in `{"elbow": 0.6}`, and wait until they are there; the others hold. Returns the positions.
+
+        `speed` limits every joint, in rad/s or m/s; without it the robot's motion profile applies. Raises `ConfigError`
+        for unknown joints and positions out of range, `RequestError` when the arm does not arrive within `timeout`
+        seconds. If the call is cancelled, the arm stops.
+        """
+        return self._portal.run(self._async.move(joints, speed=speed, timeout=timeout))
+
+    def move_tool(
+        self,
+        position: Sequence[float],
+        rpy: Sequence[float] | None = None,
+        *,
+        speed: float | None = None,
+        timeout: float = 60.0,
+    ) -> RobotPose:
+        """Move the tool and wait until it is there: metres and radians in the robot's frame (x forward, y left, z up).
+
+        `rpy` is roll, pitch and yaw of the tool link; without it the arm keeps the present attitude as well as it can.
+        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there.
+        """
+        return self._portal.run(self._async.move_tool(position, rpy, speed=speed, timeout=timeout))
+
+    def tool(self) -> RobotPose:
+        """The present pose of the tool link in the robot's frame."""
+        return self._portal.run(self._async.tool())
+
+    def stop(self) -> None:
+        """Hold the present positions."""
+        self._portal.run(self._async.stop())
+
+
+class Gripper(Facade[_Gripper]):
+    """A gripper with the service PrimitiveEndEffector."""
+
+    @property
+    def info(self) -> ComponentInfo:
+        """The component."""
+        return self._async.info
+
+    def close(self, *, force: float | None = None, effort: float | None = None, timeout: float = 10.0) -> Joints:
+        """Close until the fingers rest, and keep the force; returns where the fingers are.
+
+        `force` is that of each finger in newtons; `effort` is in percent of the greatest, by default 50. The force is
+        kept after the block of `control()`: a gripper does not drop what it holds.
+        """
+        return self._portal.run(self._async.close(force=force, effort=effort, timeout=timeout))
+
+    def open(self, *, effort: float | None = None, timeout: float = 10.0) -> Joints:
+        """Open until the fingers rest; returns where the fingers are."""
+        return self._portal.run(self._async.open(effort=effort, timeout=timeout))
+
+    def joints(self) -> Joints:
+        """Where the fingers are, in metres or radians by the name of the joint; empty when it does not report them."""
+        return self._portal.run(self._async.joints())
+
+
+class Camera(Facade[_Camera]):
+    """One camera of a robot; `name` is that of the sensor, None for the only one."""
+
+    @property
+    def name(self) -> str | None:
+        """As it was asked for."""
+        return self._async.name
+
+    def frames(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Frame, None, None]:
+        """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
+
+        A slow reader gets the newest one. `address` is the IP address of this machine to which the robot sends; by
+        default the one that routes to it. Raises `RequestError` when no first frame arrives within `timeout` seconds,
+        or none for 5 s later. The camera stops sending when the loop is left.
+        """
+        return self._portal.iterate(self._async.frames(address=address, timeout=timeout))
+
+    def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
+        """An image as the content of a file; see `ServiceClient.still`."""
+        return self._portal.run(self._async.still(size=size, format=format))
+
+
+class RobotControl(Facade[_RobotControl]):
+    """Controls components of a robot in the block: takes control and resumes them; Standby and release at the end.
+
+    Entering raises `ControlRejected`, which names the client in control, and then controls nothing. When control of a
+    component is lost later, commands to it raise `ControlRejected`, and `lost` gives the reason.
+    """
+
+    @property
+    def ids(self) -> tuple[JausID, ...]:
+        """The components, as their robot lists them."""
+        return self._async.ids
+
+    @property
+    def held(self) -> bool:
+        """True while all components are controlled."""
+        return self._async.held
+
+    @property
+    def lost(self) -> str:
+        """Why control of a component was lost; empty while all are held."""
+        return self._async.lost
+
+    def check(self) -> None:
+        """Raise `ControlRejected` when control of a component was lost."""
+        self._async.check()
+
+    def until_lost(self) -> None:
+        """Wait until control of a component is lost, or until the block is left."""
+        self._portal.run(self._async.until_lost())
+
+    def __enter__(self) -> Self:
+        self._portal.run(self._async.__aenter__())
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self._portal.leave(self._async.__aexit__(kind, error, trace))
+
+
 class ComponentClient(Facade[_ComponentClient]):
     """The client of one discovered component; `info` describes it as it was discovered."""
 
@@ -414,7 +631,11 @@ class ComponentClient(Facade[_ComponentClient]):
 
 
 class Robot(Facade[_Robot]):
-    """The client of a discovered subsystem; `info` describes it as it was discovered."""
+    """The client of a discovered subsystem; `info` describes it as it was discovered.
+
+    Its verbs use metres, radians and seconds with the axes of REP-103 (x forward, y left, z up), and need `control()`
+    where they move something. They raise `ConfigError` when the robot offers no service for them.
+    """
 
     @property
     def info(self) -> SubsystemInfo:
@@ -450,6 +671,73 @@ class Robot(Facade[_Robot]):
         Raises `ConfigError`, which lists what is offered, unless exactly one component offers it.
         """
         return ServiceClient(self._portal, self._async.service(name))
+
+    def control(self, *parts: str | int, authority: int = DEFAULT_AUTHORITY) -> RobotControl:
+        """Control for a `with` block of all components that move the robot, or of some; it resumes them.
+
+        `parts` are "drive", "arm", "gripper", or components by number (102) or id ("101.1.102"). At the end of the
+        block they are put in Standby and released.
+        """
+        return RobotControl(self._portal, self._async.control(*parts, authority=authority))
+
+    def drive(self, linear: float = 0.0, angular: float = 0.0, *, seconds: float | None = None) -> None:
+        """Drive at `linear` m/s forward and `angular` rad/s counterclockwise; until the next command, or for `seconds`.
+
+        The command is repeated while the program calls the OCU at least once a second (dead-man): when the program hangs for a second,
+        or ends, the robot stops. Raises `ConfigError` for velocities that the robot does not reach, `ControlRejected`
+        without control, and `RequestError`, which says why, when the robot is not Ready.
+        """
+        self._portal.run(self._async.drive(linear, angular, seconds=seconds))
+
+    def stop(self) -> None:
+        """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
+        self._portal.run(self._async.stop())
+
+    def go_to(
+        self,
+        x: float,
+        y: float,
+        yaw: float | None = None,
+        *,
+        frame: str = 'local',
+        speed: float = DEFAULT_SPEED,
+        tolerance: float = TOLERANCE,
+        timeout: float = 120.0,
+        progress: Callable[[Progress], None] | None = None,
+    ) -> RobotPose:
+        """Drive to a point and wait until the robot stands there; returns its pose. Nothing is driven around.
+
+        `frame`: "local", in which `pose()` is, or "robot", forward and left of where it is now. `progress` is called
+        five times a second with the distance that is left. Raises `RequestError` when the robot does not arrive within
+        `timeout` seconds. If the call is cancelled, the robot stops.
+        """
+        return self._portal.run(self._async.go_to(x, y, yaw, frame=frame, speed=speed, tolerance=tolerance, timeout=timeout, progress=progress))
+
+    def pose(self) -> RobotPose:
+        """Where the robot is, in its local frame."""
+        return self._portal.run(self._async.pose())
+
+    def joints(self) -> Joints:
+        """Positions of all joints that are reported, in radians or metres by their names in the description (URDF)."""
+        return self._portal.run(self._async.joints())
+
+    @property
+    def arm(self) -> Arm:
+        """Its arm: the component that moves a tool, or else the only one that moves joints to positions."""
+        return Arm(self._portal, self._async.arm)
+
+    def manipulator(self, which: int | str | JausID) -> Arm:
+        """The joints that a component moves, by number (103) or id: another arm, or flippers."""
+        return Arm(self._portal, self._async.manipulator(which))
+
+    @property
+    def gripper(self) -> Gripper:
+        """Its gripper."""
+        return Gripper(self._portal, self._async.gripper)
+
+    def camera(self, name: str | None = None) -> Camera:
+        """A camera by its name; the only one without a name."""
+        return Camera(self._portal, self._async.camera(name))
 
 
 class OCU(OpensPortal):
@@ -500,6 +788,10 @@ class OCU(OpensPortal):
     def discover(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
         """The subsystem of this number; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
         return Robot(self._portal, self._portal.run(self._async.discover(subsystem, timeout=timeout)))
+
+    def robot(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
+        """The robot of this number: another name of `discover`."""
+        return Robot(self._portal, self._portal.run(self._async.robot(subsystem, timeout=timeout)))
 
     def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
         """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
@@ -589,3 +881,7 @@ class OCU(OpensPortal):
         With `ack` it is resent until that one component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
         self._portal.run(self._async.send(destination, message, ack=ack))
+
+    def explain(self, destination: str | JausID, command: Message | None = None) -> str:
+        """Why a component ignores commands, or this one; see `ServiceClient.explain`."""
+        return self._portal.run(self._async.explain(destination, command))

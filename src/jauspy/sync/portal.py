@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import threading
+import time
 from collections.abc import AsyncGenerator, AsyncIterable, AsyncIterator, Coroutine, Generator
 from concurrent.futures import Future, wait
 from contextlib import suppress
@@ -30,6 +31,13 @@ class Portal:
         self._lock = threading.Lock()
         self._loop: asyncio.AbstractEventLoop | None = None
         self._thread: threading.Thread | None = None
+        self._counting = threading.Lock()
+        self._calls = 0
+        self._last_call = time.monotonic()
+
+    def idle(self) -> float:
+        """Seconds since a call ended; zero during a call."""
+        return 0.0 if self._calls else time.monotonic() - self._last_call
 
     @property
     def is_open(self) -> bool:
@@ -57,6 +65,7 @@ class Portal:
     def run(self, coroutine: Coroutine[Any, Any, T]) -> T:
         """The result of the coroutine; raises its errors, and `TransportError` when the portal is closed."""
         call: _Call[T] = _Call(coroutine)
+        self._count(+1)
         try:
             with self._lock:  # so that a call made before `close` starts before the loop stops
                 call.schedule(self._usable())
@@ -66,6 +75,13 @@ class Portal:
         except BaseException:
             call.interrupt()
             raise
+        finally:
+            self._count(-1)
+
+    def _count(self, change: int) -> None:
+        with self._counting:
+            self._calls += change
+            self._last_call = time.monotonic()
 
     def leave(self, coroutine: Coroutine[Any, Any, object]) -> None:
         """Run the end of a `with` block; without effect when the portal was closed inside, which has ended it."""

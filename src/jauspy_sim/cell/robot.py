@@ -24,6 +24,7 @@ from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
 from jauspy_sim.cell.payload import Payload
+from jauspy_sim.cell.prepared import put_on_each_other
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb
 from jauspy_sim.cell.truth import Truth
@@ -161,6 +162,10 @@ class SimulatedCell:
             self._owed -= steps
             self._run(steps)
             self._cameras.show()
+
+    def prepare(self, connector: str, parts: Sequence[str]) -> None:
+        """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
+        put_on_each_other(self, connector, parts)
 
     def close(self) -> None:
         """Stop. What connectors hold stays held. May be called twice."""

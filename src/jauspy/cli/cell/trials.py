@@ -38,26 +38,29 @@ def trials(
     check_extra()
     from rich.progress import Progress
 
+    from jauspy.cell.measured import Measured
     from jauspy.cell.plots import plot_trials
-    from jauspy.cell.runs import TASKS, Measured
     from jauspy.cell.session import NONE
+    from jauspy.cell.tasks import TASKS
     from jauspy.cell.trials import run_trials, summarised
     from jauspy.cli.cell.tables import trials_table
 
     if task not in TASKS:
         raise typer.BadParameter(f"{task!r} is no task; there are: {', '.join(TASKS)}", param_hint="TASK")
     found: list[Measured] = []
+    out.mkdir(parents=True, exist_ok=True)
+    path = out / f"trials-{task}.json"
     with Progress(console=console.stderr()) as progress:
         bar = progress.add_task(task, total=seeds)
         disturbances = NONE if exact else None
         for each in run_trials(task, range(first, first + seeds), disturbances, jobs=jobs, cluster=cluster):
             found.append(each)
+            path.write_text(json_module.dumps([asdict(every) for every in found], indent=1))
             failed = sum(not every.success for every in found)
             progress.update(bar, advance=1, description=f"{task}, {failed} failed")
     found.sort(key=lambda each: each.seed)
     summary = summarised(found)
-    out.mkdir(parents=True, exist_ok=True)
-    (out / f"trials-{task}.json").write_text(json_module.dumps([asdict(each) for each in found], indent=1))
+    path.write_text(json_module.dumps([asdict(each) for each in found], indent=1))
     plot_trials(found, summary, out / f"trials-{task}.svg")
     console.stdout(140).print(trials_table(summary, found))
     if summary.rate < need:

@@ -25,6 +25,7 @@ from jauspy.conformance.state_tests.behaviour import (
     Situation,
     component_under_test,
 )
+from jauspy.conformance.state_tests.cell import CELL_COMMANDS
 from jauspy.conformance.state_tests.driving import DRIVING
 from jauspy.conformance.state_tests.effects import EFFECTS
 from jauspy.conformance.state_tests.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
@@ -166,6 +167,7 @@ STIMULI: Final[tuple[Stimulus, ...]] = (
     *LISTS,
     *EFFECTS,
     *DRIVING,
+    *CELL_COMMANDS,
     *ARMS,
     *STILL_IMAGES,
     *CLOCK_STIMULI,
@@ -187,6 +189,8 @@ ACCESS_CONTROL_1_0: Final = ("urn:jaus:jss:core:AccessControl", "1.0")
 
 
 STANDARD: Final = "urn:jaus:jss:"
+OWN: Final = "urn:jauspy:"
+"""Beginning of the ids of services that only jauspy defines."""
 ROLE_NOTE: Final = (
     f"the controller is {CLIENTS[CONTROLLER]}, which takes control; the other client {CLIENTS[OTHER_CLIENT]}, which "
     f"does not have it; the emergency client {CLIENTS[EMERGENCY_CLIENT]}, which sets emergencies; and the observer "
@@ -226,7 +230,8 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
 def _services(set_name: str, newest: str) -> frozenset[ServiceKey]:
     keys = {(each.service, each.version) for each in registry.entries}
     limit = _number(newest)
-    return frozenset((urn, v) for urn, v in keys if urn.startswith(f"{STANDARD}{set_name}:") and _number(v) <= limit)
+    names = tuple(f"{prefix}{set_name}:" for prefix in (STANDARD, OWN))
+    return frozenset((urn, v) for urn, v in keys if urn.startswith(names) and _number(v) <= limit)
 
 
 def _number(version: str) -> tuple[int, ...]:
@@ -331,4 +336,5 @@ MANIPULATOR: Final = profile_of("manipulator-2.0", "manipulator services 2.0: ev
 SENSING: Final = profile_of(
     "sensing-2.0", "environment sensing services 2.0: every transition", "environmentSensing", "2.0"
 )
+CELL: Final = profile_of("cell-1.0", "jauspy's own services of a factory cell: every transition", "cell", "1.0")
 UGV: Final = profile_of("ugv-1.0", "UGV services 1.0: every transition", "ugv", "1.0")

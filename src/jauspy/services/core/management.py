@@ -1,7 +1,8 @@
-"""The small core services of AS5710: Management, Liveness, Time and Transport."""
+"""The small core services: Management, Liveness, Time and Transport (AS5710), and FailureRecovery."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from datetime import datetime
 from typing import Final
 
@@ -72,6 +73,20 @@ _NAMES: Final = {
 def _status(path: tuple[str, ...]) -> ReportStatus.Status:
     """The innermost state that Management names; services may put states of their own inside these."""
     return next((_NAMES[name] for name in reversed(path) if name in _NAMES), ReportStatus.Status.INITIALIZE)
+
+
+class FailureRecovery(Service, urn="urn:jauspy:recovery:FailureRecovery", private=True):
+    """Leaves Failure by Reset, which AS5710 does not provide for: the component is in Standby then (ADR 104).
+
+    `recover_by` is called first: what has failed is tried again, and may put the component in Failure again.
+    """
+
+    def __init__(self, recover_by: Callable[[], None] = lambda: None) -> None:
+        self.recover_by = recover_by
+
+    def recover(self) -> None:
+        """Try again what has failed."""
+        self.recover_by()
 
 
 class Liveness(Service, urn="urn:jaus:jss:core:Liveness"):

@@ -8,6 +8,7 @@ from jauspy.services.manipulator.end_effector import (
     EndEffectorVelocityStateSensor,
     PrimitiveEndEffector,
 )
+from jauspy.services.manipulator.joint_description import JointDescription
 from jauspy.services.manipulator.joints import (
     ActuatorForceTorqueDriver,
     JointForceTorqueSensor,
@@ -42,6 +43,7 @@ __all__ = [
     "EndEffectorPoseSensor",
     "EndEffectorVelocityStateDriver",
     "EndEffectorVelocityStateSensor",
+    "JointDescription",
     "JointForceTorqueSensor",
     "JointMotionProfile",
     "JointPositionDriver",

@@ -14,7 +14,7 @@ from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.setpoint import ACCELERATION_TIME
-from jauspy.services.service import Service
+from jauspy.services.command_timeout import ContinuousCommands
 
 POSITION_TOLERANCE: Final = 0.01
 """Radians or metres from a position up to which it is reached."""
@@ -120,7 +120,7 @@ def _limited_target(target: Target, profile: MotionProfile) -> Target:
     )
 
 
-class ArmDriver(Service):
+class ArmDriver(ContinuousCommands):
     """The base of the services that move the joints."""
 
     def __init__(self, arm: Arm) -> None:
@@ -137,6 +137,10 @@ class ArmDriver(Service):
 
     def on_preempted(self) -> None:
         """Called when another service's command, or a stop, ends this service's motion."""
+
+    def on_endless_motion(self) -> None:
+        """Hold unless the client sends a further command in time."""
+        self.expect_next_command(lambda: self.arm.stop() if self.is_moving else None)
 
     def stop_motion(self) -> None:
         """Stop when Ready is left; an action of most drivers' JSIDL."""

@@ -191,6 +191,7 @@ class EndEffectorVelocityStateDriver(
         )
         self.arm.preempt_for(self)
         self._commanded = (*angular, *linear)
+        self.on_endless_motion()
         if self._motion is not None:
             self._motion.follow(angular, linear)  # from the next control period on
             return

@@ -117,6 +117,7 @@ class JointVelocityDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manipulator
         if found is not None:
             self.arm.at_velocities(self, found)
             self.commanded = found
+            self.on_endless_motion()
 
     def report_commanded_joint_velocity(self) -> ReportCommandedJointVelocity:
         """The command, while it is carried out; else zero."""
@@ -133,6 +134,7 @@ class ActuatorForceTorqueDriver(JointDriver, urn="urn:jaus:jss:manipulator:Manip
         if found is not None:
             self.arm.move(self, [Target(ControlMode.EFFORT, effort) for effort in found])
             self.commanded = found
+            self.on_endless_motion()
 
     def report_commanded_actuator_force_torques(self) -> ReportCommandedActuatorForceTorques:
         """The command, while it is carried out; else zero."""
@@ -187,6 +189,7 @@ class EffortDriver(ArmDriver):
         rows = zip(shares, self.arm.joints.joints, self.arm.state().positions, strict=True)
         self.arm.move(self, [_effort_target(share, joint.effort, position) for share, joint, position in rows])
         self.efforts = shares
+        self.on_endless_motion()
 
     def on_preempted(self) -> None:
         """The reported efforts become zero."""

@@ -106,6 +106,7 @@ class PanTiltJointVelocityDriver(JointDriver, urn="urn:jaus:jss:manipulator:PanT
         found = [msg.joint1_velocity, msg.joint2_velocity]
         self.arm.at_velocities(self, found)
         self.commanded = found
+        self.on_endless_motion()
 
     def report_commanded_pan_tilt_joint_velocity(self) -> ReportCommandedPanTiltJointVelocity:
         """The command, while it is carried out; else zero."""

@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from jauspy.messages.mobility import ReportWrenchEffort, SetWrenchEffort
+from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.mobility.field_ranges import ground_speed
 from jauspy.services.mobility.vehicle import Vehicle
-from jauspy.services.service import Service
 from jauspy.services.units import effort_or_zero
 
 
-class Driver(Service):
+class Driver(ContinuousCommands):
     """Drives by the pilot, which all driver services of a component share."""
 
     uses_travel_speed: ClassVar[bool] = False
@@ -44,6 +44,10 @@ class Driver(Service):
 
     def on_preempted(self) -> None:
         """Called when another service's command, or a stop, ends this service's motion."""
+
+    def on_endless_motion(self) -> None:
+        """Stop unless the client sends a further command in time."""
+        self.expect_next_command(self.on_arrival)
 
     def reset_travel_speed(self) -> None:
         """Stop when Ready is left; an action of most drivers' JSIDL."""

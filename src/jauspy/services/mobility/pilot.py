@@ -10,7 +10,7 @@ from typing import Final, Protocol
 from jauspy.geometry.poses import jaus_pose, jaus_twist
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
-from jauspy.services.mobility.courses import Course, Halt
+from jauspy.services.mobility.courses import Course, Halt, VectorCourse, VelocityCourse
 from jauspy.services.mobility.velocity_control import (
     STANDSTILL,
     AccelerationLimits,
@@ -43,6 +43,10 @@ class DriveOwner(Protocol):
         """Called when another service's command, or a stop, ends this service's motion."""
         ...
 
+    def on_endless_motion(self) -> None:
+        """Called with each effort, velocity or vector of this service, which would last until its next command."""
+        ...
+
 
 class Pilot:
     """Follows the course, or sets the effort, of the service that commanded last."""
@@ -72,6 +76,7 @@ class Pilot:
         self._set_driver(driver)
         self._end_course()
         self._drive.set_effort(linear_x=forward, rotational_z=-right)
+        driver.on_endless_motion()
 
     def follow(self, driver: DriveOwner, course: Course) -> None:
         """Closed loop: change from the measured velocity to that of the course."""
@@ -81,6 +86,8 @@ class Pilot:
             self._velocity = self._measured()
             self._start_steering(self._clock)
         self._course = course
+        if isinstance(course, VelocityCourse | VectorCourse):
+            driver.on_endless_motion()
 
     def release(self, driver: DriveOwner) -> None:
         """Stop at once if this service drives."""

@@ -1,0 +1,16 @@
+"""Messages of description, newest versions; loaded on use. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from jauspy.codec.registry import lazy
+
+if TYPE_CHECKING:
+    from jauspy.messages.description.v1_0.joint_description import (
+        QueryJointDescription as QueryJointDescription, ReportJointDescription as ReportJointDescription,
+    )
+
+__all__, __getattr__, __dir__ = lazy(__name__, {
+    "jauspy.messages.description.v1_0.joint_description": "QueryJointDescription ReportJointDescription",
+})

@@ -1,0 +1,67 @@
+"""urn:jauspy:description:JointDescription 1.0. Generated from schemas/; do not edit."""
+
+from __future__ import annotations
+
+from enum import IntEnum
+from jauspy.codec import declare as jd
+
+_SERVICE = jd.Service("urn:jauspy:description:JointDescription", "1.0")
+
+
+@jd.message(_SERVICE, 0xFA80)
+class ReportJointDescription(jd.Message):
+    """ReportJointDescription (0xFA80): The group of joints that the component moves, base to tip.
+
+    joint_list: 0..255 items. The joints that move, base to tip
+    """
+
+    @jd.record()
+    class GroupRec(jd.Struct):
+        """group_name: up to 255 characters. Name of the group in the description, as in arm or gripper
+        tool_d: Real part of the quaternion that turns the tool link's axes into the last joint's frame
+        tool_a: Its part along x
+        tool_b: Its part along y
+        tool_c: Its part along z
+        """
+        group_name: str = jd.field("GroupName", jd.Text(count=jd.Count("B", 0, 255)))
+        tool_d: float = jd.field("ToolD", jd.Number("d"))
+        tool_a: float = jd.field("ToolA", jd.Number("d"))
+        tool_b: float = jd.field("ToolB", jd.Number("d"))
+        tool_c: float = jd.field("ToolC", jd.Number("d"))
+
+    class JointType(IntEnum):
+        REVOLUTE = 1
+        PRISMATIC = 2
+
+    class Direction(IntEnum):
+        SAME = 0
+        REVERSED = 1
+
+    @jd.record()
+    class JointRec(jd.Struct):
+        """joint_name: up to 255 characters. Name of the joint in the description
+        joint_type: JointType. What its position is: an angle in radians, or a distance in metres
+        direction: Direction. Whether services count along the axis of the description
+        zero_position: What services report where the description has zero: radians or metres
+        lower_limit: Least position in the description: radians or metres
+        upper_limit: Greatest position in the description: radians or metres
+        max_speed: Greatest speed: radians per second or metres per second
+        max_effort: Greatest effort: newton metres or newtons
+        """
+        joint_name: str = jd.field("JointName", jd.Text(count=jd.Count("B", 0, 255)))
+        joint_type: ReportJointDescription.JointType | int = jd.field("JointType", lambda: jd.Number("B", jd.Values(ReportJointDescription.JointType)))
+        direction: ReportJointDescription.Direction | int = jd.field("Direction", lambda: jd.Number("B", jd.Values(ReportJointDescription.Direction)))
+        zero_position: float = jd.field("ZeroPosition", jd.Number("d"))
+        lower_limit: float = jd.field("LowerLimit", jd.Number("d"))
+        upper_limit: float = jd.field("UpperLimit", jd.Number("d"))
+        max_speed: float = jd.field("MaxSpeed", jd.Number("d"))
+        max_effort: float = jd.field("MaxEffort", jd.Number("d"))
+
+    group_rec: ReportJointDescription.GroupRec = jd.field("GroupRec", lambda: ReportJointDescription.GroupRec.layout())
+    joint_list: list[ReportJointDescription.JointRec] = jd.field("JointList", lambda: jd.Repeat(jd.Count("B", 0, 255), ReportJointDescription.JointRec.layout()))
+
+
+@jd.message(_SERVICE, 0xEA80, query=True)
+class QueryJointDescription(jd.Message):
+    """QueryJointDescription (0xEA80): Asks for the names, limits and zero positions of the joints."""
+    REPORT = ReportJointDescription

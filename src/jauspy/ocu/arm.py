@@ -1,0 +1,301 @@
+"""The arm: joints by name and the tool by its pose, as the description of the robot (URDF) counts them."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says where the arm is
+
+from __future__ import annotations
+
+import asyncio
+import math
+from collections.abc import AsyncIterator, Mapping, Sequence
+from contextlib import asynccontextmanager, suppress
+from datetime import UTC, datetime
+from typing import Any, Final
+
+from jauspy.arguments import check_number, described
+from jauspy.errors import ConfigError, EventRejected, JausError, RequestError
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Pose, Transform, rotation_vector
+from jauspy.geometry.vectors import Vector, quaternion, rotation_from_quaternion, transposed
+from jauspy.messages.manipulator import (
+    ManipulatorCoordinateSystemRec,
+    QueryCommandedJointPositions,
+    QueryEndEffectorPose,
+    QueryJointMotionProfile,
+    QueryManipulatorSpecifications,
+    ReportCommandedJointPositions,
+    ReportEndEffectorPose,
+    ReportJointMotionProfile,
+    ReportManipulatorSpecifications,
+    SetEndEffectorPose,
+    SetJointMotionProfile,
+    SetJointPositions,
+)
+from jauspy.ocu.commands import perform
+from jauspy.ocu.connection import Connection
+from jauspy.ocu.explain import check_ready, explain
+from jauspy.ocu.joints import JointTable, joint_table, position_records, reported
+from jauspy.ocu.state import Joints, RobotPose
+from jauspy.ocu.subsystems import ComponentInfo
+
+POSITION_DRIVER: Final = "ManipulatorJointPositionDriver"
+POSE_DRIVER: Final = "ManipulatorEndEffectorPoseDriver"
+POSE_SENSOR: Final = "ManipulatorEndEffectorPoseSensor"
+PROFILE: Final = "ManipulatorJointMotionProfile"
+SPECIFICATION: Final = "ManipulatorSpecificationService"
+BASE_ONLY: Final = 0b1
+"""Presence vector of a specification with the place of its base."""
+JOINT_TOLERANCE: Final = 0.02
+"""Radians or metres from a target within which a joint has reached it."""
+TOOL_TOLERANCE: Final = 0.01
+"""Metres from a target within which the tool has reached it."""
+ATTITUDE_TOLERANCE: Final = math.radians(2.0)
+POLL_INTERVAL: Final = 0.1
+"""Seconds between two looks at an arm that does not report the end of a command."""
+
+
+class Arm:
+    """An arm, or another group of joints such as flippers; radians or metres by the name of each joint.
+
+    Names and positions are those of the robot's description (URDF), when the robot has jauspy's service
+    JointDescription, as jauspy's own robots have; else those of its specification (AS6057).
+    """
+
+    def __init__(self, connection: Connection, info: ComponentInfo) -> None:
+        self.info: ComponentInfo = info
+        """The component."""
+        self._connection = connection
+        self._table: JointTable | None = None
+        self._base: Transform | None = None
+
+    def __repr__(self) -> str:
+        return f"<arm {self.info.id}>"
+
+    async def joints(self) -> Joints:
+        """Present positions by name."""
+        table = await self._joint_table()
+        return Joints(table.from_reported(await reported(self._connection, self.info)), datetime.now(UTC))
+
+    async def limits(self) -> dict[str, tuple[float, float]]:
+        """The least and the greatest position of each joint."""
+        return {joint.name: (joint.lower, joint.upper) for joint in (await self._joint_table()).joints}
+
+    async def joint_positions(self, **positions: float) -> SetJointPositions:
+        """The message for these joints; the others stay where they are commanded to be. For lists, and `perform`."""
+        return await self._command(positions)
+
+    async def move(self, joints: Mapping[str, float], *, speed: float | None = None, timeout: float = 60.0) -> Joints:
+        """Move joints, as in `{"elbow": 0.6}`, and wait until they are there; the others hold. Returns the positions.
+
+        `speed` limits every joint, in rad/s or m/s; without it the robot's motion profile applies. Raises `ConfigError`
+        for unknown joints and positions out of range, `RequestError` when the arm does not arrive within `timeout`
+        seconds. If the call is cancelled, the arm stops.
+        """
+        check_number(timeout, "timeout")
+        command = await self._command(joints)
+        await check_ready(self._connection, self.info.id)
+        async with self._stopping(), self._limited(speed):
+            try:
+                await perform(self._connection, self.info.id, command, timeout)
+            except EventRejected:
+                await self._arrive(command, timeout)
+            except RequestError as error:
+                raise RequestError(await self._why(command, error)) from error
+        return await self.joints()
+
+    async def move_tool(
+        self,
+        position: Sequence[float],
+        rpy: Sequence[float] | None = None,
+        *,
+        speed: float | None = None,
+        timeout: float = 60.0,
+    ) -> RobotPose:
+        """Move the tool and wait until it is there: metres and radians in the robot's frame (x forward, y left, z up).
+
+        `rpy` is roll, pitch and yaw of the tool link; without it the arm keeps the present attitude as well as it can.
+        `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there.
+        """
+        goal, attitude = _vector(position, "position"), None if rpy is None else _vector(rpy, "rpy")
+        if attitude is not None and max(map(abs, attitude)) > math.tau:
+            raise ConfigError(f"rpy={tuple(attitude)} is in radians; `math.radians(90)` converts degrees")
+        check_number(timeout, "timeout")
+        self._need(POSE_DRIVER, "move its tool to a pose")
+        table, base = await self._joint_table(), await self._base_frame()
+        turned = await self._tool() if attitude is None else Transform.from_pose(Pose(*goal, *attitude))
+        tool = Transform(turned.rotation, goal)
+        local = base.inverse() @ tool @ Transform(transposed(table.tool))
+        await check_ready(self._connection, self.info.id)
+        command = SetEndEffectorPose(*local.position, *quaternion(local.rotation))
+        async with self._stopping(), self._limited(speed):
+            try:
+                await perform(self._connection, self.info.id, command, timeout)
+            except RequestError as error:
+                if not await self._is_at(tool, exactly=rpy is not None):
+                    raise await self._not_reached(tool, command, error) from error
+        return await self.tool()
+
+    async def tool(self) -> RobotPose:
+        """The present pose of the tool link in the robot's frame."""
+        pose = (await self._tool()).to_pose()
+        return RobotPose(pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw, datetime.now(UTC))
+
+    async def stop(self) -> None:
+        """Hold the present positions."""
+        table, values = await self._joint_table(), await reported(self._connection, self.info)
+        message = SetJointPositions(position_records(table, values))
+        await self._connection.send_checked(self.info.id, message, ack=True)
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    def _need(self, service: str, what: str) -> None:
+        if self.info.find(service) is None:
+            raise ConfigError(f"{self.info.id} cannot {what}: it does not offer {service}")
+
+    async def _joint_table(self) -> JointTable:
+        if self._table is None:
+            self._table = await joint_table(self._connection, self.info)
+        return self._table
+
+    async def _command(self, positions: Mapping[str, float]) -> SetJointPositions:
+        self._need(POSITION_DRIVER, "move its joints to positions")
+        table = await self._joint_table()
+        wanted = table.check(positions)
+        query = QueryCommandedJointPositions()
+        report = await self._connection.query(self.info.id, query, expects=ReportCommandedJointPositions)
+        assert isinstance(report, ReportCommandedJointPositions)
+        now = table.from_reported([float(each.joint_position.value) for each in report.joint_position_list])
+        return SetJointPositions(position_records(table, table.to_reported(now | wanted)))
+
+    @asynccontextmanager
+    async def _stopping(self) -> AsyncIterator[None]:
+        """Stop the arm when what is inside is cancelled or fails, as far as it is still controlled."""
+        try:
+            yield
+        except BaseException:
+            if self.info.id in self._connection.controls:
+                with suppress(JausError):
+                    await self.stop()
+            raise
+
+    @asynccontextmanager
+    async def _limited(self, speed: float | None) -> AsyncIterator[None]:
+        """The motion profile with this speed; the one before is restored."""
+        check_number(speed, "speed", optional=True)
+        if speed is None:
+            yield
+            return
+        if not speed > 0:
+            raise ConfigError(f"speed {speed:g} must be above 0 rad/s or m/s")
+        self._need(PROFILE, "limit the speed of its joints")
+        report = await self._connection.query(self.info.id, QueryJointMotionProfile(), expects=ReportJointMotionProfile)
+        assert isinstance(report, ReportJointMotionProfile)
+        before = report.joint_motion_profile_list
+        await self._set_profile([_slower(each, speed) for each in before])
+        try:
+            yield
+        finally:
+            if self.info.id in self._connection.controls:
+                with suppress(JausError):
+                    await self._set_profile([_slower(each, math.inf) for each in before])
+
+    async def _set_profile(self, records: list[Any]) -> None:
+        await self._connection.send_checked(self.info.id, SetJointMotionProfile(records), ack=True)
+
+    async def _arrive(self, command: SetJointPositions, timeout: float) -> None:
+        """Send a command to a component that does not report its end, and wait for the positions."""
+        await self._connection.send_checked(self.info.id, command, ack=True)
+        wanted = [float(each.joint_position.value) for each in command.joint_position_list]
+        clock = asyncio.get_running_loop().time
+        end = clock() + timeout
+        while True:
+            now = await reported(self._connection, self.info)
+            if all(abs(a - b) <= JOINT_TOLERANCE for a, b in zip(now, wanted, strict=True)):
+                return
+            if clock() > end:
+                raise RequestError(f"{self.info.id} is not there after {timeout:g} s; it may be blocked")
+            await asyncio.sleep(POLL_INTERVAL)
+
+    async def _why(self, command: SetJointPositions, error: RequestError) -> str:
+        reason = await explain(self._connection, self.info.id, command)
+        if reason:
+            return reason
+        table = await self._joint_table()
+        wanted = table.from_reported([float(each.joint_position.value) for each in command.joint_position_list])
+        now = (await self.joints()).positions
+        off = {name: now[name] - wanted[name] for name in wanted if abs(now[name] - wanted[name]) > JOINT_TOLERANCE}
+        where = ", ".join(f"{name} is {value:+.3f} off" for name, value in off.items())
+        return f"{error}; {where}" if where else str(error)
+
+    async def _base_frame(self) -> Transform:
+        """The manipulator's coordinate system in the robot's frame, both with axes of REP-103."""
+        if self._base is None:
+            self._need(SPECIFICATION, "tell where it stands on the robot")
+            query = QueryManipulatorSpecifications(BASE_ONLY)
+            report = await self._connection.query(self.info.id, query, expects=ReportManipulatorSpecifications)
+            assert isinstance(report, ReportManipulatorSpecifications)
+            if report.manipulator_coordinate_system_rec is None:
+                raise ConfigError(f"{self.info.id} does not report where it stands on the robot")
+            self._base = JAUS_FROM_REP_103 @ _base_of(report.manipulator_coordinate_system_rec)
+        return self._base
+
+    async def _tool(self) -> Transform:
+        self._need(POSE_SENSOR, "tell the pose of its tool")
+        table, base = await self._joint_table(), await self._base_frame()
+        report = await self._connection.query(self.info.id, QueryEndEffectorPose(), expects=ReportEndEffectorPose)
+        assert isinstance(report, ReportEndEffectorPose)
+        rotation = rotation_from_quaternion(*_quaternion(report))
+        point = (report.tool_point_coordinate_x, report.tool_point_coordinate_y, report.tool_point_coordinate_z)
+        return base @ Transform(rotation, point) @ Transform(table.tool)
+
+    async def _is_at(self, goal: Transform, *, exactly: bool) -> bool:
+        tool = await self._tool()
+        turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation))
+        return math.dist(tool.position, goal.position) <= TOOL_TOLERANCE and (not exactly or turn <= ATTITUDE_TOLERANCE)
+
+    async def _not_reached(self, goal: Transform, command: SetEndEffectorPose, error: RequestError) -> RequestError:
+        if reason := await explain(self._connection, self.info.id, command):
+            return RequestError(reason)
+        tool = await self._tool()
+        distance = math.dist(tool.position, goal.position)
+        turn = math.degrees(math.hypot(*rotation_vector(tool.rotation, goal.rotation)))
+        return RequestError(
+            f"the tool of {self.info.id} is {distance:.3f} m and {turn:.0f}° from the pose: it is out of reach, or the "
+            f"arm has too few joints for the attitude (leave out `rpy`, then the point counts); {error}"
+        )
+
+
+def _vector(values: Sequence[float], name: str) -> Vector:
+    numbers = list(values) if not isinstance(values, int | float | str) else []
+    if len(numbers) != 3:
+        raise TypeError(f"{name} is three numbers, as in (0.6, 0.0, 0.3), not {described(values)}")
+    for each in numbers:
+        check_number(each, name)
+    x, y, z = map(float, numbers)
+    return x, y, z
+
+
+def _quaternion(record: Any) -> tuple[float, float, float, float]:
+    return (
+        record.d_component_of_unit_quaternion_q,
+        record.a_component_of_unit_quaternion_q,
+        record.b_component_of_unit_quaternion_q,
+        record.c_component_of_unit_quaternion_q,
+    )
+
+
+def _base_of(record: ManipulatorCoordinateSystemRec) -> Transform:
+    point = (
+        record.manipulator_coordinate_sys_x,
+        record.manipulator_coordinate_sys_y,
+        record.manipulator_coordinate_sys_z,
+    )
+    return Transform(rotation_from_quaternion(*_quaternion(record)), point)
+
+
+def _slower(record: Any, speed: float) -> Any:
+    """The profile of one joint with at most this speed."""
+    turns = isinstance(record, ReportJointMotionProfile.RevoluteJointMotionProfileRec)
+    kinds = SetJointMotionProfile
+    make: Any = kinds.RevoluteJointMotionProfileRec if turns else kinds.PrismaticJointMotionProfileRec
+    return make(
+        min(speed, record.joint_max_speed), record.joint_max_acceleration_rate, record.joint_max_deceleration_rate
+    )

@@ -1,0 +1,197 @@
+"""A camera: its video as frames for NumPy and OpenCV, and still images."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says what may be wrong
+
+from __future__ import annotations
+
+import asyncio
+import socket
+from collections.abc import AsyncGenerator
+from contextlib import suppress
+from typing import TYPE_CHECKING, Final
+
+from jauspy.arguments import check_number
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout
+from jauspy.messages.environment_sensing import (
+    ConfirmDigitalResourceEndpoint as Confirm,
+    QueryVisualSensorCapabilities,
+    RegisterDigitalResourceEndpoint as Register,
+    RemoveDigitalResourceEndpoint as Remove,
+    ReportVisualSensorCapabilities,
+)
+from jauspy.ocu.connection import Connection
+from jauspy.ocu.service import ServiceClient
+from jauspy.ocu.stills import Photo
+from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.services.environment_sensing.digital_resource_discovery import RTP
+from jauspy.video import need_video
+
+if TYPE_CHECKING:
+    from jauspy.video.frames import Frame, FrameReader
+
+VIDEO: Final = "DigitalVideo"
+ENDPOINTS: Final = "DigitalResourceDiscovery"
+NAMES_OF: Final = "VisualSensor"
+RENEWAL_INTERVAL: Final = 60.0
+"""Seconds between two registrations; a robot removes an endpoint after five minutes."""
+SILENCE: Final = 5.0
+"""Seconds without a frame after which `frames` raises, once the video runs."""
+_LOOPBACK: Final = "127.0.0.1"
+
+
+class Camera:
+    """One camera of a robot; `name` is that of the sensor, None for the only one."""
+
+    def __init__(self, connection: Connection, components: tuple[ComponentInfo, ...], name: str | None) -> None:
+        self.name: str | None = name
+        """As it was asked for."""
+        self._connection = connection
+        self._components = components
+        self._found: tuple[ComponentInfo, int] | None = None
+
+    def __repr__(self) -> str:
+        return f"<camera {self.name or ''}>"
+
+    async def frames(self, *, address: str | None = None, timeout: float = 20.0) -> AsyncGenerator[Frame, None]:
+        """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
+
+        A slow reader gets the newest one. `address` is the IP address of this machine to which the robot sends; by
+        default the one that routes to it. Raises `RequestError` when no first frame arrives within `timeout` seconds,
+        or none for 5 s later. The camera stops sending when the loop is left.
+        """
+        check_number(timeout, "timeout")
+        need_video()
+        from jauspy.video.frames import FrameReader  # noqa: PLC0415 - of the extra `video`
+
+        component, sensor = await self._find()
+        host = address or await self._own_address(component)
+        reader = FrameReader(host)
+        try:
+            url = f"rtp://{f'[{host}]' if ':' in host else host}:{reader.receiver.port}"
+            endpoint = await self._register(component, sensor, url)
+            renewal = asyncio.create_task(self._renew(component, sensor, url), name=f"video of {component.id}")
+            try:
+                async for frame in self._received(reader, url, component, timeout):
+                    yield frame
+            finally:
+                renewal.cancel()
+                with suppress(RequestError):  # a camera that is gone sends no video
+                    await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
+        finally:
+            reader.close()
+
+    async def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
+        """An image as the content of a file; see `ServiceClient.still`."""
+        component, sensor = await self._find()
+        info = component.find("StillImage")
+        if info is None:
+            raise ConfigError(f"{component.id} takes no pictures: it does not offer StillImage")
+        return await ServiceClient(self._connection, component.id, info).still(size=size, format=format, sensor=sensor)
+
+    # --- inside ---------------------------------------------------------------------------------------------------
+
+    async def _find(self) -> tuple[ComponentInfo, int]:
+        """The component and the number of the sensor."""
+        if self._found is None:
+            self._found = await self._search()
+        return self._found
+
+    async def _search(self) -> tuple[ComponentInfo, int]:
+        if not self._components:
+            raise ConfigError(f"this robot has no camera: it does not offer {VIDEO}")
+        known: dict[str, tuple[ComponentInfo, int]] = {}
+        for component in self._components:
+            for sensor, name in await self._names(component):
+                known[name if name and name not in known else f"{component.id} sensor {sensor}"] = component, sensor
+        if self.name is None and len(known) == 1:
+            return next(iter(known.values()))
+        if self.name in known:
+            return known[self.name]
+        wanted = "which camera is meant" if self.name is None else f"there is no camera {self.name!r}"
+        raise ConfigError(
+            f"{wanted}? This robot has {', '.join(map(repr, known))}, as in robot.camera({next(iter(known))!r})"
+        )
+
+    async def _names(self, component: ComponentInfo) -> list[tuple[int, str]]:
+        """Number and name of each sensor; sensor 1 of a component that does not name its sensors."""
+        if component.find(NAMES_OF) is None:
+            return [(1, component.name)]
+        kind = QueryVisualSensorCapabilities
+        query = kind([kind.QueryVisualSensorCapabilitiesRec(kind.SensorID.ALL_SENSORS, 0)])
+        report = await self._connection.query(component.id, query, expects=ReportVisualSensorCapabilities)
+        assert isinstance(report, ReportVisualSensorCapabilities)
+        rows = report.visual_sensor_capabilities_list
+        return [(int(each.sensor_id), str(getattr(each, "sensor_name", ""))) for each in rows]
+
+    async def _own_address(self, component: ComponentInfo) -> str:
+        location = await self._connection.locate(component.id)
+        if location.is_here:
+            return _LOOPBACK
+        for host in sorted(location.hosts):
+            if (found := _address_towards(host)) is not None:
+                return found
+        raise ConfigError(
+            f"it is not known on which machine {component.id} is; name the address of this machine to which it is to "
+            "send: frames(address=...)"
+        )
+
+    async def _register(self, component: ComponentInfo, sensor: int, url: str) -> int:
+        if component.find(ENDPOINTS) is None:
+            raise ConfigError(f"{component.id} sends no video: it does not offer {ENDPOINTS}")
+        record = Register.DigitalResourceEndpointRec(RTP, url, None, sensor)
+        answer = await self._connection.query(component.id, Register(Register.RequestIDRec(1), record), expects=Confirm)
+        assert isinstance(answer, Confirm)
+        if not answer.id:
+            raise RequestError(
+                f"{component.id} does not send to {url}: is this an address from which the robot hears this machine, "
+                "is there a free place among the receivers, and the extra 'video' on the robot?"
+            )
+        return answer.id
+
+    async def _renew(self, component: ComponentInfo, sensor: int, url: str) -> None:
+        while True:
+            await asyncio.sleep(RENEWAL_INTERVAL)
+            with suppress(RequestError):  # repeated in a minute; the endpoint lasts for five
+                await self._register(component, sensor, url)
+
+    async def _received(
+        self, reader: FrameReader, url: str, component: ComponentInfo, timeout: float
+    ) -> AsyncGenerator[Frame, None]:
+        loop, arrived, patience = asyncio.get_running_loop(), asyncio.Event(), timeout
+        loop.add_reader(reader.fileno(), arrived.set)
+        try:
+            end = loop.time() + patience
+            while True:
+                frame = reader.take()
+                if frame is not None:
+                    yield frame
+                    end = loop.time() + SILENCE
+                    continue
+                arrived.clear()
+                try:
+                    async with asyncio.timeout_at(end):
+                        await arrived.wait()
+                except TimeoutError:
+                    raise ResponseTimeout(_nothing(component, url, reader)) from None
+        finally:
+            loop.remove_reader(reader.fileno())
+
+
+def _nothing(component: ComponentInfo, url: str, reader: FrameReader) -> str:
+    counters = dict(reader.receiver.counters)
+    what = f"what arrived could not be used ({counters})" if counters else "no packet arrived"
+    return (
+        f"{component.id} sends no picture to {url}: {what}; its camera may still be starting, or a firewall or another "
+        "network be in between (`address` says where it is to send)"
+    )
+
+
+def _address_towards(host: str) -> str | None:
+    """The address of this machine from which packets to `host` are sent; nothing is sent."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.socket(family, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect((host, 9))
+        except OSError:
+            return None
+        return str(probe.getsockname()[0])

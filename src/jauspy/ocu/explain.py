@@ -1,0 +1,167 @@
+"""Why a component ignores commands: JAUS has no answer that says so, but its state can be queried."""
+
+from __future__ import annotations
+
+import asyncio
+from typing import Any, Final
+
+from jauspy.codec.message import Message
+from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
+from jauspy.ids import JausID
+from jauspy.messages.core import (
+    QueryControl,
+    QueryEventTimeout,
+    QueryStatus,
+    ReportControl,
+    ReportServices,
+    ReportStatus,
+)
+from jauspy.messages.manipulator import QueryJointPositions, ReportJointPositions
+from jauspy.messages.mobility import QueryVelocityCommand, ReportVelocityCommand, SetVelocityCommand
+from jauspy.ocu.connection import COMMANDS_WITHOUT_CONTROL, Connection, RetryPolicy
+from jauspy.ocu.control import NO_CONTROLLER, STATUS_RETRY, controller, status_name
+from jauspy.ocu.discovery import query_all_services
+from jauspy.ocu.subsystems import offered_services
+
+_UNCONTROLLED_SERVICES: Final = frozenset(
+    {"Transport", "Events", "EventsClient", "AccessControl", "Discovery", "Liveness"}
+)
+_TAKEN_IN_STANDBY: Final = ("SetLocalWaypoint", "SetGlobalWaypoint", "SetElement", "DeleteElement")
+"""Beginnings of names of commands that need control, and not Ready."""
+_STATES: Final[dict[int, str]] = {
+    ReportStatus.Status.INITIALIZE: "still starting: wait until it is in Standby, then resume it",
+    ReportStatus.Status.STANDBY: "in Standby: resume first",
+    ReportStatus.Status.SHUTDOWN: "in Shutdown: start the component again",
+    ReportStatus.Status.FAILURE: "in Failure: see its log; Reset may help",
+    ReportStatus.Status.EMERGENCY: "in Emergency: whoever set the emergency must clear it",
+}
+_JOINT_LISTS: Final = {
+    "SetJointPositions": "joint_position_list",
+    "SetJointVelocity": "joint_velocity_list",
+    "SetJointEffort": "joint_effort_list",
+    "SetActuatorForceTorques": "actuator_force_torque_list",
+    "SetJointMotionProfile": "joint_motion_profile_list",
+}
+_LISTS_WITH_TYPES: Final = {"SetJointPositions": "joint_position"}
+_FULL: Final = 0xFF
+
+
+def needs_control(command: Message) -> bool:
+    """False for queries, for most messages of the core services, and for emergencies."""
+    if not command.IS_COMMAND or command.CODE in COMMANDS_WITHOUT_CONTROL:
+        return False
+    return command.SERVICE.rpartition(":")[2] not in _UNCONTROLLED_SERVICES
+
+
+async def explain(
+    connection: Connection, id: JausID, command: Message | None = None, retry: RetryPolicy = STATUS_RETRY
+) -> str:
+    """Why `id` ignores commands, or this one, as one sentence; empty when nothing is found that prevents its effect."""
+    # Every component answers QueryEventTimeout, whatever services it offers.
+    queries = QueryControl(), QueryStatus(), QueryEventTimeout()
+    answers: list[Any] = await asyncio.gather(
+        *(connection.query(id, each, retry=retry) for each in queries), return_exceptions=True
+    )
+    control, status, _ = answers
+    if all(isinstance(each, BaseException) for each in answers):
+        return f"{id} does not answer queries and may not exist; `jauspy ls` lists the components"
+    if command is not None and (problem := await _not_offered(connection, id, command, retry)):
+        return problem
+    if command is None or needs_control(command):
+        if isinstance(control, ReportControl) and (holder := controller(control)) != connection.id:
+            who = "nobody" if holder == NO_CONTROLLER else f"{holder} with authority {control.authority_code}"
+            return f"{id} takes commands only from the client in control, which is {who}: take control first"
+        if isinstance(status, ReportStatus) and not _is_taken(command, status):
+            return f"{id} is {_STATES.get(status.status, status_name(status))}"
+    if command is not None:
+        return await _wrong_values(connection, id, command, retry)
+    return ""
+
+
+async def check_ready(connection: Connection, id: JausID) -> None:
+    """Raise `ControlRejected` or `RequestError`, which say why, unless this client controls `id` and `id` is Ready."""
+    if id not in connection.controls:
+        raise ControlRejected(f"{id} is not controlled by this program; use `async with robot.control():`")
+    status = await connection.query(id, QueryStatus(), expects=ReportStatus)
+    assert isinstance(status, ReportStatus)
+    if status.status != ReportStatus.Status.READY:
+        raise RequestError(f"{id} is {_STATES.get(status.status, status_name(status))}")
+
+
+def _is_taken(command: Message | None, status: ReportStatus) -> bool:
+    if status.status == ReportStatus.Status.READY:
+        return True
+    return command is not None and (
+        command.SERVICE.endswith(":Management") or command.NAME.startswith(_TAKEN_IN_STANDBY)
+    )
+
+
+async def _not_offered(connection: Connection, id: JausID, command: Message, retry: RetryPolicy) -> str:
+    """Services that inherit from the message's own have it too, so only those of other sets are named."""
+    if ":core:" in command.SERVICE:
+        return ""
+    try:
+        report = await connection.query(id, query_all_services(), expects=ReportServices, retry=retry)
+    except ResponseTimeout:
+        return ""
+    assert isinstance(report, ReportServices)
+    offered = sorted(each for each in offered_services(report, id).get(id, ()))
+    if not offered or any(_has(connection, each.urn, command) for each in offered):
+        return ""
+    names = ", ".join(str(each) for each in offered if ":core:" not in each.urn)
+    return f"{id} does not offer {command.NAME} of {command.SERVICE.removeprefix('urn:jaus:jss:')}; it offers {names}"
+
+
+def _has(connection: Connection, urn: str, command: Message) -> bool:
+    """True when a service has the message, or may inherit it, as drivers of lists do."""
+    if urn == command.SERVICE or (urn.endswith("ListDriver") and command.SERVICE.endswith("ListDriver")):
+        return True
+    known = connection.registry.by_code(command.CODE)
+    return any(urn == each.SERVICE for each in known)
+
+
+# --- values -----------------------------------------------------------------------------------------------------------
+
+
+async def _wrong_values(connection: Connection, id: JausID, command: Message, retry: RetryPolicy) -> str:
+    try:
+        if command.NAME in _JOINT_LISTS:
+            return await _wrong_joints(connection, id, command, retry)
+        if isinstance(command, SetVelocityCommand) and not command.command_type:
+            return await _too_fast(connection, id, command, retry)
+    except (ResponseTimeout, ConfigError):  # it does not tell its joints or limits
+        return ""
+    return ""
+
+
+async def _wrong_joints(connection: Connection, id: JausID, command: Message, retry: RetryPolicy) -> str:
+    report = await connection.query(id, QueryJointPositions(), expects=ReportJointPositions, retry=retry)
+    assert isinstance(report, ReportJointPositions)
+    own = [int(each.joint_position.choice) for each in report.joint_position_list]
+    given: list[Any] = getattr(command, _JOINT_LISTS[command.NAME])
+    if len(given) != len(own):
+        return (
+            f"{id} ignores {command.NAME}: it has {len(own)} joint{'s' * (len(own) != 1)}, and the message has "
+            f"{len(given)}; give one value for each, base to tip"
+        )
+    field = _LISTS_WITH_TYPES.get(command.NAME)
+    for number, (each, kind) in enumerate(zip(given, own, strict=True), 1):
+        if field is not None and int(getattr(each, field).choice) != kind:
+            right, wrong = ("an angle", "a distance") if kind == 1 else ("a distance", "an angle")
+            return f"{id} ignores {command.NAME}: joint {number} takes {right}, and the message has {wrong}"
+    return ""
+
+
+async def _too_fast(connection: Connection, id: JausID, command: SetVelocityCommand, retry: RetryPolicy) -> str:
+    kinds = ReportVelocityCommand.CommandType
+    limits: list[ReportVelocityCommand] = []
+    for kind in (kinds.SET_MIN_ALLOWED, kinds.SET_MAX_ALLOWED):
+        query = QueryVelocityCommand(_FULL >> 2, kind)
+        report = await connection.query(id, query, expects=ReportVelocityCommand, retry=retry)
+        assert isinstance(report, ReportVelocityCommand)
+        limits.append(report)
+    for name, unit in (("velocity_x", "m/s"), ("yaw_rate", "rad/s")):
+        value, low, high = (getattr(each, name) for each in (command, *limits))
+        if None not in (value, low, high) and not low - 0.01 <= value <= high + 0.01:
+            return f"{id} ignores {command.NAME}: {name} {value:g} {unit} is outside {low:.4g}..{high:.4g} {unit}"
+    return ""

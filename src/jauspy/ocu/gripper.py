@@ -1,0 +1,110 @@
+"""The gripper: open and close, with a force in newtons or an effort in percent."""
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says where the fingers are
+
+from __future__ import annotations
+
+import asyncio
+from datetime import UTC, datetime
+from typing import Final
+
+from jauspy.arguments import check_number
+from jauspy.errors import ConfigError, RequestError
+from jauspy.messages.manipulator import SetEndEffectorEffort
+from jauspy.ocu.connection import Connection
+from jauspy.ocu.explain import check_ready
+from jauspy.ocu.joints import POSITION_SENSOR, JointTable, joint_table, reported
+from jauspy.ocu.state import Joints
+from jauspy.ocu.subsystems import ComponentInfo
+
+DRIVER: Final = "PrimitiveEndEffector"
+DEFAULT_EFFORT: Final = 50.0
+"""Percent."""
+START_TIME: Final = 0.4
+"""Seconds until the fingers move."""
+POLL_INTERVAL: Final = 0.05
+STILL_REPORTS: Final = 5
+"""Consecutive reports in which the fingers rest."""
+MAX_STEP: Final = 3e-4
+"""Metres or radians between two reports up to which a finger rests."""
+BLIND_TIME: Final = 2.0
+"""Seconds to wait for a gripper that does not report its fingers."""
+
+
+class Gripper:
+    """A gripper with the service PrimitiveEndEffector."""
+
+    def __init__(self, connection: Connection, info: ComponentInfo) -> None:
+        self.info: ComponentInfo = info
+        """The component."""
+        self._connection = connection
+        self._table: JointTable | None = None
+
+    def __repr__(self) -> str:
+        return f"<gripper {self.info.id}>"
+
+    async def close(self, *, force: float | None = None, effort: float | None = None, timeout: float = 10.0) -> Joints:
+        """Close until the fingers rest, and keep the force; returns where the fingers are.
+
+        `force` is that of each finger in newtons; `effort` is in percent of the greatest, by default 50. The force is
+        kept after the block of `control()`: a gripper does not drop what it holds.
+        """
+        return await self._squeeze(await self._percent(force, effort), timeout)
+
+    async def open(self, *, effort: float | None = None, timeout: float = 10.0) -> Joints:
+        """Open until the fingers rest; returns where the fingers are."""
+        return await self._squeeze(-await self._percent(None, effort), timeout)
+
+    async def joints(self) -> Joints:
+        """Where the fingers are, in metres or radians by the name of the joint; empty when it does not report them."""
+        if self.info.find(POSITION_SENSOR) is None:
+            return Joints({}, datetime.now(UTC))
+        table = await self._joint_table()
+        return Joints(table.from_reported(await reported(self._connection, self.info)), datetime.now(UTC))
+
+    async def _squeeze(self, effort: float, timeout: float) -> Joints:
+        check_number(timeout, "timeout")
+        await check_ready(self._connection, self.info.id)
+        await self._connection.send_checked(self.info.id, SetEndEffectorEffort(effort), ack=True)
+        if self.info.find(POSITION_SENSOR) is None:
+            await asyncio.sleep(min(BLIND_TIME, timeout))
+            return await self.joints()
+        await asyncio.sleep(START_TIME)
+        clock = asyncio.get_running_loop().time
+        end, before, still = clock() + timeout, await reported(self._connection, self.info), 0
+        while still < STILL_REPORTS:
+            if clock() > end:
+                raise RequestError(f"the fingers of {self.info.id} still move after {timeout:g} s")
+            await asyncio.sleep(POLL_INTERVAL)
+            now = await reported(self._connection, self.info)
+            rests = all(abs(a - b) <= MAX_STEP for a, b in zip(now, before, strict=True))
+            still, before = still + 1 if rests else 0, now
+        return await self.joints()
+
+    async def _percent(self, force: float | None, effort: float | None) -> float:
+        check_number(force, "force", optional=True)
+        check_number(effort, "effort", optional=True)
+        if force is not None and effort is not None:
+            raise ConfigError("give `force` (newtons) or `effort` (percent), not both")
+        if force is not None:
+            return await self._share(force)
+        percent = DEFAULT_EFFORT if effort is None else effort
+        if not 0 < percent <= 100:
+            raise ConfigError(f"effort {percent:g} is outside 0..100 percent")
+        return percent
+
+    async def _share(self, force: float) -> float:
+        """The force as percent of the greatest."""
+        greatest = (await self._joint_table()).joints[0].max_effort
+        if not greatest:
+            raise ConfigError(
+                f"{self.info.id} does not tell its greatest force, so newtons have no meaning; use `effort` (percent)"
+            )
+        if not 0 < force <= greatest:
+            raise ConfigError(f"force {force:g} is outside 0..{greatest:g} N")
+        return 100.0 * force / greatest
+
+    async def _joint_table(self) -> JointTable:
+        if self._table is None:
+            self._table = await joint_table(self._connection, self.info)
+        return self._table

@@ -1,0 +1,166 @@
+"""How the joints of a component are called and counted: names and positions of the robot's description (URDF)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.arguments import check_number, described
+from jauspy.errors import ConfigError
+from jauspy.geometry.vectors import Rotation, X, Y, Z, rotation_from_quaternion
+from jauspy.messages.description import QueryJointDescription, ReportJointDescription
+from jauspy.messages.manipulator import (
+    JointPositionRec,
+    QueryJointPositions,
+    QueryManipulatorSpecifications,
+    QueryPanTiltJointPositions,
+    ReportJointPositions,
+    ReportManipulatorSpecifications,
+    ReportPanTiltJointPositions,
+)
+from jauspy.ocu.connection import Connection
+from jauspy.ocu.subsystems import ComponentInfo
+
+DESCRIPTION: Final = "JointDescription"
+SPECIFICATION: Final = "ManipulatorSpecificationService"
+POSITION_SENSOR: Final = "ManipulatorJointPositionSensor"
+PAN_TILT_SENSOR: Final = "PanTiltJointPositionSensor"
+NAMES: Final = 0b10
+"""Presence vector of a specification with the names of the joints."""
+ROUNDING: Final = 1e-6
+"""Radians or metres by which a position may lie beyond a limit."""
+
+
+@dataclass(frozen=True, slots=True)
+class DescribedJoint:
+    """One joint. The component reports `sign * position + zero` for a position of the description."""
+
+    name: str
+    is_revolute: bool = True
+    sign: float = 1.0
+    zero: float = 0.0
+    lower: float = -math.inf
+    upper: float = math.inf
+    max_effort: float | None = None
+    """Newtons or newton metres; None when it is not known."""
+
+    @property
+    def unit(self) -> str:
+        """Of its positions."""
+        return "rad" if self.is_revolute else "m"
+
+
+@dataclass(frozen=True, slots=True)
+class JointTable:
+    """The joints that a component moves, base to tip.
+
+    A component without the service JointDescription (which is of jauspy) has the names of its specification, or joint1,
+    joint2 and so on, and its positions are as it reports them.
+    """
+
+    joints: tuple[DescribedJoint, ...]
+    group: str = ""
+    """The name of the group in the description, as in arm or gripper."""
+    tool: Rotation = (X, Y, Z)
+    """Turns directions of the tool link into those of the last joint's frame."""
+
+    def from_reported(self, values: Sequence[float]) -> dict[str, float]:
+        """Positions by name."""
+        rows = zip(self.joints, values, strict=True)
+        return {joint.name: joint.sign * (value - joint.zero) for joint, value in rows}
+
+    def to_reported(self, positions: Mapping[str, float]) -> list[float]:
+        """Positions of all joints as commands have them."""
+        return [joint.sign * positions[joint.name] + joint.zero for joint in self.joints]
+
+    def check(self, positions: object) -> dict[str, float]:
+        """The positions; raises `ConfigError` for unknown joints and for positions beyond a limit."""
+        if not isinstance(positions, Mapping) or not positions:
+            raise TypeError(
+                f"joints are given by name, as in {{{self.joints[0].name!r}: 0.6}}, not {described(positions)}"
+            )
+        known = {joint.name: joint for joint in self.joints}
+        for name, value in positions.items():
+            if name not in known:
+                raise ConfigError(f"there is no joint {name!r}; there are {', '.join(known)}")
+            joint = known[name]
+            check_number(value, f"the position of {name}")
+            if not joint.lower - ROUNDING <= value <= joint.upper + ROUNDING:
+                raise ConfigError(f"{name} can be {joint.lower:.4g}..{joint.upper:.4g} {joint.unit}, and not {value:g}")
+        return {name: float(value) for name, value in positions.items()}
+
+
+async def joint_table(connection: Connection, component: ComponentInfo) -> JointTable:
+    """How this component's joints are called and counted; raises `ResponseTimeout` when it does not answer."""
+    if component.find(DESCRIPTION):
+        report = await connection.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
+        assert isinstance(report, ReportJointDescription)
+        return _described(report)
+    if component.find(SPECIFICATION):
+        query = QueryManipulatorSpecifications(NAMES)
+        specified = await connection.query(component.id, query, expects=ReportManipulatorSpecifications)
+        assert isinstance(specified, ReportManipulatorSpecifications)
+        return _specified(specified)
+    names = (f"joint{number}" for number, _ in enumerate(await reported(connection, component), 1))
+    return JointTable(tuple(map(DescribedJoint, names)))
+
+
+async def reported(connection: Connection, component: ComponentInfo) -> list[float]:
+    """Present positions, base to tip, as the component counts them."""
+    if component.find(POSITION_SENSOR):
+        report = await connection.query(component.id, QueryJointPositions(), expects=ReportJointPositions)
+        assert isinstance(report, ReportJointPositions)
+        return [float(each.joint_position.value) for each in report.joint_position_list]
+    angles = await connection.query(component.id, QueryPanTiltJointPositions(), expects=ReportPanTiltJointPositions)
+    assert isinstance(angles, ReportPanTiltJointPositions)
+    return [angles.joint1_position, angles.joint2_position]
+
+
+def position_records(table: JointTable, values: Sequence[float]) -> list[JointPositionRec]:
+    """The list of a command, base to tip."""
+    make, kinds = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice
+    return [
+        JointPositionRec(make(kinds(1 if joint.is_revolute else 2), value))
+        for joint, value in zip(table.joints, values, strict=True)
+    ]
+
+
+def _described(report: ReportJointDescription) -> JointTable:
+    group = report.group_rec
+    joints = tuple(
+        DescribedJoint(
+            each.joint_name,
+            each.joint_type != ReportJointDescription.JointType.PRISMATIC,
+            -1.0 if each.direction == ReportJointDescription.Direction.REVERSED else 1.0,
+            each.zero_position,
+            each.lower_limit,
+            each.upper_limit,
+            each.max_effort,
+        )
+        for each in report.joint_list
+    )
+    parts = (group.tool_d, group.tool_a, group.tool_b, group.tool_c)
+    has_tool = math.isclose(math.hypot(*parts), 1.0, abs_tol=0.01)
+    return JointTable(joints, group.group_name, rotation_from_quaternion(*parts) if has_tool else (X, Y, Z))
+
+
+def _specified(report: ReportManipulatorSpecifications) -> JointTable:
+    names = [each.description for each in report.joint_names_list or ()]
+    first = report.first_joint_parameters
+    limits: list[tuple[bool, float | None, float | None]]
+    limits = [(hasattr(first, "joint1_max_torque"), first.joint1_min_value, first.joint1_max_value)]
+    limits += [
+        (hasattr(each, "max_torque"), each.min_value, each.max_value) for each in report.joint_specification_list
+    ]
+    names += [f"joint{number}" for number in range(len(names) + 1, len(limits) + 1)]
+    rows = zip(names, limits, strict=False)
+    return JointTable(
+        tuple(
+            DescribedJoint(
+                name, turns, lower=-math.inf if low is None else low, upper=math.inf if high is None else high
+            )
+            for name, (turns, low, high) in rows
+        )
+    )

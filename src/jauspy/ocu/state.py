@@ -1,0 +1,71 @@
+"""What a robot reports, as plain values: poses and joints with the axes of REP-103 and `datetime`."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from datetime import UTC, datetime, timedelta
+from typing import Final
+
+from jauspy.geometry.poses import Pose, jaus_pose
+from jauspy.messages.core import TimeStamp
+from jauspy.messages.mobility import ReportLocalPose
+
+DAY: Final = timedelta(days=1)
+
+
+@dataclass(frozen=True, slots=True)
+class RobotPose:
+    """Metres and radians with the axes of REP-103: x forward, y left, z up, yaw counterclockwise from above."""
+
+    x: float = 0.0
+    y: float = 0.0
+    z: float = 0.0
+    roll: float = 0.0
+    pitch: float = 0.0
+    yaw: float = 0.0
+    time: datetime | None = None
+    """When it was measured; None when the robot does not say."""
+
+
+@dataclass(frozen=True, slots=True)
+class Joints:
+    """Positions by the name of the joint, in radians or metres; `joints["elbow"]`."""
+
+    positions: Mapping[str, float]
+    time: datetime
+    """When the reports arrived: they have no time stamps."""
+
+    def __getitem__(self, name: str) -> float:
+        return self.positions[name]
+
+
+def pose_of(report: ReportLocalPose, now: datetime) -> RobotPose:
+    """The pose in a report, whose axes are those of JAUS; what it leaves out is zero."""
+    values = (report.x, report.y, report.z, report.roll, report.pitch, report.yaw)
+    pose = jaus_pose(Pose(*(value or 0.0 for value in values)))
+    time = None if report.time_stamp is None else datetime_of(report.time_stamp, now)
+    # Adding zero removes the sign of a negative zero.
+    return RobotPose(pose.x, pose.y + 0.0, pose.z + 0.0, pose.roll, pose.pitch + 0.0, pose.yaw + 0.0, time)
+
+
+def datetime_of(stamp: TimeStamp, now: datetime) -> datetime | None:
+    """The UTC time closest to `now` of a day of a month and a time of day; None when there is no such time."""
+    found: list[datetime] = []
+    for month in (now.replace(day=1) - DAY, now, now.replace(day=28) + 4 * DAY):
+        try:
+            found.append(
+                datetime(
+                    month.year,
+                    month.month,
+                    stamp.day,
+                    stamp.hour,
+                    stamp.minutes,
+                    stamp.seconds,
+                    stamp.milliseconds * 1000,
+                    tzinfo=UTC,
+                )
+            )
+        except ValueError:
+            continue
+    return min(found, key=lambda time: abs(time - now), default=None)

@@ -1,0 +1,150 @@
+"""A backend that fails: its modules go to Failure with the reason, the others answer, and Reset brings them back."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+
+import pytest
+from tests.helpers.robot import FakeJoints, FakeRobot
+
+from jauspy.errors import ConfigError
+from jauspy.messages.core import ReportStatus, Reset
+from jauspy.messages.manipulator import QueryJointPositions
+from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+from jauspy.modules.realtime import SLOW_STEP, WARNING_INTERVAL, WHOLE_ROBOT, RealTime
+from jauspy.modules.robot import RobotRunner
+from jauspy.modules.robot_files import load
+from jauspy.ocu import OCU
+from jauspy.ocu.robot import Robot
+from jauspy.ocu.service import ServiceClient
+from jauspy.platform.commands import CHASSIS
+from jauspy.platform.kinematic import KinematicBackend, KinematicDrive, KinematicRobot
+from jauspy.testing import VirtualNetwork
+
+Status = ReportStatus.Status
+DRIVE = SetWrenchEffort(propulsive_linear_effort_x=40.0)
+
+
+@asynccontextmanager
+async def running(network: VirtualNetwork) -> AsyncIterator[tuple[RobotRunner, OCU, Robot, ServiceClient]]:
+    """A robot that a client drives, and another client."""
+    async with network.robot() as runner, network.ocu("42.1.1") as operator, network.ocu("42.1.2") as ocu:
+        robot = await ocu.discover(101)
+        driver = (await operator.discover(101)).service("PrimitiveDriver")
+        async with driver.control():
+            await driver.resume()
+            await driver.send(DRIVE)
+            yield runner, ocu, robot, driver
+
+
+async def settle(robot: Robot, component: int, wanted: Status) -> None:
+    management = robot.component(component).service("Management")
+    async with asyncio.timeout(2.0):
+        while await management.status() != wanted:
+            await asyncio.sleep(0.05)
+
+
+async def test_a_part_that_cannot_be_commanded(
+    virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async with running(virtual_network) as (runner, ocu, robot, driver):
+        await asyncio.sleep(1.0)
+        assert runner.snapshot.twist.vx > 0.1
+
+        def no_bus(self: KinematicDrive, linear_x: float, rotational_z: float) -> None:
+            raise OSError("no such bus")
+
+        with monkeypatch.context() as broken:
+            broken.setattr(KinematicDrive, "set_effort", no_bus)
+            await driver.send(DRIVE)
+            await settle(robot, 102, Status.FAILURE)
+        assert "101.1.102 (CM-MOB) is in Failure: the chassis: OSError: no such bus; Reset tries again" in caplog.text
+        await asyncio.sleep(1.0)
+        assert runner.snapshot.twist.vx == pytest.approx(0.0, abs=1e-3)
+        await settle(robot, 104, Status.STANDBY)
+        assert (await ocu.query("101.1.104", QueryJointPositions())).joint_position_list
+
+        await ocu.send("101.1.102", Reset(), ack=True)
+        await settle(robot, 102, Status.STANDBY)
+        assert not runner.faults
+    async with running(virtual_network) as (runner, *_):
+        await asyncio.sleep(1.0)
+        assert runner.snapshot.twist.vx > 0.1
+
+
+async def test_a_robot_that_cannot_advance(virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch) -> None:
+    async with running(virtual_network) as (runner, ocu, robot, _):
+        with monkeypatch.context() as broken:
+            broken.setattr(KinematicRobot, "advance", lambda self, dt: 1 / 0)
+            for component in (102, 104, 105):
+                await settle(robot, component, Status.FAILURE)
+            stopped_at = runner.snapshot.time
+            assert (await ocu.query("101.1.102", QueryLocalPose(0x1FF))).x is not None
+
+            await ocu.send("101.1.102", Reset(), ack=True)
+            await asyncio.sleep(0.5)
+            await settle(robot, 102, Status.FAILURE)
+            assert runner.snapshot.time == stopped_at
+        for component in (102, 104, 105):
+            await ocu.send(f"101.1.{component}", Reset(), ack=True)
+            await settle(robot, component, Status.STANDBY)
+        await asyncio.sleep(0.2)
+        assert runner.snapshot.time > stopped_at
+
+
+async def test_a_backend_that_cannot_open_is_one_sentence(
+    virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def no_bus(self: KinematicBackend, robot: object, world: str) -> None:
+        raise OSError("no such bus")
+
+    monkeypatch.setattr(KinematicBackend, "open", no_bus)
+    runner = RobotRunner(load("inc1"), virtual_network.transport, backend="kinematic")
+    with pytest.raises(ConfigError, match="the backend 'kinematic' cannot open the robot: OSError: no such bus"):
+        await runner.open()
+
+
+def test_a_fault_stops_every_other_part(fake_robot: FakeRobot) -> None:
+    arm = fake_robot.groups["arm"] = FakeJoints()
+    runner = RealTime(fake_robot)
+    runner.open()
+    try:
+        holds = arm.holds
+        fake_robot.drive.set_effort = lambda linear_x, rotational_z: 1 / 0  # type: ignore[assignment]
+        runner.drive.set_effort(1.0, 0.0)
+        fake_robot.wait_for_steps(3)
+        assert set(runner.faults) == {CHASSIS}
+        assert arm.holds > holds
+        steps = runner.counters["faults"]
+        runner.drive.set_effort(1.0, 0.0)  # a failed part gets no commands
+        fake_robot.wait_for_steps(3)
+        assert runner.counters["faults"] == steps
+    finally:
+        runner.close()
+
+
+def test_a_slow_backend_is_warned_about(fake_robot: FakeRobot, caplog: pytest.LogCaptureFixture) -> None:
+    now = [0.0]
+    advance = fake_robot.advance
+
+    def slow(dt: float) -> None:
+        now[0] += 2 * SLOW_STEP
+        advance(dt)
+
+    fake_robot.advance = slow  # type: ignore[method-assign]
+    with RealTime(fake_robot, clock=lambda: now[0]) as runner:
+        fake_robot.wait_for_steps(5)
+        assert runner.counters["slow"] >= 4
+    assert 1 <= caplog.text.count("a step of the robot took 0.30 s") <= 1 + now[0] / WARNING_INTERVAL
+
+
+def test_a_robot_that_fails_once_works_again_after_a_retry(fragile_robot: FakeRobot) -> None:
+    with RealTime(fragile_robot) as runner:
+        while not runner.faults:
+            pass
+        assert runner.faults == {WHOLE_ROBOT: "RuntimeError: a track came off"}
+        runner.retry(WHOLE_ROBOT)
+        fragile_robot.wait_for_steps(3)
+        assert not runner.faults

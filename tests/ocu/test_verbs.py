@@ -1,0 +1,219 @@
+"""What a robot does in the words of the task: drive, go to, move, grip; on virtual time, with the robot inc1."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from datetime import UTC, datetime, timedelta
+
+import pytest
+
+from jauspy.errors import ConfigError, ControlRejected, RequestError
+from jauspy.messages.core import Standby, TimeStamp
+from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.ocu.state import datetime_of
+
+TURN, SHOULDER, ELBOW = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2", "arm_link_2_to_arm_link_3"
+FINGER = "gripper_link_to_left_finger"
+
+
+@pytest.fixture
+async def inc1(robot, ocu):
+    return await ocu.robot(101)
+
+
+async def test_drive_turns_left_for_positive_angular(inc1, robot):
+    async with inc1.control("drive"):
+        await inc1.drive(linear=0.4, angular=0.3, seconds=2.0)
+        pose = await inc1.pose()
+    assert pose.x > 0.4
+    assert pose.y > 0.05
+    assert 0.3 < pose.yaw < 0.7
+    assert abs(robot.snapshot.pose.yaw - pose.yaw) < 0.05
+    assert abs(datetime.now(UTC) - pose.time) < timedelta(days=32)
+
+
+async def test_drive_goes_on_until_stopped(inc1, robot):
+    async with inc1.control("drive"):
+        await inc1.drive(linear=0.4)
+        await asyncio.sleep(5.0)
+        assert robot.snapshot.twist.vx == pytest.approx(0.4, abs=0.05)
+        await inc1.stop()
+        await asyncio.sleep(1.0)
+        assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
+
+
+async def test_drive_stops_at_the_end_of_the_block(inc1, robot):
+    async with inc1.control("drive"):
+        await inc1.drive(linear=0.4)
+        await asyncio.sleep(2.0)
+    await asyncio.sleep(1.0)
+    assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
+
+
+async def test_drive_without_control_says_what_to_do(inc1):
+    with pytest.raises(ControlRejected, match=r"use `async with robot.control\(\)"):
+        await inc1.drive(linear=0.4)
+
+
+async def test_drive_faster_than_the_robot_can_is_an_error(inc1):
+    async with inc1.control("drive"):
+        with pytest.raises(ConfigError, match=r"linear=9 is more than the [\d.]+ m/s"):
+            await inc1.drive(linear=9.0)
+
+
+async def test_drive_in_standby_says_resume_first(inc1, ocu):
+    async with inc1.control("drive"):
+        await inc1.service("mobility:PrimitiveDriver").send(Standby(), ack=True)
+        with pytest.raises(RequestError, match="in Standby: resume first"):
+            await inc1.drive(linear=0.2)
+        assert "in Standby: resume first" in await ocu.explain("101.1.102", SetWrenchEffort())
+
+
+async def test_go_to_reports_progress_and_arrives(inc1):
+    seen = []
+    async with inc1.control("drive"):
+        there = await inc1.go_to(x=1.5, y=0.5, progress=seen.append)
+    assert math.dist((there.x, there.y), (1.5, 0.5)) <= 0.11
+    assert seen[0].distance > 1.0 > seen[-1].distance
+    assert seen[-1].elapsed > seen[0].elapsed
+
+
+async def test_go_to_in_the_frame_of_the_robot_is_relative(inc1):
+    async with inc1.control("drive"):
+        await inc1.go_to(x=1.0, y=0.0, yaw=math.pi / 2)
+        there = await inc1.go_to(x=0.8, y=0.0, frame="robot")
+    assert math.dist((there.x, there.y), (1.0, 0.8)) < 0.25
+
+
+async def test_cancelled_go_to_stops_the_robot(inc1, robot):
+    async with inc1.control("drive"):
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(3.0):
+                await inc1.go_to(x=20.0, y=0.0)
+        await asyncio.sleep(1.5)
+        assert robot.snapshot.twist.vx == pytest.approx(0.0, abs=0.01)
+
+
+async def test_go_to_unknown_frame_lists_frames(inc1):
+    with pytest.raises(ConfigError, match=r"no frame 'map'; frames are local, robot"):
+        await inc1.go_to(x=1.0, y=0.0, frame="map")
+
+
+async def test_arm_positions_are_those_of_the_description(inc1, robot):
+    async with inc1.control("arm"):
+        reached = await inc1.arm.move({ELBOW: -1.2})
+    own = dict(zip((joint for joint in reached.positions), robot.snapshot.joints["arm"].positions, strict=True))
+    assert own[ELBOW] == pytest.approx(-1.2, abs=0.02)
+    assert reached[ELBOW] == pytest.approx(-1.2, abs=0.02)
+    assert reached[SHOULDER] == pytest.approx(2.7, abs=0.02)
+
+
+async def test_all_joints_are_reported_as_in_the_description(inc1, robot):
+    joints = (await inc1.joints()).positions
+    for name, value in {
+        TURN: 0.0,
+        SHOULDER: 2.7,
+        ELBOW: -2.6,
+        "arm_link_3_to_arm_link_4": -0.1,
+        FINGER: 0.03,
+        "base_link_to_flippers": 2.2,
+        "base_link_to_pan_link": 0.0,
+    }.items():
+        assert joints[name] == pytest.approx(value, abs=0.005)
+
+
+async def test_speed_limits_the_joints_for_this_move_only(inc1):
+    clock = asyncio.get_running_loop().time
+    async with inc1.control("arm"):
+        began = clock()
+        await inc1.arm.move({TURN: 0.5}, speed=0.1)
+        slow = clock() - began
+        await inc1.arm.move({TURN: 0.0})
+        fast = clock() - began - slow
+    assert slow > 4.5
+    assert fast < 2.5
+
+
+async def test_unknown_joints_and_positions_out_of_range_are_named(inc1):
+    async with inc1.control("arm"):
+        with pytest.raises(ConfigError, match="no joint 'knee'; there are base_link_to_arm_link_1"):
+            await inc1.arm.move({"knee": 0.3})
+        with pytest.raises(ConfigError, match=r"arm_link_2_to_arm_link_3 can be -2.8..2.8 rad, and not 3"):
+            await inc1.arm.move({ELBOW: 3.0})
+
+
+async def test_cancelled_move_stops_the_arm(inc1, robot):
+    async with inc1.control("arm"):
+        with pytest.raises(TimeoutError):
+            async with asyncio.timeout(1.0):
+                await inc1.arm.move({TURN: 2.5})
+        await asyncio.sleep(1.0)
+        there = robot.snapshot.joints["arm"].positions[0]
+        await asyncio.sleep(1.0)
+        assert robot.snapshot.joints["arm"].positions[0] == pytest.approx(there, abs=0.01)
+        assert there < 1.5
+
+
+async def test_tool_moves_in_the_frame_of_the_robot(inc1):
+    async with inc1.control("arm"):
+        tool = await inc1.arm.move_tool(position=(0.6, 0.0, 0.6), rpy=(0.0, 0.0, 0.0))
+        assert (tool.x, tool.y, tool.z) == pytest.approx((0.6, 0.0, 0.6), abs=0.01)
+        assert (tool.roll, tool.pitch, tool.yaw) == pytest.approx((0.0, 0.0, 0.0), abs=0.04)
+        left = await inc1.arm.move_tool(position=(0.5, 0.3, 0.6))
+        assert left.y == pytest.approx(0.3, abs=0.01)
+
+
+async def test_tool_out_of_reach_says_how_far_it_is(inc1):
+    async with inc1.control("arm"):
+        with pytest.raises(RequestError, match=r"m and \d+° from the pose: it is out of reach"):
+            await inc1.arm.move_tool(position=(5.0, 0.0, 0.3))
+        with pytest.raises(ConfigError, match=r"in radians; `math.radians\(90\)`"):
+            await inc1.arm.move_tool(position=(0.6, 0.0, 0.3), rpy=(0, 90, 0))
+
+
+async def test_gripper_closes_with_a_force_and_opens(inc1):
+    async with inc1.control("gripper"):
+        closed = await inc1.gripper.close(force=20)
+        opened = await inc1.gripper.open()
+        assert closed[FINGER] < opened[FINGER]
+        with pytest.raises(ConfigError, match=r"force 5000 is outside 0\.\.[\d.]+ N"):
+            await inc1.gripper.close(force=5000)
+
+
+async def test_control_takes_all_that_moves_and_releases_it(inc1, ocu, virtual_network):
+    async with inc1.control() as control:
+        assert [id.component for id in control.ids] == [102, 103, 104, 105]
+        assert control.held
+        async with virtual_network.ocu("42.1.9") as other:
+            theirs = await other.robot(101)
+            with pytest.raises(ControlRejected, match=r"101.1.10\d is held by 42.1.1"):
+                async with theirs.control("drive", "arm", authority=1):
+                    pass
+    for component in (102, 103, 104, 105):
+        assert "is nobody: take control first" in await ocu.explain(f"101.1.{component}")
+
+
+async def test_unknown_part_is_named(inc1):
+    with pytest.raises(ConfigError, match="no part 'legs'; parts are drive, arm, gripper"):
+        inc1.control("legs")
+
+
+async def test_robot_without_services_for_a_verb_says_so(ocu, virtual_network):
+    async with virtual_network.component("7.1.1", []):
+        bare = await ocu.robot(7)
+        for verb in (bare.drive(0.1), bare.go_to(1, 1), bare.pose(), bare.joints()):
+            with pytest.raises(ConfigError, match=r"does not offer|offers neither|offers no"):
+                await verb
+        with pytest.raises(ConfigError, match="has no arm: it does not offer"):
+            _ = bare.arm
+        with pytest.raises(ConfigError, match="has no gripper"):
+            _ = bare.gripper
+        with pytest.raises(ConfigError, match="nothing to control"):
+            bare.control()
+
+
+def test_time_stamp_is_of_the_closest_month():
+    now = datetime(2026, 3, 1, 0, 0, 5, tzinfo=UTC)
+    stamp = TimeStamp(milliseconds=500, seconds=59, minutes=59, hour=23, day=28)
+    assert datetime_of(stamp, now) == datetime(2026, 2, 28, 23, 59, 59, 500_000, tzinfo=UTC)
