@@ -50,7 +50,7 @@ class FakeCell:
     async def posture(self) -> Array:
         return self.at
 
-    async def follow(self, path: Path, *, speed: float = 1.0) -> None:
+    async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
         assert np.max(np.abs(path.points[0] - self.at)) < 1e-6, "a path begins where the arm is"
         for a, b in pairwise(path.points):
             self.time += profile(a, b, self.layout.speeds * speed, self.layout.accelerations).duration
