@@ -32,6 +32,9 @@ CARRY_SPEED: Final = 0.25
 """Fraction of the UR10's speed with the car in the gripper."""
 ARM_SPEED: Final = 0.12
 """The same with the arm, whose joints have no power then and are held by friction only."""
+BESIDE: Final = (0.015, 0.12)
+"""Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
+which the car is put down."""
 BELT_SPEED: Final = 0.12
 """m/s."""
 DRIVE_EFFORT: Final = 35.0
@@ -41,7 +44,8 @@ DRIVE_TIME: Final = 8.0
 MOVED: Final = 0.8
 """Metres that the car must have driven."""
 NOD: Final = (0.0, 0.25, -0.5, 0.25, 0.6)
-"""Posture of the arm on the driving car, between which and upright it moves."""
+"""How far the arm's joints move from upright and back on the driving car, radians."""
+NOD_TIME: Final = 1.5
 
 
 @dataclass(slots=True)
@@ -129,7 +133,7 @@ class CarTask:
         pose = ur10.seen[self.car].pose
         radius = max(solid.size[0] for solid in self.layout.type_of(self.result.parts[1].part).solids)
         axle = float(connector_frame(self.layout.type_of(self.car), CORNERS[0]).translation[2])
-        x, y = self.belt.pose.x, float(self.arm.chain.root[1])
+        x, y = self.belt.pose.x - BESIDE[0], float(self.arm.chain.root[1]) - BESIDE[1]
         stand = shifted(x, y, self.belt.pose.z + radius - axle)
         goals = [stand * turned("z", turn) for turn in (math.pi / 2.0,)]
         plan = ur10.handling.pick(self.car, pose, ur10.at, goals, lift=0.12, supports=["stand"])
@@ -313,12 +317,13 @@ class CarTask:
         driver = await self.cell.control_module("CM-MOB", "car", "mobility:PrimitiveDriver")
         sensor = await self.cell.control_module("CM-MOB", "car", "mobility:LocalPoseSensor")
         start = await sensor.query(QueryLocalPose(ALL_POSE))
-        goals = (np.array(NOD), np.zeros(arm.chain.model.nq))
+        upright = arm.last_goal
+        goals = (upright + np.array(NOD), upright)
         until = self.cell.now() + DRIVE_TIME
         await driver.send(SetWrenchEffort(propulsive_linear_effort_x=DRIVE_EFFORT), ack=True)
         while self.cell.now() < until:
             goal = goals[self.result.arm_motions % 2]
-            await arm.move(goal, 1.5)
+            await arm.move(goal, NOD_TIME)
             off = float(np.max(np.abs(await arm.positions() - goal)))
             self.result.arm_error = max(self.result.arm_error, off)
             self.result.arm_motions += 1

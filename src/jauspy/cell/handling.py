@@ -33,7 +33,7 @@ INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
-CONDITION: Final = 0.05
+CONDITION: Final = 0.03
 
 
 @dataclass(frozen=True, slots=True)
@@ -96,14 +96,13 @@ class Handling:
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        with self.scene.without(part):
-            for grasp in self.grasps(part):
-                over = pose * grasp * shifted(z=-APPROACH)
-                options += [
-                    (k.distance(posture.positions, start), grasp, posture.positions)
-                    for posture in k.solve(over, start, condition=CONDITION)
-                    if self.scene.is_free(posture.positions, self.planner.margin)
-                ]
+        for grasp in self.grasps(part):
+            over = pose * grasp * shifted(z=-APPROACH)
+            options += [
+                (k.distance(posture.positions, start), grasp, posture.positions)
+                for posture in k.solve(over, start, condition=CONDITION)
+                if self.scene.is_free(posture.positions, self.planner.margin)
+            ]
         options.sort(key=lambda each: each[0])
         options = [each for each in options if not goals or self._reaches(each[1], each[2], goals)]
         if not options:
@@ -112,8 +111,8 @@ class Handling:
 
         def plan(option: tuple[float, pin.SE3, Array]) -> PickPlan:
             _, grasp, posture = option
+            approach = self.planner.to_posture(start, posture)
             with self.scene.without(part):
-                approach = self.planner.to_posture(start, posture)
                 near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
                 contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
             try:
