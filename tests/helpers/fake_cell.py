@@ -37,6 +37,8 @@ class FakeCell:
         self.at = layout.home
         self.poses = {each.name: se3_of_pose(each.pose) for each in layout.setup.parts}
         self.enabled: Counter[str] = Counter()
+        self.starts: Counter[str] = Counter()
+        """How often the pump of each connector was started."""
         self.attached: dict[str, tuple[str, pin.SE3]] = {}
         self.errors: dict[str, str] = {}
         self.log: list[str] = []
@@ -78,10 +80,13 @@ class FakeCell:
     async def connector(self, name: str) -> ConnectorState:
         part, offset = self.attached.get(name, ("", pin.SE3.Identity()))
         force = GRAVITY * sum(each.mass for each in self._solids(part)) if part else 0.0
-        return ConnectorState(True, bool(self.enabled[name]), part, transform(offset), force, 0.0, 0, self._error(name))
+        return ConnectorState(
+            True, bool(self.enabled[name]), part, transform(offset), force, last_error=self._error(name)
+        )
 
     async def enable(self, name: str, enabled: bool) -> None:
         self.enabled[name] = enabled
+        self.starts[name] += enabled
         if not enabled:
             self.attached.pop(name, None)
         self._attach()
