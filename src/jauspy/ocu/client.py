@@ -175,19 +175,24 @@ class OCU:
         """The robot of this number: another name of `discover`."""
         return await self.discover(subsystem, timeout=timeout)
 
-    async def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
-        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
+    async def discover_all(self, *, timeout: float | None = None) -> tuple[Robot, ...]:
+        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers.
+
+        Without `timeout` this takes a second when whatever has answered has told all of itself, and else 2 s.
+        """
         return tuple(Robot(self._connection, each) for each in await discover_all(self._connection, timeout))
 
     async def watch(
-        self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0
+        self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0, parts: bool = False
     ) -> AsyncGenerator[News, None]:
-        """`async for news in ocu.watch()`: yields what is present, and then what appears, changes and vanishes.
+        """`async for news in ocu.watch()`: yields the robots that are present, and then each that comes, changes, goes.
 
+        One event for each robot (and other subsystem), whose `components` are in it: `Appeared`, `Changed` with what it
+        was before, and `Vanished`. With `parts`, one for each subsystem, node, component and service.
         All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
         `subsystem` restricts this to one. A slow reader gets the difference to what it read last.
         """
-        async for news in watch(self._connection, subsystem, interval, silence):
+        async for news in watch(self._connection, subsystem, interval, silence, parts=parts):
             yield news
 
     # --- without discovery ----------------------------------------------------------------------------------------

@@ -140,6 +140,10 @@ class Robot:
         """
         await self._driving.drive(linear, angular, seconds)
 
+    async def speed_limits(self) -> tuple[float, float]:
+        """The greatest velocities that `drive` takes, in m/s and rad/s, as the robot reports them; else infinite."""
+        return await self._driving.speed_limits()
+
     async def stop(self) -> None:
         """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
         await self._driving.stop()

@@ -212,6 +212,8 @@ class Router:
             self._egress.deliver(own, datagram)
         elif (address := self.address_book.find(destination, now)) is not None:
             self._egress.forward(address, destination, datagram, now)
+            if raw.broadcast == Broadcast.GLOBAL:  # the sender does not trust the address: the id may have moved
+                self._egress.multicast(datagram, self._networks, now)
         elif destination == 0:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
         else:

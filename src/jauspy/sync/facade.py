@@ -130,6 +130,12 @@ class Control(Facade[_Control]):
         return self._async.lost
 
     @property
+    def released(self) -> bool | None:
+        """After the block: true when the component has acknowledged Standby and release; false when it has not, and
+        may move on until its time-outs. None before, and when another client has taken control."""
+        return self._async.released
+
+    @property
     def held(self) -> bool:
         """True while the component has not taken control back."""
         return self._async.held
@@ -689,6 +695,10 @@ class Robot(Facade[_Robot]):
         """
         self._portal.run(self._async.drive(linear, angular, seconds=seconds))
 
+    def speed_limits(self) -> tuple[float, float]:
+        """The greatest velocities that `drive` takes, in m/s and rad/s, as the robot reports them; else infinite."""
+        return self._portal.run(self._async.speed_limits())
+
     def stop(self) -> None:
         """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
         self._portal.run(self._async.stop())
@@ -793,8 +803,11 @@ class OCU(OpensPortal):
         """The robot of this number: another name of `discover`."""
         return Robot(self._portal, self._portal.run(self._async.robot(subsystem, timeout=timeout)))
 
-    def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
-        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
+    def discover_all(self, *, timeout: float | None = None) -> tuple[Robot, ...]:
+        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers.
+
+        Without `timeout` this takes a second when whatever has answered has told all of itself, and else 2 s.
+        """
         return tuple(Robot(self._portal, each) for each in self._portal.run(self._async.discover_all(timeout=timeout)))
 
     def watch(
@@ -803,13 +816,16 @@ class OCU(OpensPortal):
         *,
         interval: float = 2.0,
         silence: float = 7.0,
+        parts: bool = False,
     ) -> Generator[News, None, None]:
-        """`for news in ocu.watch()`: yields what is present, and then what appears, changes and vanishes.
+        """`for news in ocu.watch()`: yields the robots that are present, and then each that comes, changes, goes.
 
+        One event for each robot (and other subsystem), whose `components` are in it: `Appeared`, `Changed` with what it
+        was before, and `Vanished`. With `parts`, one for each subsystem, node, component and service.
         All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
         `subsystem` restricts this to one. A slow reader gets the difference to what it read last.
         """
-        return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence))
+        return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence, parts=parts))
 
     def service(self, destination: str | JausID, name: str) -> ServiceClient:
         """The client of a service of any component, whether it was discovered, and lists the service, or not.
