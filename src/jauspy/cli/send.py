@@ -71,6 +71,10 @@ def send(
     Examples:
       jauspy send 101.1.102 SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2
       jauspy send 101.1.102 SetEmergency emergency_code=STOP
+      jauspy send 101.1.103 SetJointEffort 'joint_effort_list=[{joint_effort: 10}]' --control 200 --hold 1
+      jauspy send 101.1.102 SetTime 'time_stamp={milliseconds: 0, seconds: 0, minutes: 30, hour: 12, day: 1}'
+
+    `jauspy schema show MESSAGE` prints an example of any message, lists and records included.
     """
     if control is None and hold:
         raise typer.BadParameter("it requires --control", param_hint="--hold")

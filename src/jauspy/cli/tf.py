@@ -52,6 +52,8 @@ def tf(
     if found is None:
         return
     frames, assumed = found
+    if not as_json:
+        console.note("metres and radians; axes of REP-103: x forward, y left, z up")
     pairs = [(target, source)] if source is not None and target is not None else list(frames.parents.items())
     for name, parent in pairs:
         row = _row(name, parent, frames.pose(name, parent)) | {"assumed": assumed(name, parent)}
@@ -77,6 +79,7 @@ def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
     return {
         "frame": frame,
         "in": parent,
+        "axes": "REP-103",
         "position": [round(value, 6) for value in pose.position],
         "roll_pitch_yaw": [round(value, 6) for value in (angles.roll, angles.pitch, angles.yaw)],
         "quaternion": [round(value, 6) for value in quaternion(pose.rotation)],
