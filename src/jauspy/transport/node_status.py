@@ -22,6 +22,8 @@ SHORT_READ_TIMEOUT: Final = 0.25
 """Seconds between two parts of a status that is only a hint."""
 READ_INTERVAL: Final = 0.5
 """Seconds from one read to the next one of a component: whoever sends requests must not keep a node manager busy."""
+MAX_STATUS: Final = 8 << 20
+"""Bytes."""
 MAX_LOOKUPS: Final = 64
 """Components that are looked up at once; of more, the location is unknown."""
 
@@ -32,9 +34,13 @@ async def read(root: Path) -> dict[str, Any]:
     try:
         async with asyncio.timeout(READ_TIMEOUT):
             reader, writer = await asyncio.open_unix_connection(path)
-            text = await reader.read()
+            text = bytearray()
+            while part := await reader.read(1 << 16):
+                text += part
+                if len(text) > MAX_STATUS:
+                    break
             writer.close()
-        status: dict[str, Any] = json.loads(text)
+        status = _parsed(text)
     except (OSError, TimeoutError, ValueError) as error:
         raise TransportError(
             f"no node manager serves its status at {path}: {getattr(error, 'strerror', None) or 'no answer'}; "
@@ -49,9 +55,28 @@ def read_at_once(root: Path) -> dict[str, Any]:
         with socket.socket(socket.AF_UNIX, socket.SOCK_STREAM) as sock:
             sock.settimeout(SHORT_READ_TIMEOUT)
             sock.connect(str(root / SOCKET_NAME))
-            status: dict[str, Any] = json.loads(b"".join(iter(lambda: sock.recv(1 << 16), b"")))
+            text = bytearray()
+            while len(text) <= MAX_STATUS and (part := sock.recv(1 << 16)):
+                text += part
+            return _parsed(text)
     except (OSError, ValueError):
         return {}
+
+
+def _parsed(text: bytes | bytearray) -> dict[str, Any]:
+    """The status; raises `ValueError` for anything that is none: whoever may write to the root can serve one."""
+    if len(text) > MAX_STATUS:
+        raise ValueError(f"longer than {MAX_STATUS} bytes")
+    try:
+        status = json.loads(text)
+    except RecursionError:
+        raise ValueError("nested too deeply") from None
+    if not isinstance(status, dict):
+        raise ValueError("not an object")
+    for name, keys in (("components", ("id",)), ("peers", ("id", "address", "heard"))):
+        rows = status.get(name, [])
+        if not isinstance(rows, list) or not all(isinstance(row, dict) and row.keys() >= {*keys} for row in rows):
+            raise ValueError(f"{name} is not a list of objects with {', '.join(keys)}")
     return status
 
 

@@ -1,0 +1,59 @@
+"""Whatever serves a status in a local root, readers get a status, or none."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from pathlib import Path
+
+import pytest
+
+from jauspy.errors import TransportError
+from jauspy.ids import JausID
+from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
+from jauspy.transport import node_status
+
+GOOD = {
+    "components": [{"id": "101.1.102"}],
+    "peers": [{"id": "42.1.1", "address": "192.0.2.7:3794", "heard": 0.5}],
+}
+
+
+@asynccontextmanager
+async def serving(root: Path, text: bytes) -> AsyncIterator[None]:
+    async def answer(_: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        writer.write(text)
+        writer.close()
+
+    async with await asyncio.start_unix_server(answer, root / node_status.SOCKET_NAME):
+        yield
+
+
+async def test_a_status_is_read(root: Path) -> None:
+    async with serving(root, json.dumps(GOOD).encode()):
+        assert await node_status.read(root) == GOOD
+        assert await asyncio.to_thread(node_status.read_at_once, root) == GOOD
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        *(b"[]", b"7", b"{", b"", b"\xff", b'{"components": 3}', b'{"components": [3]}', b'{"components": [{}]}'),
+        json.dumps({"peers": [{"id": "42.1.1"}]}).encode(),
+        b"[" * 100_000,
+        b'"' + b"a" * (node_status.MAX_STATUS + 1) + b'"',
+    ],
+    ids=range(11),
+)
+async def test_what_is_no_status_is_none(root: Path, text: bytes) -> None:
+    async with serving(root, text):
+        with pytest.raises(TransportError, match="no node manager serves its status"):
+            await node_status.read(root)
+        assert await asyncio.to_thread(node_status.read_at_once, root) == {}
+        locator, found = node_status.Locator(root), asyncio.get_running_loop().create_future()
+        locator.locate(JausID.parse("42.1.1"), found.set_result)
+        location: Location = await asyncio.wait_for(found, 10.0)
+        assert location == UNKNOWN_LOCATION
+        locator.close()
