@@ -63,7 +63,8 @@ def page(title: str, lead: str, promises: Sequence[Promise], sections: Sequence[
             body.append(_table(section.table))
     return (
         f'<!doctype html><html lang="en"><meta charset="utf-8"><title>{escape(title)}</title>'
-        f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style><body>{"".join(body)}</body></html>\n'
+        f'<meta name="viewport" content="width=device-width"><style>{STYLE}</style>'
+        f"<body>{''.join(body)}</body></html>\n"
     )
 
 
