@@ -102,6 +102,11 @@ CELL_VERBS: Final = {
     ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
+    "kitting": (
+        "jauspy.cli.cell.kitting:kitting",
+        "Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.",
+    ),
+    "all": ("jauspy.cli.cell.all:all_tasks", "Run everything once; write films, plots and a page of results."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
 FUZZ_VERBS: Final = {
