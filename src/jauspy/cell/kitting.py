@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Awaitable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from typing import Final
 
@@ -169,11 +170,25 @@ class Kitter:
             row = PartResult(product.type)
             example = self.layout.of_types((product.type,))[0]
             ur10.rejected |= self._taken
+            await self._face(product)
             await ur10.fetch(slot, row, [self.goal(product, example)])
             state["part"] = row.part
             self._taken.add(row.part)
         finally:
             self._fence(on=False)
+
+    async def _face(self, product: Product) -> None:
+        """Turn the UR10 towards the first part of a type, so that ways are short."""
+        ur10 = self.ur10
+        free = [each for each in self.layout.of_types((product.type,)) if each in ur10.seen and each not in self._taken]
+        if not free:
+            return
+        x, y, _ = ur10.seen[free[0]].pose.translation
+        tool = self.layout.kinematics.forward(self.layout.home).translation
+        facing = np.array(self.layout.home)
+        facing[0] = math.atan2(y, x) - math.atan2(tool[1], tool[0])
+        with suppress(NoPath):
+            await ur10.go(ur10.planner.to_posture(ur10.at, facing))
 
     async def _place(self, product: Product, part: str, kit: Kit) -> None:
         ur10 = self.ur10
