@@ -33,6 +33,10 @@ VERBS: Final = {
     "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
     "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),
+    "console": (
+        "jauspy.cli.operator_console:console_page",
+        "Operate robots in the browser: cameras, driving, arm, emergency stop.",
+    ),
     "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and tell which obeyed."),
     "tf": ("jauspy.cli.tf:tf", "Show the poses of a running robot's frames: each in its parent, or TO in FROM."),
     "map": (
@@ -97,6 +101,7 @@ CELL_VERBS: Final = {
         "Take a box off the moving conveyor with the modular arm, and throw it into the marked area.",
     ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
+    "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
 FUZZ_VERBS: Final = {
