@@ -6,12 +6,12 @@ from __future__ import annotations
 
 import asyncio
 import socket
-from collections.abc import AsyncGenerator
-from contextlib import suppress
+from collections.abc import AsyncGenerator, AsyncIterator
+from contextlib import aclosing, asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Final
 
 from jauspy.arguments import check_number
-from jauspy.errors import ConfigError, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout, TransportError
 from jauspy.messages.environment_sensing import (
     ConfirmDigitalResourceEndpoint as Confirm,
     QueryVisualSensorCapabilities,
@@ -68,15 +68,10 @@ class Camera:
         reader = FrameReader(host)
         try:
             url = f"rtp://{f'[{host}]' if ':' in host else host}:{reader.receiver.port}"
-            endpoint = await self._register(component, sensor, url)
-            renewal = asyncio.create_task(self._renew(component, sensor, url), name=f"video of {component.id}")
-            try:
-                async for frame in self._received(reader, url, component, timeout):
+            frames = self._received(reader, url, component, timeout)
+            async with self._registered(component, sensor, url), aclosing(frames) as received:
+                async for frame in received:
                     yield frame
-            finally:
-                renewal.cancel()
-                with suppress(RequestError):  # a camera that is gone sends no video
-                    await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
         finally:
             reader.close()
 
@@ -135,6 +130,24 @@ class Camera:
             "send: frames(address=...)"
         )
 
+    @asynccontextmanager
+    async def _registered(self, component: ComponentInfo, sensor: int, url: str) -> AsyncIterator[None]:
+        """The camera sends to `url` inside; it ends when the OCU is closed, too, for loops that are left by `break`."""
+        endpoint = await self._register(component, sensor, url)
+        renewal = asyncio.create_task(self._renew(component, sensor, url), name=f"video of {component.id}")
+
+        async def end() -> None:
+            if not renewal.cancelling():
+                renewal.cancel()
+                with suppress(RequestError, TransportError):  # a camera that is gone sends no video
+                    await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
+
+        with self._connection.on_close(end):
+            try:
+                yield
+            finally:
+                await end()
+
     async def _register(self, component: ComponentInfo, sensor: int, url: str) -> int:
         if component.find(ENDPOINTS) is None:
             raise ConfigError(f"{component.id} sends no video: it does not offer {ENDPOINTS}")
@@ -157,10 +170,10 @@ class Camera:
     async def _received(
         self, reader: FrameReader, url: str, component: ComponentInfo, timeout: float
     ) -> AsyncGenerator[Frame, None]:
-        loop, arrived, patience = asyncio.get_running_loop(), asyncio.Event(), timeout
-        loop.add_reader(reader.fileno(), arrived.set)
+        loop, arrived, descriptor = asyncio.get_running_loop(), asyncio.Event(), reader.fileno()
+        loop.add_reader(descriptor, arrived.set)
         try:
-            end = loop.time() + patience
+            end = loop.time() + timeout
             while True:
                 frame = reader.take()
                 if frame is not None:
@@ -174,7 +187,7 @@ class Camera:
                 except TimeoutError:
                     raise ResponseTimeout(_nothing(component, url, reader)) from None
         finally:
-            loop.remove_reader(reader.fileno())
+            loop.remove_reader(descriptor)
 
 
 def _nothing(component: ComponentInfo, url: str, reader: FrameReader) -> str:
