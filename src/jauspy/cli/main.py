@@ -33,6 +33,10 @@ VERBS: Final = {
     "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
     "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),
+    "console": (
+        "jauspy.cli.operator_console:console_page",
+        "Operate robots in the browser: cameras, driving, arm, emergency stop.",
+    ),
     "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and tell which obeyed."),
     "tf": ("jauspy.cli.tf:tf", "Show the poses of a running robot's frames: each in its parent, or TO in FROM."),
     "map": (

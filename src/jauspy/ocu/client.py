@@ -12,7 +12,7 @@ from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Final, Self, TypeVar, overload
 
 from jauspy.arguments import async_only, check_text, described
 from jauspy.codec.message import Message, Query
@@ -20,6 +20,7 @@ from jauspy.codec.registry import Registry
 from jauspy.component import Component, ComponentOptions
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
 from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.explain import explain
@@ -36,6 +37,10 @@ from jauspy.transport.connect import transport_for
 
 R = TypeVar("R", bound=Message)
 
+_LOG: Final = get_logger("jauspy.ocu")
+
+CLASH_INTERVAL: Final = 5.0
+"""Seconds between two looks for another machine with the same id."""
 _OCU_TYPE = 20001
 _COMPONENT_TYPE = 60001
 _NODE_TYPE = 40001
@@ -123,6 +128,8 @@ class OCU:
         at_exit = partial(self._close_at_exit, loop)
         atexit.register(at_exit)
         self._stack.callback(atexit.unregister, at_exit)
+        watch = loop.create_task(self._watch_id(), name=f"id clashes of {self.id}")
+        self._stack.callback(watch.cancel)
 
     async def close(self) -> None:
         """Put controlled components in Standby, release them, cancel events, disconnect; without effect when closed.
@@ -139,6 +146,14 @@ class OCU:
             self._stack.close()
             self._connection.detach()
             await component.close()
+
+    async def _watch_id(self) -> None:
+        """Warn of another machine with the same id, also if all is well here: the other program gets no answers."""
+        clash = ""
+        while not clash:
+            await asyncio.sleep(CLASH_INTERVAL)
+            clash = await self._connection.id_clash()
+        _LOG.warning("%s", clash)
 
     def _close_at_exit(self, loop: asyncio.AbstractEventLoop) -> None:
         """Close an OCU that the program left open, if its event loop can still run."""

@@ -105,7 +105,9 @@ async def discover(connection: Connection, subsystem: int, timeout: float) -> Su
     tree = await _search(connection, subsystem, timeout)
     found = next((each for each in tree.subsystems() if each.id == subsystem), None)
     if found is None:
-        raise ResponseTimeout(_no_such_subsystem(subsystem, tree, timeout))
+        clash = await connection.id_clash()
+        missing = f"subsystem {subsystem} did not answer for {timeout:g} s: {clash}" if clash else ""
+        raise ResponseTimeout(missing or _no_such_subsystem(subsystem, tree, timeout))
     return found
 
 

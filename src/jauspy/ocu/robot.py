@@ -54,6 +54,11 @@ class ComponentClient:
             raise ConfigError(f"{self.id} does not offer {name}; it offers {_listed(self.info)}")
         return ServiceClient(self._connection, self.id, found)
 
+    @property
+    def camera(self) -> Camera:
+        """Its camera, if it has one only."""
+        return Camera(self._connection, (self.info,), None)
+
 
 class Robot:
     """The client of a discovered subsystem; `info` describes it as it was discovered.

@@ -22,6 +22,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
+from jauspy.video.h264_payload import Picture
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, Self, TYPE_CHECKING, overload
@@ -571,6 +572,13 @@ class Camera(Facade[_Camera]):
         """
         return self._portal.iterate(self._async.frames(address=address, timeout=timeout))
 
+    def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Picture, None, None]:
+        """Pictures as the camera encodes them (H.264), from a whole IDR picture on; otherwise as `frames`.
+
+        Pictures of which packets were lost are left out, with those that depend on them, until the next IDR picture.
+        """
+        return self._portal.iterate(self._async.encoded(address=address, timeout=timeout))
+
     def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
         """An image as the content of a file; see `ServiceClient.still`."""
         return self._portal.run(self._async.still(size=size, format=format))
@@ -634,6 +642,11 @@ class ComponentClient(Facade[_ComponentClient]):
     def service(self, name: str) -> ServiceClient:
         """The client of a service by its URN, or the end of it; `ConfigError` lists what the component offers."""
         return ServiceClient(self._portal, self._async.service(name))
+
+    @property
+    def camera(self) -> Camera:
+        """Its camera, if it has one only."""
+        return Camera(self._portal, self._async.camera)
 
 
 class Robot(Facade[_Robot]):

@@ -20,7 +20,7 @@ from jauspy.platform.modular.cell import (
     PartSensor,
 )
 from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartKind, PartSensorSetup
-from jauspy_sim.assembly import TIMESTEP
+from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.cell.connectors import to_transform
 
 BELT_ACCELERATION: Final = 1.0
@@ -31,7 +31,7 @@ class SimulatedConveyor(Conveyor):
     """A belt that is moved by its speed only: its position is set back to zero after each step."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, setup: ConveyorSetup) -> None:
-        self._data = data
+        self._qpos, self._qvel, self._ctrl = map(view, (data.qpos, data.qvel, data.ctrl))
         self._max_speed = setup.max_speed
         joint = model.joint("belt")
         self._position, self._dof = int(joint.qposadr[0]), int(joint.dofadr[0])
@@ -42,7 +42,7 @@ class SimulatedConveyor(Conveyor):
 
     def state(self) -> ConveyorState:
         """Its speed and travel."""
-        return ConveyorState(float(self._data.qvel[self._dof]), self._travel)
+        return ConveyorState(self._qvel[self._dof], self._travel)
 
     def set_speed(self, speed: float) -> None:
         """Run at this speed, within its limit; NaN and infinite speeds have no effect."""
@@ -54,9 +54,9 @@ class SimulatedConveyor(Conveyor):
         if self._speed != self._wanted:
             change = BELT_ACCELERATION * TIMESTEP
             self._speed += min(change, max(-change, self._wanted - self._speed))
-            self._data.ctrl[self._drive] = self._speed
-        self._travel += float(self._data.qpos[self._position])
-        self._data.qpos[self._position] = 0.0
+            self._ctrl[self._drive] = self._speed
+        self._travel += self._qpos[self._position]
+        self._qpos[self._position] = 0.0
 
 
 class SimulatedPartSensor(PartSensor):

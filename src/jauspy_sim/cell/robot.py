@@ -41,6 +41,9 @@ SETTLING_STEPS: Final = 500
 CONTROL_EVERY: Final = 2
 """Physics steps from one control of connectors and modular arm to the next."""
 
+SHOW_EVERY: Final = 5
+"""Physics steps from one state for the cameras to the next: 10 ms."""
+
 ROUNDING: Final = 1e-9
 """Tolerance for rounding errors of times, as a fraction of a step."""
 
@@ -75,6 +78,7 @@ class SimulatedCell:
         self._truth = Truth(cell, data, self._servos)
         self._revision = -1
         self._owed = 0.0
+        self._next_show = 0
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
         self._sensor.step(0.0)
@@ -161,7 +165,9 @@ class SimulatedCell:
         if steps:
             self._owed -= steps
             self._run(steps)
-            self._cameras.show()
+            if self._steps >= self._next_show:
+                self._cameras.show()
+                self._next_show = self._steps + SHOW_EVERY
 
     def prepare(self, connector: str, parts: Sequence[str]) -> None:
         """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
