@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import time
 from collections.abc import Callable, Coroutine, Sequence
+from dataclasses import asdict
 from pathlib import Path
 from typing import Any, Final, TypeAlias
 
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.assembly_run import assemble
+from jauspy.cell.car import MOVED, CarTask
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measured import Measured
 from jauspy.cell.modular import FIVE_JOINTS, ArmOperator
@@ -17,6 +19,8 @@ from jauspy.cell.step import PARTS, Stepper
 from jauspy.errors import JausError
 
 BASE: Final = "platform_1/top"
+MAX_ARM_ERROR: Final = 0.03
+"""Radians by which the arm's joints may be off on the driving car."""
 SETTLE: Final = 0.1
 """Seconds until a prepared arm is known to all."""
 
@@ -83,9 +87,37 @@ async def step(session: Session, seed: int) -> Measured:
     return found
 
 
+async def car(session: Session, seed: int) -> Measured:
+    """Build the car, put it on the conveyor with the arm on top, and drive it off."""
+    begun = session.cell.now()
+    arm = await prepared(session, FIVE_JOINTS)
+    ur10 = Assembler(session.cell, session.layout, seed=seed)
+    ur10.at = await session.cell.posture()
+    task = CarTask(session.cell, session.layout, ur10, arm)
+    result = await task.run()
+    found = Measured(seed, "car", duration=session.cell.now() - begun)
+    found.rows = [asdict(row) for row in result.parts]
+    found.values = {
+        "retries": float(sum(len(row.attempts) for row in result.parts)),
+        "build_time": result.build_time,
+        "load_time": result.load_time,
+        "car_force": result.car_force,
+        "arm_force": result.arm_force,
+        "arm_moment": result.arm_moment,
+        "driven": result.driven,
+        "arm_motions": float(result.arm_motions),
+        "arm_error": result.arm_error,
+        "clearance": ur10.clearance.distance,
+    }
+    found.success = result.driven >= MOVED and result.arm_error < MAX_ARM_ERROR
+    if not found.success:
+        found.failure = f"the car drove {result.driven:.2f} m, and the arm was {result.arm_error:.3f} rad off"
+    return found
+
+
 Task: TypeAlias = Callable[[Session, int], Coroutine[Any, Any, Measured]]
 
-TASKS: Final[dict[str, Task]] = {"assemble": assemble, "lift": lift, "step": step}
+TASKS: Final[dict[str, Task]] = {"assemble": assemble, "lift": lift, "step": step, "car": car}
 """The tasks that can be run by name."""
 
 

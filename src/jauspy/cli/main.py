@@ -101,6 +101,7 @@ CELL_VERBS: Final = {
         "Take a box off the moving conveyor with the modular arm, and throw it into the marked area.",
     ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
+    "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
 FUZZ_VERBS: Final = {

@@ -52,7 +52,11 @@ def values_table(found: Measured) -> Table:
     for name, value in found.values.items():
         table.add_row(name.replace("_", " "), f"{value:.4g}")
     for row in found.rows:
-        table.add_row("", "; ".join(str(value) for value in row.values()))
+        if "event" in row:
+            table.add_row("", row["event"])
+        elif "slot" in row:
+            tried = "; ".join(row["attempts"]) or "at once"
+            table.add_row(row["slot"], f"{row['part']}: {row['fetch_time'] + row['join_time']:.1f} s, {tried}")
     return table
 
 

@@ -29,6 +29,15 @@ def step(*, seed: Seed = 0, exact: Exact = False, record: Record = None, json: J
     _run("step", seed, exact=exact, film=record, json=json)
 
 
+def car(*, seed: Seed = 0, exact: Exact = False, record: Record = None, json: Json = False) -> None:
+    """Build the car of chassis, four servo modules and wheels, put the arm on top, and drive it off the conveyor.
+
+    The UR10 puts the car and then the arm on the conveyor; the car is driven over the JAUS mobility services while the
+    arm on it moves.
+    """
+    _run("car", seed, exact=exact, film=record, json=json)
+
+
 def _run(task: str, seed: int, *, exact: bool, film: Path | None, json: bool) -> None:
     check_extra()
     from jauspy.cell.session import NONE
