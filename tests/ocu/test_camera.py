@@ -88,3 +88,11 @@ async def test_unknown_machine_asks_for_an_address(robot, ocu, monkeypatch):
     monkeypatch.setattr(module.Connection, "locate", locate)
     with pytest.raises(ConfigError, match=r"not known on which machine 101.1.106 is; .*frames\(address=...\)"):
         await anext((await ocu.robot(101)).camera("arm").frames())
+
+
+async def test_loop_that_is_left_by_break_ends_the_video_when_the_ocu_is_closed(node_manager, robot):
+    async with node_manager.ocu() as ocu:
+        async for _ in (await ocu.robot(101)).camera("arm").frames():
+            assert sum(robot.videos["arm"].receivers.values()) == 1
+            break
+    assert sum(robot.videos["arm"].receivers.values()) == 0

@@ -11,7 +11,7 @@ from contextlib import aclosing, asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
 from jauspy.arguments import check_number
-from jauspy.errors import ConfigError, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout, TransportError
 from jauspy.messages.environment_sensing import (
     ConfirmDigitalResourceEndpoint as Confirm,
     QueryVisualSensorCapabilities,
@@ -211,17 +211,26 @@ class Camera:
     async def _registered(
         self, component: ComponentInfo, sensor: int, reader: R, host: str
     ) -> AsyncGenerator[tuple[R, str], None]:
-        """The camera sends to the reader; with the URL that it was given."""
+        """The camera sends to the reader; with the URL that it was given.
+
+        This ends when the OCU is closed, too: Python ends a loop that was left by `break` some time later.
+        """
         try:
             url = f"rtp://{f'[{host}]' if ':' in host else host}:{reader.receiver.port}"
             endpoint = await self._register(component, sensor, url)
             renewal = asyncio.create_task(self._renew(component, sensor, url), name=f"video of {component.id}")
-            try:
-                yield reader, url
-            finally:
-                renewal.cancel()
-                with suppress(RequestError):  # a camera that is gone sends no video
-                    await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
+
+            async def end() -> None:
+                if not renewal.cancelling():
+                    renewal.cancel()
+                    with suppress(RequestError, TransportError):  # a camera that is gone sends no video
+                        await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
+
+            with self._connection.on_close(end):
+                try:
+                    yield reader, url
+                finally:
+                    await end()
         finally:
             reader.close()
 
@@ -234,10 +243,10 @@ class Camera:
     async def _received(
         self, reader: Reader[P_co], url: str, component: ComponentInfo, timeout: float
     ) -> AsyncGenerator[P_co, None]:
-        loop, arrived, patience = asyncio.get_running_loop(), asyncio.Event(), timeout
-        loop.add_reader(reader.fileno(), arrived.set)
+        loop, arrived, descriptor = asyncio.get_running_loop(), asyncio.Event(), reader.fileno()
+        loop.add_reader(descriptor, arrived.set)
         try:
-            end = loop.time() + patience
+            end = loop.time() + timeout
             while True:
                 frame = reader.take()
                 if frame is not None:
@@ -251,7 +260,7 @@ class Camera:
                 except TimeoutError:
                     raise ResponseTimeout(_nothing(component, url, reader)) from None
         finally:
-            loop.remove_reader(reader.fileno())
+            loop.remove_reader(descriptor)
 
 
 def _nothing(component: ComponentInfo, url: str, reader: Reader[P_co]) -> str:
