@@ -11,6 +11,7 @@ import mujoco
 import numpy as np
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
 from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
@@ -169,9 +170,12 @@ class SimulatedCell:
                 self._cameras.show()
                 self._next_show = self._steps + SHOW_EVERY
 
-    def prepare(self, connector: str, parts: Sequence[str]) -> None:
-        """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
-        put_on_each_other(self, connector, parts)
+    def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
+        """Have an arm there before a task starts: put parts on a connector and on each other, attached.
+
+        `errors` are poses of parts on their connectors, by part.
+        """
+        put_on_each_other(self, connector, parts, errors)
 
     def close(self) -> None:
         """Stop. What connectors hold stays held. May be called twice."""
