@@ -26,6 +26,9 @@ from jauspy_sim.cell.connectors import to_transform
 BELT_ACCELERATION: Final = 1.0
 """m/s^2 of the conveyor's drive."""
 
+BELT_BRAKING: Final = 3.0
+"""m/s^2 of the conveyor when it is stopped: from its largest speed it stands within 0.2 s."""
+
 
 class SimulatedConveyor(Conveyor):
     """A belt that is moved by its speed only: its position is set back to zero after each step."""
@@ -39,6 +42,7 @@ class SimulatedConveyor(Conveyor):
         self._travel = 0.0
         self._wanted = 0.0
         self._speed = 0.0
+        self._braking = False
 
     def state(self) -> ConveyorState:
         """Its speed and travel."""
@@ -48,11 +52,16 @@ class SimulatedConveyor(Conveyor):
         """Run at this speed, within its limit; NaN and infinite speeds have no effect."""
         if math.isfinite(speed):
             self._wanted = min(self._max_speed, max(-self._max_speed, speed))
+            self._braking = False
+
+    def stop(self) -> None:
+        """Brake as hard as it can."""
+        self._wanted, self._braking = 0.0, True
 
     def control(self) -> None:
         """Approach the speed, and set the belt back."""
         if self._speed != self._wanted:
-            change = BELT_ACCELERATION * TIMESTEP
+            change = (BELT_BRAKING if self._braking else BELT_ACCELERATION) * TIMESTEP
             self._speed += min(change, max(-change, self._wanted - self._speed))
             self._ctrl[self._drive] = self._speed
         self._travel += self._qpos[self._position]
