@@ -209,8 +209,8 @@ class Dresser:
         x, y, t = setup.length / 2.0, setup.width / 2.0, setup.thickness
         rim = 0.012
         for side in (-1.0, 1.0):
-            self._box(body, (2.0 * x + 2.0 * t + rim, rim + t, 0.006), (0.0, side * (y + t / 2.0), setup.wall), "bin")
-            self._box(body, (rim + t, 2.0 * y + 2.0 * t, 0.006), (side * (x + t / 2.0), 0.0, setup.wall), "bin")
+            self._box(body, (2.0 * x + 2.0 * t + rim, rim + t, 0.007), (0.0, side * (y + t / 2.0), setup.wall), "bin")
+            self._box(body, (rim + t, 2.0 * y - rim, 0.006), (side * (x + t / 2.0), 0.0, setup.wall), "bin")
         self._box(body, (0.12, 0.002, 0.03), (0.0, -y - t - 0.001, setup.wall / 2.0 - 0.004), "paint")
         self._stand(setup)
 
