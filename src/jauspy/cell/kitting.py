@@ -39,6 +39,11 @@ ARM_ZONE: Final = ((0.5, 1.4), (-0.5, 0.8), (0.25, 1.6))
 DROP: Final = 0.003
 """Metres above the belt at which products are let go of."""
 ABOVE: Final = 0.07
+REST: Final = np.array([-1.2, 0.9, 1.5, 0.5, 0.0])
+"""Posture of an arm with five joints in which it is out of the UR10's way to the tray, radians."""
+ADVANCE: Final = 0.39
+"""Metres by which the belt brings the boxes nearer before the first order."""
+ADVANCE_SPEED: Final = 0.15
 ARM_TIME: Final = 0.8
 """Seconds of the modular arm's short straight motions."""
 
@@ -120,6 +125,16 @@ class Kitter:
         return held * self.layout.grasp(part).inverse()
 
     # --- orders ---------------------------------------------------------------------------------------------------
+
+    async def prepare(self) -> None:
+        """Bring the boxes nearer, and the modular arm out of the UR10's way."""
+        await self.cell.run_conveyor(ADVANCE_SPEED)
+        await self.cell.sleep(ADVANCE / ADVANCE_SPEED)
+        await self.cell.run_conveyor(0.0)
+        await self.cell.observe(fresh=True)
+        if self.arm is not None:
+            await self.arm.look(*self._boxes)
+            await self.arm.go(REST)
 
     async def fill(self, order: Sequence[Product]) -> Kit:
         """Carry out one order; what fails is left out, and named in the kit."""
@@ -242,8 +257,8 @@ class Kitter:
         if down is None:
             raise NoPath(f"the arm cannot reach {box}")
         await self.cell.enable(arm.tip, True)
-        await arm.move(down, ARM_TIME)
-        if await arm.wait_attached(arm.tip, 0.6) != box:
+        await self.cell.command_arm(await arm.vector(down), ARM_TIME)  # it presses, and so does not arrive
+        if await arm.wait_attached(arm.tip, 2.0 * ARM_TIME) != box:
             await self.cell.enable(arm.tip, False)
             await arm.move(over, ARM_TIME)
             raise TaskFailed(f"the arm could not attach {box}")
@@ -268,7 +283,7 @@ class Kitter:
         await self.cell.enable(arm.tip, False)
         await self.cell.sleep(0.15)
         await arm.move(above, ARM_TIME)
-        await arm.go(np.zeros(arm.chain.model.nq))
+        await arm.go(REST)
 
     def _next_box(self) -> str:
         free = []

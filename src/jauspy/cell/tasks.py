@@ -143,6 +143,7 @@ async def kitting_with_arm(session: Session, seed: int) -> Measured:
 
 async def _kitted(session: Session, seed: int, task: str, kitter: Kitter, building: float) -> Measured:
     order = drawn_order(seed)
+    await kitter.prepare()
     begun = session.cell.now()
     kit = await kitter.fill(order)
     await session.cell.sleep(0.5)
