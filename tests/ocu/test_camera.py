@@ -9,6 +9,7 @@ import pytest
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ocu import camera as module
 from jauspy.protocol.addressing import Location
+from jauspy.transport.multicast import address_towards
 
 np = pytest.importorskip("numpy")
 pytest.importorskip("av")
@@ -63,8 +64,8 @@ async def _ignored(self, component, sensor, url) -> int:
 
 
 def test_own_address_is_the_one_that_routes_to_the_robot():
-    assert module._address_towards("127.0.0.1") == "127.0.0.1"
-    assert module._address_towards("not an address") is None
+    assert address_towards("127.0.0.1") == "127.0.0.1"
+    assert address_towards("not an address") is None
 
 
 @pytest.mark.parametrize(

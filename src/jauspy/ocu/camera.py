@@ -5,7 +5,6 @@
 from __future__ import annotations
 
 import asyncio
-import socket
 from collections import deque
 from collections.abc import AsyncGenerator
 from contextlib import aclosing, asynccontextmanager, suppress
@@ -41,7 +40,6 @@ SILENCE: Final = 5.0
 """Seconds without a frame after which `frames` raises, once the video runs."""
 MAX_WAITING: Final = 64
 """Encoded pictures that wait to be read; the oldest go first."""
-_LOOPBACK: Final = "127.0.0.1"
 
 
 P_co = TypeVar("P_co", covariant=True)
@@ -188,12 +186,9 @@ class Camera:
         return [(int(each.sensor_id), str(getattr(each, "sensor_name", ""))) for each in rows]
 
     async def _own_address(self, component: ComponentInfo) -> str:
-        location = await self._connection.locate(component.id)
-        if location.is_here:
-            return _LOOPBACK
-        for host in sorted(location.hosts):
-            if (found := _address_towards(host)) is not None:
-                return found
+        found = await self._connection.address_towards(component.id)
+        if found is not None:
+            return found
         raise ConfigError(
             f"it is not known on which machine {component.id} is; name the address of this machine to which it is to "
             "send: frames(address=...)"
@@ -275,14 +270,3 @@ def _nothing(component: ComponentInfo, url: str, reader: Reader[P_co]) -> str:
         f"{component.id} sends no picture to {url}: {what}; its camera may still be starting, or a firewall or another "
         "network be in between (`address` says where it is to send)"
     )
-
-
-def _address_towards(host: str) -> str | None:
-    """The address of this machine from which packets to `host` are sent; nothing is sent."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    with socket.socket(family, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.connect((host, 9))
-        except OSError:
-            return None
-        return str(probe.getsockname()[0])
