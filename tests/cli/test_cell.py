@@ -13,7 +13,7 @@ pytest.importorskip("pinocchio", reason="needs the extra `cell`")
 pytest.importorskip("coal", reason="needs the extra `cell`")
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
-from jauspy.cell import tasks, trials
+from jauspy.cell import iso9283, swing, tasks, trials
 from jauspy.cell.measured import Measured
 from jauspy.cli.main import app
 
@@ -37,6 +37,22 @@ def given(monkeypatch: pytest.MonkeyPatch) -> dict[str, bool]:
     def run_trials(task: str, seeds: range, *_: Any, **__: Any) -> Iterator[Measured]:
         yield from (result(task, seed) for seed in seeds)
 
+    class Given:
+        def __init__(self, task: str) -> None:
+            self.task = task
+
+        def measured(self, seed: int) -> Measured:
+            return result(self.task, seed)
+
+    async def compare(*_: Any) -> Given:
+        return Given("swing")
+
+    async def measure(*_: Any, **__: Any) -> Given:
+        return Given("iso9283")
+
+    monkeypatch.setattr(swing, "compare", compare)
+    monkeypatch.setattr(swing, "plot_swing", lambda *_: None)
+    monkeypatch.setattr(iso9283, "measure", measure)
     monkeypatch.setattr(tasks, "run_one", run_one)
     monkeypatch.setattr(trials, "run_trials", run_trials)
     return succeeds
@@ -76,6 +92,15 @@ def test_kitting_says_from_when_on_building_pays(given: dict[str, bool], tmp_pat
     found = runner.invoke(app, ["cell", "kitting", "--seeds", "2", "--out", str(tmp_path)])
     assert found.exit_code == 0
     assert "worth it from 6 orders on" in found.stdout, "55 s to build, 10 s saved an order"
+
+
+@pytest.mark.parametrize(("verb", "file"), [("kpi", "swing.json"), ("iso9283", "iso9283.json")])
+def test_measurements(given: dict[str, bool], tmp_path: Path, verb: str, file: str) -> None:
+    found = runner.invoke(app, ["cell", verb, "--out", str(tmp_path)])
+    assert found.exit_code == 0, found.output
+    assert (tmp_path / file).exists()
+    given[file.partition(".")[0]] = False
+    assert runner.invoke(app, ["cell", verb, "--out", str(tmp_path)]).exit_code == 1
 
 
 def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:

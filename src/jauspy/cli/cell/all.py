@@ -57,6 +57,9 @@ def all_tasks(
         promise, section = _trials(task, count, need, jobs, out)
         promises.append(promise)
         sections.append(section)
+    for promise, section in (_swing(seed, out), _accuracy(seed)):
+        promises.append(promise)
+        sections.append(section)
     promise, section = _kitting(out, min(20, seeds), jobs)
     promises.append(promise)
     sections.append(section)
@@ -111,6 +114,32 @@ def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> 
     promise = Promise(f"trials of {task}", f"at least {100 * need:.0f} %", measured, summary.rate >= need)
     table: list[Sequence[str]] = [("seed", "reason of the failure"), *((str(a), b) for a, b in summary.failures)]
     return promise, Section(f"{count} runs of {task}", measured, table if summary.failures else [], [plot])
+
+
+def _swing(seed: int, out: Path) -> tuple[Promise, Section]:
+    from jauspy.cell import swing
+    from jauspy.cell.measured import Measured
+
+    async def measured() -> Measured:
+        comparison = await swing.compare(seed, console.note)
+        swing.plot_swing(comparison, out / "swing.svg")
+        return comparison.measured(seed)
+
+    title = "At rest after the release five times sooner than with single PID controllers, a third of the overshoot"
+    promise, section = _once(run(measured()) or Measured(seed, "swing", failure="stopped"), title, out / "swing.mp4")
+    section.plots.append(out / "swing.svg")
+    return promise, section
+
+
+def _accuracy(seed: int) -> tuple[Promise, Section]:
+    from jauspy.cell import iso9283
+    from jauspy.cell.measured import Measured
+
+    async def measured() -> Measured:
+        return (await iso9283.measure(seed, report=console.note)).measured(seed)
+
+    title = "Accuracy by ISO 9283, five times better after the calibration"
+    return _once(run(measured()) or Measured(seed, "iso9283", failure="stopped"), title, Path("none"))
 
 
 def _kitting(out: Path, seeds: int, jobs: int | None) -> tuple[Promise, Section]:
