@@ -14,7 +14,7 @@ async def main(connect: str | None) -> None:
         poses = robot.service("mobility:LocalPoseSensor")
         async with driver.control(authority=200):  # renewed until the block ends; then Standby, control is released
             await driver.resume()
-            async for pose in poses.subscribe(QueryLocalPose(0x1FF), rate=10.0):  # all fields, ten times a second
+            async for pose in poses.subscribe(QueryLocalPose(), rate=10.0):  # all fields, ten times a second
                 await driver.send(SetWrenchEffort(propulsive_linear_effort_x=40.0))  # percent, for 2 s
                 print(f"x {pose.x:.2f} m, y {pose.y:.2f} m")
                 if pose.x >= 2.0:

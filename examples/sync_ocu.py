@@ -12,10 +12,10 @@ def main(connect: str | None) -> None:
         robot = ocu.discover(subsystem=101)
         driver = robot.service("mobility:PrimitiveDriver")
         sensor = robot.service("mobility:LocalPoseSensor")
-        start = sensor.query(QueryLocalPose(0x1FF)).yaw
+        start = sensor.query(QueryLocalPose()).yaw
         with driver.control(authority=200):
             driver.resume()
-            for pose in sensor.subscribe(QueryLocalPose(0x1FF), rate=10.0):
+            for pose in sensor.subscribe(QueryLocalPose(), rate=10.0):
                 driver.send(SetWrenchEffort(propulsive_rotational_effort_z=40.0))  # percent, to the right, for 2 s
                 turned = math.remainder(pose.yaw - start, math.tau)
                 print(f"turned {math.degrees(turned):.0f} degrees")

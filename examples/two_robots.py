@@ -10,12 +10,12 @@ from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 async def drive(robot: jauspy.Robot, seconds: float) -> None:
     driver = robot.service("mobility:PrimitiveDriver")
     sensor = robot.service("mobility:LocalPoseSensor")
-    before = await sensor.query(QueryLocalPose(0x1FF))
+    before = await sensor.query(QueryLocalPose())
     async with driver.control(authority=200):
         await driver.resume()
         await driver.send(SetWrenchEffort(propulsive_linear_effort_x=50.0))  # percent
         await asyncio.sleep(seconds)
-    after = await sensor.query(QueryLocalPose(0x1FF))
+    after = await sensor.query(QueryLocalPose())
     print(f"{robot.id} drove {after.x - before.x:.2f} m")
 
 

@@ -15,12 +15,15 @@ from jauspy_sim.rays import MAX_DISTANCE
 MIN_DISTANCE: Final = 0.02
 """Near plane in metres: the gripper is close to the arm's camera."""
 
+FILM_SAMPLES: Final = "film_samples"
+"""A world with this number has thorough pictures made with so many samples of a pixel, and with shadows."""
+
 MAX_GEOMS: Final = 10_000
 """Maximal number of shapes in a picture."""
 
 
 class GlRenderer:
-    """A `Renderer`. Pictures have shadows and smooth edges only if they are made thoroughly: both halve its speed.
+    """A `Renderer` without shadows and anti-aliasing, which would halve its speed; worlds may ask for thorough ones.
 
     Raises when GL does not work after all, and then as any of several exceptions.
     """
@@ -35,12 +38,13 @@ class GlRenderer:
         self._scene = mujoco.MjvScene(model, maxgeom=MAX_GEOMS)
         self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
-        model.vis.quality.offsamples = 0
         model.vis.map.znear = MIN_DISTANCE / model.stat.extent
         self._gl = import_module(f"mujoco.{gl_backend}").GLContext(64, 64)
         self._gl.make_current()
-        self._context = mujoco.MjrContext(model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
-        self._context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
+        self._samples = _film_samples(model)
+        self._context = self._make_context(0)
+        self._other: mujoco.MjrContext | None = None
+        self._thorough = False
 
     def paint(
         self,
@@ -51,7 +55,7 @@ class GlRenderer:
         thoroughly: bool = False,
     ) -> NDArray[np.uint8]:
         """Render a picture of that size."""
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(thoroughly)
+        self._be_thorough(thoroughly and self._samples > 0)
         self._render(data, width, height)
         image = np.empty((height, width, 3), np.uint8)
         mujoco.mjr_readPixels(image, None, self._rect, self._context)
@@ -71,6 +75,8 @@ class GlRenderer:
     def close(self) -> None:
         """Release the GL context. May be called twice."""
         self._context.free()
+        if self._other is not None:
+            self._other.free()
         self._gl.free()
 
     def _render(self, data: mujoco.MjData, width: int, height: int) -> None:
@@ -80,8 +86,28 @@ class GlRenderer:
         mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
         mujoco.mjr_render(self._rect, self._scene, self._context)
 
+    def _be_thorough(self, thoroughly: bool) -> None:
+        """Change to the context with smooth edges, or back; it is made when it is needed first."""
+        if thoroughly is self._thorough:
+            return
+        other = self._other or self._make_context(self._samples if thoroughly else 0)
+        self._context, self._other, self._thorough = other, self._context, thoroughly
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(thoroughly)
+        self._rect = mujoco.MjrRect(0, 0, 0, 0)
+
+    def _make_context(self, samples: int) -> mujoco.MjrContext:
+        self._model.vis.quality.offsamples = samples
+        context = mujoco.MjrContext(self._model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
+        context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
+        return context
+
     def _resize(self, width: int, height: int) -> None:
         self._model.cam_fovy[self._view.fixedcamid] = math.degrees(2.0 * math.atan(self._spread * height / width))
         mujoco.mjr_resizeOffscreen(width, height, self._context)
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
         self._rect = mujoco.MjrRect(0, 0, width, height)
+
+
+def _film_samples(model: mujoco.MjModel) -> int:
+    number = mujoco.mj_name2id(model, mujoco.mjtObj.mjOBJ_NUMERIC, FILM_SAMPLES)
+    return int(model.numeric_data[model.numeric_adr[number]]) if number >= 0 else 0

@@ -41,6 +41,21 @@ def test_stop_is_orderly_and_prints_counters(node_manager, local_root, number, s
     assert not list(local_root.iterdir())
 
 
+def test_sigint_stops_what_a_script_started_in_the_background(free_port, local_root):
+    """A shell without job control starts it with SIGINT ignored, which it would inherit."""
+    options = f"--port {free_port} --local-root {local_root} --interface 127.0.0.1"
+    script = f"{' '.join(COMMAND)} {options} & read stop; kill -INT $!; wait $!; echo status $?"
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+    with subprocess.Popen(["sh", "-c", script], start_new_session=True, **pipes) as shell:
+        assert "ready" in shell.stdout.readline()
+        try:
+            out, _ = shell.communicate("stop\n", timeout=20)
+        finally:
+            if shell.returncode is None:
+                os.killpg(shell.pid, signal.SIGKILL)
+    assert out == "status 130\n"
+
+
 def test_sigusr1_prints_the_counters(node_manager, free_port):
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender:
         sender.sendto(b"\xff" * 40, ("127.0.0.1", free_port))

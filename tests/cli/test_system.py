@@ -47,6 +47,8 @@ def test_ls_query_and_send_work(beside):
 
     tree = jauspy("ls", "--connect", local).stdout
     assert "mobility:PrimitiveDriver  1.1" in tree
+    assert "core:" not in tree
+    assert "core:Transport  1.1" in jauspy("ls", "-v", "--connect", local).stdout
 
     status = json.loads(jauspy("query", to, "QueryStatus", "--connect", udp).stdout)
     assert (status["message"], status["source"], status["fields"]["status"]) == ("ReportStatus", to, "STANDBY")
@@ -120,13 +122,39 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(beside):
 def test_send_notes_what_prevents_an_effect(beside):
     where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
-    assert "its controller, nobody; use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
+    assert "which is nobody: use --control AUTHORITY" in jauspy("send", "101.1.102", *effort, *where).stderr
+    assert "101.1.103 does not offer SetWrenchEffort" in jauspy("send", "101.1.103", *effort, *where).stderr
     assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where).stderr
     emergency = ("Emergency", "emergency_code=STOP")
     assert jauspy("send", "101.1.102", f"Set{emergency[0]}", emergency[1], *where).stderr == ""
     other = jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], "--id", "42.1.77", *where).stderr
     assert "still in EMERGENCY; only the id that set it can clear it; this is 42.1.77" in other
     assert jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], *where).stderr == ""
+
+
+def test_send_in_control_tells_that_a_command_is_ignored(beside):
+    one = "joint_effort_list=[{joint_effort: 10}]"
+    to = ("--control", "200", "--connect", beside.local)
+    joints = jauspy("send", "101.1.104", "SetJointEffort", one, *to, status=1)
+    assert "it has 5 joints, and the message has 1; give one value for each" in joints.stderr
+    fast = jauspy("send", "101.1.102", "SetVelocityCommand", "command_type=0", "velocity_x=9", *to, status=1)
+    assert "velocity_x 9 m/s is outside" in fast.stderr
+    missing = jauspy("send", "101.1.104", "SetWrenchEffort", *to, status=1)
+    assert "does not offer SetWrenchEffort" in missing.stderr
+
+
+def test_send_tells_that_the_robot_was_ended_meanwhile():
+    with shared_robot() as robot:
+        process = start(
+            *("send", "101.1.102", "SetWrenchEffort", "propulsive_linear_effort_x=10", "--control", "200"),
+            *("--hold", "3", "--connect", robot.local),
+        )
+        while "READY" not in jauspy("query", "101.1.102", "QueryStatus", "--connect", robot.local).stdout:
+            assert process.poll() is None
+        robot.process.kill()
+        _, error = process.communicate(timeout=20)
+    assert process.returncode == 1
+    assert "did not acknowledge Standby and ReleaseControl" in " ".join(error.split())
 
 
 def test_send_waits_for_the_completion_of_a_command(beside):

@@ -37,6 +37,8 @@ class FakeCell:
         self.at = layout.home
         self.poses = {each.name: se3_of_pose(each.pose) for each in layout.setup.parts}
         self.enabled: Counter[str] = Counter()
+        self.starts: Counter[str] = Counter()
+        """How often the pump of each connector was started."""
         self.attached: dict[str, tuple[str, pin.SE3]] = {}
         self.errors: dict[str, str] = {}
         self.log: list[str] = []
@@ -50,7 +52,7 @@ class FakeCell:
     async def posture(self) -> Array:
         return self.at
 
-    async def follow(self, path: Path, *, speed: float = 1.0) -> None:
+    async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
         assert np.max(np.abs(path.points[0] - self.at)) < 1e-6, "a path begins where the arm is"
         for a, b in pairwise(path.points):
             self.time += profile(a, b, self.layout.speeds * speed, self.layout.accelerations).duration
@@ -78,10 +80,13 @@ class FakeCell:
     async def connector(self, name: str) -> ConnectorState:
         part, offset = self.attached.get(name, ("", pin.SE3.Identity()))
         force = GRAVITY * sum(each.mass for each in self._solids(part)) if part else 0.0
-        return ConnectorState(True, bool(self.enabled[name]), part, transform(offset), force, 0.0, 0, self._error(name))
+        return ConnectorState(
+            True, bool(self.enabled[name]), part, transform(offset), force, last_error=self._error(name)
+        )
 
     async def enable(self, name: str, enabled: bool) -> None:
         self.enabled[name] = enabled
+        self.starts[name] += enabled
         if not enabled:
             self.attached.pop(name, None)
         self._attach()

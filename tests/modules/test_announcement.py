@@ -10,8 +10,11 @@ from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.modules import robot_files
-from jauspy.modules.hosts import ANNOUNCEMENT_PERIOD, Announcement
-from jauspy.protocol.header import Packet
+from jauspy.modules.hosts import ANNOUNCEMENT_PERIOD, CONSOLE_SILENCE, Announcement
+from jauspy.protocol import judp
+from jauspy.protocol.addressing import GroupPort, LocalPort, UdpPort
+from jauspy.protocol.header import Broadcast, Packet
+from jauspy.protocol.routing import Router
 from jauspy.services.core import Discovery
 from jauspy.services.host import Host
 
@@ -46,7 +49,32 @@ def test_queries_repeat_until_answered(host):
     assert not announcement.intercept(Packet(CONSOLE, ME, QueryIdentification(2).encode()))
     assert asked(host, ANNOUNCEMENT_PERIOD) == [4 * ANNOUNCEMENT_PERIOD]
     assert announcement.intercept(Packet(CONSOLE, ME, ANSWER))
-    assert asked(host, 10 * ANNOUNCEMENT_PERIOD) == []
+    assert asked(host, CONSOLE_SILENCE - 0.1) == []
+
+
+def test_queries_are_repeated_once_the_console_is_silent(host):
+    """Also for the next console of the same id, which may be on another machine."""
+    announcement = Announcement(host, CONSOLE)
+    assert asked(host, 0.0) == []
+    announcement.intercept(Packet(CONSOLE, ME, ANSWER))
+    host.handle_timeout(8.0)
+    assert not announcement.intercept(Packet(CONSOLE, ME, QueryIdentification(2).encode()))
+    left = 8.0 + CONSOLE_SILENCE
+    host.poll_output(8.0)
+    assert asked(host, 3 * ANNOUNCEMENT_PERIOD + 2.0) == [left, left + ANNOUNCEMENT_PERIOD]
+    announcement.intercept(Packet(CONSOLE, ME, ANSWER))
+    assert asked(host, CONSOLE_SILENCE - 0.1) == []
+
+
+def test_queries_are_multicast_even_if_an_address_of_the_console_is_known(host):
+    """It is the address of an earlier console, which may be switched off."""
+    Announcement(host, CONSOLE)
+    (query,) = host.poll_output(0.0)
+    assert query.broadcast is Broadcast.GLOBAL
+    packet = judp.pack(Packet(ME, CONSOLE, query.payload, 7, broadcast=query.broadcast))
+    router = Router("/robot", addresses={CONSOLE: [UdpPort("192.0.2.9", 3794)]})
+    router.receive(packet, LocalPort(f"/robot/{int(ME)}"), 0.0)
+    assert {type(port) for port, _ in router.poll_output()} == {UdpPort, GroupPort}
 
 
 @pytest.mark.parametrize(("id", "problem"), [("42", "is not a JAUS id"), ("42.1.255", "stands for many")])

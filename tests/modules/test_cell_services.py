@@ -223,6 +223,21 @@ def test_other_clients_do_not_move_a_servo_module(servo):
     assert servo.robot.servos["servo_1"].target is None
 
 
+def test_velocities_and_torques_end_without_a_further_target(servo):
+    servo.control()
+    module = servo.robot.servos["servo_1"]
+    for _ in range(3):
+        servo.tell(target("VELOCITY", 0.5))
+        servo.run(1.5)
+        assert module.current.velocity == 0.5
+    servo.run(1.0)
+    assert module.current.velocity == 0.0
+    assert servo.count("command_timeout") == 1
+    servo.tell(target("EFFORT", 0.5), target("POSITION", 1.0))
+    servo.run(5.0)
+    assert module.target == Target(ControlMode.POSITION, 1.0)
+
+
 # --- how everything stops -----------------------------------------------------------------------------------------
 
 ENDS = {

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.cli.estop import _estop as stop_or_release, destination
+from jauspy.cli.estop import _stop as stop_or_release, destination
 from jauspy.errors import ControlRejected
 from jauspy.messages.core import ReportStatus, SetEmergency
 from jauspy.messages.mobility import SetLocalWaypoint, SetWrenchEffort

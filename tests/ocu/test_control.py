@@ -4,7 +4,7 @@ import asyncio
 import random
 
 import pytest
-from tests.ocu.conftest import hold_back
+from tests.ocu.conftest import ROBOT, hold_back
 
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.ids import JausID
@@ -632,3 +632,16 @@ async def test_release_is_confirmed(world):
     async with driver.control():
         pass
     assert world.network.sent(RejectControl)
+
+
+async def test_release_that_is_not_acknowledged_is_told(world, caplog):
+    await world.robot()
+    ocu = await world.ocu()
+    driver = (await ocu.discover(101)).service("PrimitiveDriver")
+    async with driver.control() as control:
+        assert control.released is None
+    assert control.released is True
+    async with driver.control() as control:
+        world.network.disconnect(ROBOT)
+    assert control.released is False
+    assert "did not acknowledge Standby and release of control" in caplog.text

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+import asyncio
+
 import pytest
 
 from jauspy.errors import ConfigError, ResponseTimeout
@@ -146,3 +148,15 @@ async def test_malformed_answers_are_counted_and_others_used(world):
 
     assert [each.id for each in robot.components] == [JausID(101, 1, 1)]
     assert ocu.stats.malformed >= len(garbage)
+
+
+async def test_discover_all_ends_after_a_second_when_all_have_answered(virtual_network, ocu):
+    clock = asyncio.get_running_loop().time
+    async with virtual_network.robot():
+        began = clock()
+        (robot,) = await ocu.discover_all()
+        assert clock() - began <= 1.1
+        assert len(robot.components) == 7
+    began = clock()
+    assert await ocu.discover_all() == ()
+    assert clock() - began == pytest.approx(2.0, abs=0.1)

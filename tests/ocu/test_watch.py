@@ -59,7 +59,7 @@ ALL = [
 
 
 async def collect(ocu, into: list, **options) -> None:
-    async for each in ocu.watch(**options):
+    async for each in ocu.watch(parts=True, **options):
         into.append(each)  # noqa: PERF401 - what was told is looked at meanwhile
 
 
@@ -152,7 +152,7 @@ async def test_watch_can_be_limited_to_one_subsystem(virtual_network, ocu):
 
 
 async def test_slow_reader_gets_the_sum_of_changes(virtual_network, ocu):
-    news = ocu.watch()
+    news = ocu.watch(parts=True)
     async with virtual_network.component(ME, [named("robot")], core=False):
         assert (await anext(news)).now.name == "robot"
         async with virtual_network.component("102.1.1", [named("brief")], core=False):
@@ -168,7 +168,7 @@ async def test_slow_reader_causes_no_vanished_component(virtual_network, ocu, pa
     found: list = []
 
     async def read_slowly() -> None:
-        async for each in ocu.watch():
+        async for each in ocu.watch(parts=True):
             found.append(each)
             await asyncio.sleep(pause)
 
@@ -275,3 +275,48 @@ async def test_watch_works_over_a_node_manager():
                     await asyncio.sleep(0.01)
             task.cancel()
             await asyncio.wait({task})
+
+
+async def test_one_event_for_a_robot_found_and_one_for_a_robot_lost(virtual_network, ocu):
+    found: list = []
+
+    async def follow() -> None:
+        async for each in ocu.watch():
+            found.append((type(each), each.id, each))  # noqa: PERF401 - looked at meanwhile
+
+    task = asyncio.create_task(follow())
+    async with virtual_network.robot():
+        await asyncio.sleep(20)
+        ((kind, id, event),) = found
+        assert (kind, id) == (Appeared, JausID(101, 0, 0))
+        assert [each.id.component for each in event.now.components] == [102, 103, 104, 105, 106, 107, 108]
+        assert all(each.name and each.services for each in event.now.components)
+        found.clear()
+    await asyncio.sleep(30)
+    ((kind, id, event),) = found
+    assert (kind, id) == (Vanished, JausID(101, 0, 0))
+    assert len(event.before.components) == 7
+    task.cancel()
+    await asyncio.wait({task})
+
+
+async def test_lost_component_of_a_robot_is_one_change(virtual_network, ocu):
+    found: list = []
+
+    async def follow() -> None:
+        async for each in ocu.watch():
+            found.append(each)  # noqa: PERF401 - looked at meanwhile
+
+    task = asyncio.create_task(follow())
+    async with (
+        virtual_network.component(ME, [named("robot"), Liveness()], core=False),
+        virtual_network.component("101.1.2", [named("robot"), Liveness()], core=False),
+    ):
+        await asyncio.sleep(10)
+        virtual_network.disconnect(JausID(101, 1, 2))
+        await asyncio.sleep(20)
+    task.cancel()
+    await asyncio.wait({task})
+    assert [type(each) for each in found] == [Appeared, Changed]
+    assert [each.id for each in found[1].now.components] == [ME]
+    assert len(found[1].before.components) == 2

@@ -19,7 +19,7 @@ from jauspy.cell.handling import Handling, PickPlan
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
 from jauspy.cell.layout import Layout
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
-from jauspy.cell.scene import Clearance, connector_frame, pieces_of_part
+from jauspy.cell.scene import Clearance, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
 from jauspy.platform.modular.connector import ConnectorState
@@ -57,6 +57,8 @@ PUT_DOWN_HEIGHT: Final = 0.2
 """Of the gripper above the floor, metres."""
 PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
+WHEEL_TURNS: Final = 12
+"""Angles about its axis at which a wheel may be joined."""
 SEARCH: Final = (0.0, 0.0015, -0.0015, 0.003)
 """Metres beside the connector at which the attempts to join press the part down."""
 
@@ -123,7 +125,7 @@ class AssemblyResult:
 
 
 @dataclass(slots=True)
-class _Held:
+class Held:
     """The part in the gripper."""
 
     name: str
@@ -145,9 +147,11 @@ class Assembler:
         self.rejected: set[str] = set()
         """Parts that are not tried again."""
         self.used: set[str] = set()
+        self.carried: set[str] = set()
+        """Parts that are attached to another one and move with it: their shapes are with those of the other."""
         self.clearance = Clearance(1.0)
-        self._held: _Held | None = None
-        self._seen: Mapping[str, SeenPart] = {}
+        self.held: Held | None = None
+        self.seen: Mapping[str, SeenPart] = {}
 
     # --- the task -------------------------------------------------------------------------------------------------
 
@@ -157,7 +161,7 @@ class Assembler:
         """Build an arm on a base. The result says why when it could not be finished; the UR10 then stands still."""
         result = AssemblyResult(base)
         begun = self.cell.now()
-        tip = _Tip(f"{base}/{connector}", base, await self._base_pose(base) * self._connector(base, connector))
+        tip = Tip(f"{base}/{connector}", base, await self._base_pose(base) * self._connector(base, connector))
         schedule = Schedule(self.cell.now)
         before: list[str] = []
         for slot in slots:
@@ -165,10 +169,10 @@ class Assembler:
             result.parts.append(row)
 
             async def fetch(slot: Slot = slot, row: PartResult = row) -> None:
-                await self._timed_fetch(slot, row, tip)
+                await self.fetch_for(slot, row, tip)
 
             async def join(slot: Slot = slot, row: PartResult = row) -> None:
-                await self._timed_join(slot, row, tip)
+                await self.join_to(slot, row, tip)
 
             async def check(row: PartResult = row) -> None:
                 await self._check_joint(row.part)
@@ -198,13 +202,13 @@ class Assembler:
         await self.look()
         await self.go(self.planner.to_posture(self.at, PARKED))
 
-    async def go(self, path: Path, *, speed: float = 1.0, contact: bool = False) -> None:
+    async def go(self, path: Path, *, speed: float = 1.0, contact: bool = False, gentle: bool = False) -> None:
         """Move along a path; paths that do not end in contact count for the smallest distance."""
         if not contact and path.clearance.distance < self.clearance.distance:
             self.clearance = path.clearance
         self.at = path.end
         try:
-            await self.cell.follow(path, speed=speed)
+            await self.cell.follow(path, speed=speed, gentle=gentle)
         except JausError:
             self.at = await self.cell.posture()
             raise
@@ -212,7 +216,7 @@ class Assembler:
     async def _make_safe(self) -> None:
         """Leave the UR10 at rest. What it holds stays held: to let go of it would drop it."""
         self.at = await self.cell.posture()
-        if self._held is None:
+        if self.held is None:
             try:
                 await self.go(self.handling.retreat(self.at, 0.05))
                 await self.go_home()
@@ -221,14 +225,18 @@ class Assembler:
 
     # --- fetching -------------------------------------------------------------------------------------------------
 
-    async def _timed_fetch(self, slot: Slot, row: PartResult, tip: _Tip) -> None:
+    async def fetch_for(self, slot: Slot, row: PartResult, tip: Tip) -> None:
+        """Grasp a part that fits this place at the tip, and lift it; raises `TaskFailed`."""
         begun = self.cell.now()
         await self.fetch(slot, row, self.goals(slot, tip))
         row.fetch_time += self.cell.now() - begun
 
-    def goals(self, slot: Slot, tip: _Tip) -> list[pin.SE3]:
+    def goals(self, slot: Slot, tip: Tip) -> list[pin.SE3]:
         """The frames in the world that a part in this place may have: on the connector, square to the base."""
-        turns = (0.0,) if "elbow" in slot.types[0] else (0.0, math.pi, math.pi / 2.0, -math.pi / 2.0)
+        if self.layout.setup.types[slot.types[0]].kind is PartKind.WHEEL:
+            turns = [math.tau * number / WHEEL_TURNS for number in range(WHEEL_TURNS)]
+        else:
+            turns = [0.0] if "elbow" in slot.types[0] else [0.0, math.pi, math.pi / 2.0, -math.pi / 2.0]
         return [tip.frame * tip.square * turned("z", turn) for turn in turns]
 
     async def fetch(self, slot: Slot, row: PartResult, goals: list[pin.SE3]) -> None:
@@ -247,40 +255,41 @@ class Assembler:
 
     async def look(self, *, fresh: bool = False) -> None:
         """Measure where the parts are, and put them there in the scene."""
-        self._seen = await self.cell.observe(fresh=fresh)
-        for name, seen in self._seen.items():
-            if name not in self.used and (self._held is None or name != self._held.name):
-                self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
+        self.seen = await self.cell.observe(fresh=fresh)
+        for name, seen in self.seen.items():
+            if name not in self.used and name not in self.carried and (self.held is None or name != self.held.name):
+                self.scene.put(name, self.handling.pieces(name), seen.pose)
         for each in self.layout.setup.parts:
-            if each.name not in self._seen and each.name not in self.used and not each.fixed:
+            known = each.fixed or each.name in self.used or each.name in self.seen
+            if not known:
                 self.scene.remove(each.name)
 
     def _choose(self, slot: Slot) -> str | None:
         """The next part of a fitting type that lies somewhere and was not rejected."""
         for name in self.layout.of_types(slot.types):
-            if name in self._seen and name not in self.rejected and name not in self.used:
+            if name in self.seen and name not in self.rejected and name not in self.used:
                 return name
         return None
 
     async def _grasp(self, part: str, row: PartResult, goals: list[pin.SE3]) -> bool:
         for attempt in range(GRASPS):
             try:
-                plan = self.handling.pick(part, self._seen[part].pose, self.at, goals, skip=attempt)
+                plan = self.handling.pick(part, self.seen[part].pose, self.at, goals, skip=attempt)
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
                 return False
-            why = await self._try_grasp(plan, row)
+            why = await self.try_grasp(plan, row)
             if not why:
                 return True
             row.attempts.append(f"{part}: {why}")
             await self.look(fresh=True)
-            if part not in self._seen:
+            if part not in self.seen:
                 row.attempts.append(f"{part}: it is lost, the sensor does not see it")
                 return False
         return False
 
-    async def _try_grasp(self, plan: PickPlan, row: PartResult) -> str:
-        """One attempt; returns why it failed, or an empty text."""
+    async def try_grasp(self, plan: PickPlan, row: PartResult, *, weigh: bool = True) -> str:
+        """One attempt; returns why it failed, or an empty text. `weigh` compares the force with the part's weight."""
         await self.go(plan.approach)
         await self.cell.enable(GRIPPER, True)
         await self.go(plan.near, speed=NEAR_SPEED, contact=True)
@@ -300,18 +309,18 @@ class Assembler:
         self._hold(plan.part, state)
         row.grasp_force = state.force
         weight = GRAVITY * _mass(self.layout, plan.part)
-        if abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
+        if weigh and abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
             await self._put_back(plan)
             return f"the gripper measures {state.force:.1f} N where {weight:.1f} N should hang; it may be stuck"
         return ""
 
     def _hold(self, part: str, state: ConnectorState) -> None:
         grasp = se3(state.offset).inverse()
-        self._held = _Held(part, grasp)
-        self.scene.hold(part, pieces_of_part(self.layout.type_of(part)), grasp.inverse())
+        self.held = Held(part, grasp)
+        self.scene.hold(part, self.handling.pieces(part), grasp.inverse())
 
     def _drop(self, part: str) -> None:
-        self._held = None
+        self.held = None
         self.scene.release()
         self.used.discard(part)
 
@@ -323,7 +332,8 @@ class Assembler:
 
     # --- joining --------------------------------------------------------------------------------------------------
 
-    async def _timed_join(self, slot: Slot, row: PartResult, tip: _Tip) -> None:
+    async def join_to(self, slot: Slot, row: PartResult, tip: Tip) -> None:
+        """Join the held part to the tip, or another one when it is lost; raises `TaskFailed`."""
         begun = self.cell.now()
         goals = self.goals(slot, tip)
         for _ in range(PARTS):
@@ -334,11 +344,11 @@ class Assembler:
             await self.fetch(slot, row, goals)
         raise TaskFailed(f"{slot.name} could not be joined to {tip.connector}: {'; '.join(row.attempts)}")
 
-    async def join(self, slot: Slot, row: PartResult, tip: _Tip, goals: list[pin.SE3]) -> bool:
+    async def join(self, slot: Slot, row: PartResult, tip: Tip, goals: list[pin.SE3]) -> bool:
         """Join the held part to the tip; false when it was lost or put down, and another one is needed."""
         part = row.part
         for attempt in range(JOINS):
-            held = self._held
+            held = self.held
             state = await self.cell.connector(GRIPPER)
             if held is None or state.attached_to != part:
                 self._drop(part)
@@ -369,7 +379,7 @@ class Assembler:
             await self.cell.enable(tip.connector, False)
             back = plan.insert.points[0]
             await self.go(Path((self.at, plan.insert.end, back)), speed=NEAR_SPEED, contact=True)
-        if self._held is not None:
+        if self.held is not None:
             await self._put_down(part)
         return False
 
@@ -382,15 +392,15 @@ class Assembler:
             return f"it sits {1000 * shift:.1f} mm and {math.degrees(tilt):.1f} degrees off"
         return ""
 
-    async def _let_go(self, part: str, row: PartResult, tip: _Tip, slot: Slot, state: ConnectorState) -> None:
+    async def _let_go(self, part: str, row: PartResult, tip: Tip, slot: Slot, state: ConnectorState) -> None:
         await self.cell.enable(GRIPPER, False)
         await self.cell.sleep(0.1)
-        self._held = None
+        self.held = None
         self.scene.release()
         offset = se3(state.offset)
         frame = tip.frame * offset
         self.used.add(part)
-        self.scene.put(part, pieces_of_part(self.layout.type_of(part)), frame)
+        self.scene.put(part, self.handling.pieces(part), frame)
         await self.go(self.handling.retreat(self.at), speed=0.6, contact=True)
         after = await self.cell.connector(tip.connector)
         if after.attached_to != part:
@@ -398,7 +408,8 @@ class Assembler:
             raise TaskFailed(f"{part} came off {tip.connector} when the gripper let go{_because(after)}")
         row.shift, row.tilt = float(np.linalg.norm(offset.translation)), tilt_between(pin.SE3.Identity(), offset)
         row.joint_force, row.joint_moment = after.force, after.moment
-        tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
+        if slot.connector in self.layout.type_of(part).connectors:
+            tip.advance(part, slot.connector, frame, self._connector(part, slot.connector))
 
     async def _put_down(self, part: str) -> None:
         """Let the part lie where there is room on the floor, so that another one can be taken."""
@@ -452,15 +463,15 @@ class Assembler:
         for each in self.layout.setup.parts:
             if each.name == base and each.fixed:
                 return se3_of_pose(each.pose)
-        if base not in self._seen:
+        if base not in self.seen:
             raise TaskFailed(f"the sensor does not see {base}, on which the arm is to be built")
-        return self._seen[base].pose
+        return self.seen[base].pose
 
     def _connector(self, part: str, connector: str) -> pin.SE3:
         return connector_frame(self.layout.type_of(part), connector)
 
 
-class _Tip:
+class Tip:
     """The connector to which the next part is joined."""
 
     def __init__(self, connector: str, part: str, frame: pin.SE3) -> None:

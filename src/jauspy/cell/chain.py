@@ -18,7 +18,12 @@ from jauspy.platform.modular.parts import PartType
 
 MAX_ITERATIONS: Final = 60
 TOLERANCE: Final = 1e-5
-DAMPING: Final = 1e-5
+"""Metres and radians."""
+LEANING: Final = 0.02
+"""Radians by which the tip may lean: four joints cannot also make up for parts that sit askew."""
+LEAN_WEIGHT: Final = 0.03
+"""Metres of the tip's place that count as much as a radian of its direction."""
+DAMPING: Final = 1e-7
 MAX_STEP: Final = 0.4
 BENDS: Final = (-1.9, -1.1, -0.4, 0.4, 1.1, 1.9)
 """Starts of the joints in the middle, in radians."""
@@ -42,9 +47,18 @@ class Chain:
     def __init__(self, base: pin.SE3, members: Iterable[Member]) -> None:
         self.members = tuple(members)
         self.model = pin.Model()
-        self.joints: tuple[str, ...] = ()
+        self.joints: list[str] = []
         self.links: list[LinkPiece] = []
         """Their shapes, each with the number of the joint that moves it."""
+        joint, frame = self._build(base)
+        self.tool = self.model.addFrame(pin.Frame("tip", joint, 0, frame, pin.FrameType.OP_FRAME))
+        self.data = self.model.createData()
+        fastest = {each.name: each.type.servo.max_speed for each in self.members if each.type.servo is not None}
+        self.speeds = np.array([fastest[name] for name in self.joints])
+        self.lower, self.upper = np.full(len(fastest), -math.tau), np.full(len(fastest), math.tau)
+
+    def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
+        """Make the model; returns the last joint, and the frame of the tip after it."""
         joint, frame = 0, base
         for member in self.members:
             frame = frame * member.offset
@@ -54,17 +68,13 @@ class Chain:
                 placement = frame * se3(servo.joint)
                 axis = se3(servo.joint).rotation.T @ np.array(servo.axis)
                 joint = self.model.addJoint(joint, pin.JointModelRevoluteUnaligned(axis), placement, member.name)
-                self.joints = (*self.joints, member.name)
+                self.joints.append(member.name)
                 self._add_links(member.name, pieces_of(servo.output), joint)
                 frame = pin.SE3.Identity()
             if member.connector not in member.type.connectors:
                 raise ConfigError(f"{member.name} has no connector {member.connector!r}")
             frame = frame * se3(member.type.connectors[member.connector])
-        self.tool = self.model.addFrame(pin.Frame("tip", joint, 0, frame, pin.FrameType.OP_FRAME))
-        self.data = self.model.createData()
-        speeds = [member.type.servo.max_speed for member in self.members if member.type.servo is not None]
-        self.speeds = np.array(speeds)
-        self.lower, self.upper = np.full(len(speeds), -math.tau), np.full(len(speeds), math.tau)
+        return joint, frame
 
     def _add_links(self, name: str, pieces: Iterable[Piece], joint: int) -> None:
         self.links += [LinkPiece(name, piece, joint) for piece in pieces]
@@ -73,6 +83,11 @@ class Chain:
         """The frame of the tip in the world."""
         pin.framesForwardKinematics(self.model, self.data, positions)
         return self.data.oMf[self.tool].copy()
+
+    @property
+    def root(self) -> Array:
+        """Where the first joint is, in the world."""
+        return np.array(self.model.jointPlacements[1].translation)
 
     def solve_from(self, goal: pin.SE3, start: Array) -> Array | None:
         """The posture near `start` with the tip at the place of `goal` and its z along that of `goal`."""
@@ -109,7 +124,7 @@ class Chain:
         first = pin.SE3(self.model.jointPlacements[1])
         local = first.actInv(np.asarray(position))
         yaw = math.atan2(local[1], local[0])
-        for turn in (yaw, yaw + math.pi):
+        for turn in (yaw, yaw + math.pi, -yaw, math.pi - yaw):  # the axis may point either way
             for bend in itertools.product(bends, repeat=min(2, count - 2)):
                 start = np.zeros(count)
                 start[0] = turn
@@ -124,11 +139,38 @@ class Chain:
             facing = float(tip.rotation[:, 2] @ direction)
             if np.max(np.abs(off)) < TOLERANCE:
                 return q if facing > 0.0 else None
+            off[3:] *= LEAN_WEIGHT
             jacobian = pin.computeFrameJacobian(self.model, self.data, q, self.tool, pin.LOCAL_WORLD_ALIGNED)
             # of the rotation only what turns the z axis counts
             axis = tip.rotation[:, 2]
             across = np.eye(3) - np.outer(axis, axis)
-            rows = np.vstack([jacobian[:3], across @ jacobian[3:]])
+            rows = np.vstack([jacobian[:3], LEAN_WEIGHT * across @ jacobian[3:]])
             step = rows.T @ np.linalg.solve(rows @ rows.T + DAMPING * np.eye(6), off)
-            q = q + step * min(1.0, MAX_STEP / max(float(np.max(np.abs(step))), 1e-12))
+            far = float(np.max(np.abs(step)))
+            if far < TOLERANCE and np.max(np.abs(off[:3])) < 20.0 * TOLERANCE:
+                return q if facing > math.cos(LEANING) else None
+            q = q + step * min(1.0, MAX_STEP / max(far, 1e-12))
         return None
+
+
+class HangingChain(Chain):
+    """An arm that stands on its last connector, whose frame in the world is `base`; the first part is free.
+
+    The joints are in the order from there, and their positions are those of the servo modules, as before. The tip is
+    the input flange of the first part.
+    """
+
+    def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
+        joint, frame = 0, base
+        for member in reversed(self.members):
+            frame = frame * se3(member.type.connectors[member.connector]).inverse()
+            if member.type.servo is not None:
+                servo = member.type.servo
+                self._add_links(member.name, pieces_of(servo.output, frame), joint)
+                axis = se3(servo.joint).rotation.T @ np.array(servo.axis)
+                joint = self.model.addJoint(joint, pin.JointModelRevoluteUnaligned(-axis), frame, member.name)
+                self.joints.append(member.name)
+                frame = se3(servo.joint).inverse()
+            self._add_links(member.name, pieces_of(member.type.solids, frame), joint)
+            frame = frame * member.offset.inverse()
+        return joint, frame

@@ -52,6 +52,8 @@ from jauspy.services.manipulator.joints import position_records
 
 AUTHORITY: Final = 100
 ALL_FIELDS: Final = 0xFFFFFFFF
+GENTLE: Final = 0.05
+"""Fraction of the joints' acceleration in motions that speed up slowly."""
 POLL: Final = 0.02
 """Seconds between two looks at the joints at the end of a motion."""
 ARRIVED: Final = 0.0015
@@ -128,13 +130,13 @@ class CellClient:
         found = [record.joint_position.value for record in report.joint_position_list]
         return np.array(self._geometry.to_urdf(found))
 
-    async def follow(self, path: Path, *, speed: float = 1.0) -> None:
+    async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
         """Move the UR10 along a path; each straight piece is one command, in which all joints arrive together.
 
-        Raises `MotionFailed` when it is blocked.
+        `gentle` motions speed up slowly. Raises `MotionFailed` when it is blocked.
         """
         for start, goal in pairwise(path.points):
-            await self._move(start, goal, speed)
+            await self._move(start, goal, speed, GENTLE if gentle else 1.0)
 
     async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:
         """As `follow`, but stop as soon as a connector has attached something; returns the connector's state.
@@ -155,11 +157,11 @@ class CellClient:
                 await _cancel(motion)
         return await self.connector(connector)
 
-    async def _move(self, start: Array, goal: Array, speed: float) -> None:
+    async def _move(self, start: Array, goal: Array, speed: float, acceleration: float = 1.0) -> None:
         arm = self._module("CM-MAN")
         await self._control(arm, "ManipulatorJointPositionDriver")
         limits = await self._service(arm, "ManipulatorJointMotionProfile")
-        found = profile(start, goal, self.layout.speeds * speed, self.layout.accelerations)
+        found = profile(start, goal, self.layout.speeds * speed, self.layout.accelerations * acceleration)
         if not found.duration:
             return
         kind = SetJointMotionProfile.RevoluteJointMotionProfileRec

@@ -12,7 +12,7 @@ import pinocchio as pin
 from jauspy.cell.frames import Array, shifted, turned
 from jauspy.cell.layout import Layout
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
-from jauspy.cell.scene import PlanningScene, pieces_of_part
+from jauspy.cell.scene import Piece, PlanningScene, pieces_of_part
 
 Option = TypeVar("Option")
 Plan = TypeVar("Plan")
@@ -33,7 +33,7 @@ INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
-CONDITION: Final = 0.05
+CONDITION: Final = 0.03
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,6 +67,12 @@ class Handling:
         self.layout = layout
         self.scene = scene
         self.planner = planner
+        self.composites: dict[str, list[Piece]] = {}
+        """Shapes of parts to which others are attached, with those of the others, in the frame of the part."""
+
+    def pieces(self, part: str) -> list[Piece]:
+        """The shapes of a part, and of what is attached to it."""
+        return self.composites.get(part) or pieces_of_part(self.layout.type_of(part))
 
     def grasps(self, part: str, first: float = 0.0) -> list[pin.SE3]:
         """The poses of the gripper in the frame of a part, for all angles about its axis."""
@@ -90,24 +96,23 @@ class Handling:
         """
         k = self.layout.kinematics
         options: list[tuple[float, pin.SE3, Array]] = []
-        with self.scene.without(part):
-            for grasp in self.grasps(part):
-                over = pose * grasp * shifted(z=-APPROACH)
-                options += [
-                    (k.distance(posture.positions, start), grasp, posture.positions)
-                    for posture in k.solve(over, start, condition=CONDITION)
-                    if self.scene.is_free(posture.positions, self.planner.margin)
-                ]
+        for grasp in self.grasps(part):
+            over = pose * grasp * shifted(z=-APPROACH)
+            options += [
+                (k.distance(posture.positions, start), grasp, posture.positions)
+                for posture in k.solve(over, start, condition=CONDITION)
+                if self.scene.is_free(posture.positions, self.planner.margin)
+            ]
         options.sort(key=lambda each: each[0])
         options = [each for each in options if not goals or self._reaches(each[1], each[2], goals)]
         if not options:
             raise NoPath(f"{part} cannot be grasped where it is, or not so that it could be put where it belongs")
-        pieces = pieces_of_part(self.layout.type_of(part))
+        pieces = self.pieces(part)
 
         def plan(option: tuple[float, pin.SE3, Array]) -> PickPlan:
             _, grasp, posture = option
+            approach = self.planner.to_posture(start, posture)
             with self.scene.without(part):
-                approach = self.planner.to_posture(start, posture)
                 near = self.planner.line(posture, pose * grasp * shifted(z=-SLOW), margin=LINE_MARGIN)
                 contact = self.planner.line(near.end, pose * grasp * shifted(z=PRESS), margin=LINE_MARGIN)
             try:
@@ -139,7 +144,7 @@ class Handling:
         `distance` metres come, when not along the part's z. `touches`: what the part may come close to at the end.
         """
         k = self.layout.kinematics
-        self.scene.hold(part, pieces_of_part(self.layout.type_of(part)), grasp.inverse())
+        self.scene.hold(part, self.pieces(part), grasp.inverse())
         options: list[tuple[float, pin.SE3, Array, pin.SE3]] = []
         for goal in goals:
             before = along * goal if along is not None else goal * shifted(z=distance)

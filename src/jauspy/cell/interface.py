@@ -40,8 +40,11 @@ class Cell(Protocol):
         """Positions of the UR10's joints as its URDF counts them, in radians."""
         ...
 
-    async def follow(self, path: Path, *, speed: float = 1.0) -> None:
-        """Move the UR10 along a path with this fraction of its speed; raises `MotionFailed` if it does not arrive."""
+    async def follow(self, path: Path, *, speed: float = 1.0, gentle: bool = False) -> None:
+        """Move the UR10 along a path with this fraction of its speed; raises `MotionFailed` if it does not arrive.
+
+        `gentle` motions speed up slowly, so that what the arm carries does not bend.
+        """
         ...
 
     async def touch(self, path: Path, connector: str, *, speed: float) -> ConnectorState:

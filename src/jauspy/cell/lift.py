@@ -101,7 +101,7 @@ class Lifter:
 
     def _place(self) -> tuple[float, float]:
         """Where boxes are taken: on the line of the belt, as close to the arm's base as possible."""
-        base = self.arm.chain.model.jointPlacements[1].translation
+        base = self.arm.chain.root
         return self.belt.pose.x, float(base[1])
 
     async def _take(self, box: str) -> bool:
@@ -138,7 +138,7 @@ class Lifter:
     # --- throwing -------------------------------------------------------------------------------------------------
 
     async def _throw(self, result: LiftResult) -> None:
-        base = self.arm.chain.model.jointPlacements[1].translation
+        base = self.arm.chain.root
         away = np.array([self.target.pose.x - base[0], self.target.pose.y - base[1]])
         far = float(np.linalg.norm(away))
         yaw = math.atan2(away[1], away[0])

@@ -39,12 +39,22 @@ class ArmOperator:
         self.cell = cell
         self.layout = layout
         self.members = tuple(members)
-        self.chain = Chain(base, self.members)
-        self.scene = self._make_scene()
-        self.planner = MotionPlanner(self.scene, self.chain, margin=0.01)
+        self.base = base
+        """The frame in the world of the connector that carries the arm at first."""
+        self.base_name = ""
+        """Its name."""
+        self.last_goal: Array = np.zeros(sum(each.type.servo is not None for each in self.members))
+        """Where the last motion went."""
         self.clearance = Clearance(1.0)
+        self.stand(Chain(base, self.members))
         self.tip = f"{self.members[-1].name}/{self.members[-1].connector}"
         """The connector at the end."""
+
+    def stand(self, chain: Chain) -> None:
+        """Plan for the arm standing as this chain does from now on."""
+        self.chain = chain
+        self.scene = self._make_scene()
+        self.planner = MotionPlanner(self.scene, chain, margin=0.01)
 
     @classmethod
     async def found(
@@ -63,7 +73,9 @@ class ArmOperator:
             output = next(iter(layout.type_of(part).connectors))
             members.append(Member(part, layout.type_of(part), se3(state.offset), output))
             at = f"{part}/{output}"
-        return cls(cell, layout, pose * connector_frame(layout.type_of(owner), connector), members)
+        arm = cls(cell, layout, pose * connector_frame(layout.type_of(owner), connector), members)
+        arm.base_name = base
+        return arm
 
     def _make_scene(self) -> PlanningScene:
         """What stands around the arm: the cell without the arm's own parts, and the UR10 at rest."""
@@ -130,6 +142,7 @@ class ArmOperator:
 
     async def move(self, goal: Array, duration: float) -> None:
         """Move straight in joint space, unchecked, and wait until the arm is there."""
+        self.last_goal = goal
         await self.cell.move_arm(await self.vector(goal), duration)
 
     async def vector(self, goal: Array) -> list[float]:

@@ -8,7 +8,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from jauspy.cell.runs import Measured
+from jauspy.cell.measured import Measured
 from jauspy.cell.trials import Summary
 from jauspy.errors import ConfigError
 

@@ -12,8 +12,9 @@ from dataclasses import dataclass
 from importlib import import_module
 from statistics import fmean, median
 
-from jauspy.cell.runs import Measured, run_one
+from jauspy.cell.measured import Measured
 from jauspy.cell.session import Disturbances
+from jauspy.cell.tasks import run_one
 from jauspy.errors import ConfigError
 
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import asyncio
-from typing import Annotated, Final, TypeAlias
+from typing import Annotated, Final
 
 import typer
 from rich.text import Text
@@ -13,20 +12,13 @@ from jauspy.cli.options import Connect, Json, OperatorKey
 from jauspy.cli.processes import run
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
-from jauspy.messages.core import ClearEmergency, QueryStatus, ReportStatus, SetEmergency
 from jauspy.ocu import OCU
 from jauspy.ocu.control import status_name
+from jauspy.ocu.emergency import Reports, obeys, set_emergency
 
 ESTOP_ID: Final = "42.1.254"
 """The client's id, always the same: only the id that set an emergency can clear it."""
-ROUND: Final = 0.4
-"""Seconds in which components answer QueryStatus before the message is sent again."""
-SETTLED_ROUNDS: Final = 2
-"""Rounds without a new component, in which all obey, after which it ends: packets may have been lost."""
-STOP: Final = SetEmergency.EmergencyCode.STOP
 MAX_SUBSYSTEM: Final = 65534
-
-Reports: TypeAlias = dict[JausID, ReportStatus]
 
 
 def estop(
@@ -63,9 +55,9 @@ def estop(
     if not release and own_id in client.ids_elsewhere(connect):  # or the node manager would refuse to stop anything
         taken, own_id = own_id, client.own_id(None, connect)
         console.note(f"{taken} is in use on another host: stopping as {own_id}; release with --id {own_id}")
-    found = run(_estop(OCU(own_id, connect, operator=operator_key), to, release=release, max_wait=timeout)) or {}
+    found = run(_stop(OCU(own_id, connect, operator=operator_key), to, release=release, max_wait=timeout)) or {}
     for id, report in sorted(found.items(), key=lambda item: int(item[0])):
-        obeyed = _obeys(report, release=release)
+        obeyed = obeys(report, release=release)
         if as_json:
             console.print_json({"id": str(id), "status": status_name(report), "obeyed": obeyed})
         else:
@@ -74,7 +66,7 @@ def estop(
     if not found:
         nobody = "no component answered" if to.is_wildcard else f"{to} did not answer"
         raise ResponseTimeout(f"{nobody} within {timeout:g} s; the message was sent nevertheless")
-    disobedient = [str(id) for id, report in found.items() if not _obeys(report, release=release)]
+    disobedient = [str(id) for id, report in found.items() if not obeys(report, release=release)]
     if disobedient:
         why = (
             "another client has set an emergency, too, or this is not the id that set it (--id)"
@@ -95,25 +87,6 @@ def destination(text: str) -> JausID:
     return client.destination(text)
 
 
-async def _estop(ocu: OCU, to: JausID, *, release: bool, max_wait: float) -> Reports:
-    """Send until all obey or the time is over; returns the last status of each component that answered."""
-    message = ClearEmergency(emergency_code=STOP) if release else SetEmergency(emergency_code=STOP)
-    found: Reports = {}
+async def _stop(ocu: OCU, to: JausID, *, release: bool, max_wait: float) -> Reports:
     async with ocu:
-        end = asyncio.get_running_loop().time() + max_wait
-        settled = 0
-        while settled < SETTLED_ROUNDS and (left := end - asyncio.get_running_loop().time()) > 0:
-            await ocu.send(to, message)
-            before = set(found)
-            async for id, report in ocu.query_each(to, QueryStatus(), within=min(ROUND, left)):
-                found[id] = report
-            for id, report in found.items():
-                if release and to.is_wildcard and not _obeys(report, release=release):
-                    await ocu.send(id, message)  # a message to a wildcard cannot be sealed by an operator
-            obey = all(_obeys(report, release=release) for report in found.values())
-            settled = settled + 1 if found and obey and found.keys() == before else 0
-    return found
-
-
-def _obeys(report: ReportStatus, *, release: bool) -> bool:
-    return (report.status == ReportStatus.Status.EMERGENCY) != release
+        return await set_emergency(ocu, to, release=release, within=max_wait)

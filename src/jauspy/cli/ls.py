@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, Final
 
 import typer
 from rich.text import Text
@@ -13,8 +13,12 @@ from jauspy.cli.options import Connect, Json, OwnId
 from jauspy.cli.processes import run
 from jauspy.errors import ResponseTimeout
 from jauspy.ocu import OCU
+from jauspy.ocu.discovery import MAX_SEARCH
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, SubsystemInfo, kind_of
 from jauspy.printable import printable
+
+CORE: Final = "urn:jaus:jss:core:"
+"""Beginning of the names of core services."""
 
 
 def ls(
@@ -22,11 +26,22 @@ def ls(
     connect: Connect = None,
     own_id: OwnId = None,
     timeout: Annotated[
-        float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to listen for answers.")
-    ] = 2.0,
+        float | None,
+        typer.Option(
+            "--timeout",
+            min=0.01,
+            metavar="SECONDS",
+            help="How long to listen for answers. Default: about a second, until all that answered are complete.",
+        ),
+    ] = None,
+    verbose: Annotated[
+        bool, typer.Option("--verbose", "-v", help="Show core services, too, which most components have.")
+    ] = False,
     as_json: Json = False,
 ) -> None:
     """List subsystems, nodes, components and services that answer discovery.
+
+    Core services (Transport, Events, AccessControl, ...) are shown with -v; --json lists everything.
 
     Example:
       jauspy ls --connect udp://192.168.1.20:3794 --timeout 5
@@ -36,23 +51,23 @@ def ls(
         if as_json:
             console.print_json(to_json(subsystem))
         else:
-            console.stdout().print(tree_of(subsystem))
+            console.stdout().print(tree_of(subsystem, verbose=verbose))
     if not found:
         raise ResponseTimeout(
-            f"no component answered within {timeout:g} s; start a robot (`jauspy up inc1`), or give the node manager's "
-            "address with --connect"
+            f"no component answered within {timeout or MAX_SEARCH:g} s; start a robot (`jauspy up inc1`), or give the "
+            "node manager's address with --connect"
         )
 
 
-async def _discover(own_id: str, connect: str | None, max_wait: float) -> list[SubsystemInfo]:
+async def _discover(own_id: str, connect: str | None, max_wait: float | None) -> list[SubsystemInfo]:
     """All subsystems but the client's own."""
     async with OCU(own_id, connect) as ocu:
         found = await ocu.discover_all(timeout=max_wait)
         return [robot.info for robot in found if robot.id != ocu.id.subsystem]
 
 
-def tree_of(subsystem: SubsystemInfo) -> Tree:
-    """A subsystem as a tree of nodes, components, and services with their versions."""
+def tree_of(subsystem: SubsystemInfo, *, verbose: bool = True) -> Tree:
+    """A subsystem as a tree of nodes, components, and services with their versions; core ones only if `verbose`."""
     tree = Tree(_label("subsystem", subsystem.id, subsystem.name, subsystem.kind, style="bold cyan"), guide_style="dim")
     for node in subsystem.nodes:
         branch = tree.add(_label("node", node.id, node.name, kind_of(node.type) if node.type else ""))
@@ -60,6 +75,8 @@ def tree_of(subsystem: SubsystemInfo) -> Tree:
             kind = component.kind if component.type else ""
             leaf = branch.add(_label("component", component.id, component.name, kind, style="bold"))
             for service in component.services:
+                if not verbose and service.urn.startswith(CORE):
+                    continue
                 leaf.add(Text.assemble(service.short, (f"  {service.version}", "dim")))
     return tree
 

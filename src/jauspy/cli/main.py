@@ -32,6 +32,11 @@ VERBS: Final = {
     "ls": ("jauspy.cli.ls:ls", "List subsystems, nodes, components and services that answer discovery."),
     "query": ("jauspy.cli.query:query", "Query a component and print its answer."),
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
+    "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),
+    "console": (
+        "jauspy.cli.operator_console:console_page",
+        "Operate robots in the browser: cameras, driving, arm, emergency stop.",
+    ),
     "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and tell which obeyed."),
     "tf": ("jauspy.cli.tf:tf", "Show the poses of a running robot's frames: each in its parent, or TO in FROM."),
     "map": (
@@ -91,6 +96,12 @@ CELL_VERBS: Final = {
         "jauspy.cli.cell.assemble:assemble",
         "Build an arm with five joints: the UR10 takes modules out of the bins and joins them.",
     ),
+    "lift": (
+        "jauspy.cli.cell.tasks:lift",
+        "Take a box off the moving conveyor with the modular arm, and throw it into the marked area.",
+    ),
+    "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
+    "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
 FUZZ_VERBS: Final = {

@@ -35,9 +35,12 @@ MAX_LINE: Final = 1 << 16
 def run(main: Coroutine[Any, Any, T]) -> T | None:
     """Run `main`; Ctrl-C, SIGTERM and SIGHUP cancel it, so that its `async with` blocks are left in order.
 
-    Returns None after SIGTERM and SIGHUP; Ctrl-C raises `KeyboardInterrupt`.
+    Returns None after SIGTERM and SIGHUP; Ctrl-C raises `KeyboardInterrupt`. SIGINT counts also if this process was
+    started with SIGINT ignored, as by a script with `&`: whoever sends it means this process.
     """
     terminated = False
+    if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+        signal.signal(signal.SIGINT, signal.default_int_handler)
 
     async def guarded() -> T:
         nonlocal terminated

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 from rich.text import Text
@@ -13,10 +13,17 @@ from jauspy.cli.fields import message_from
 from jauspy.cli.options import Connect, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.render import field_lines
+from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
+
+_WITH_SIDES: Final = frozenset(
+    {"y", "yaw", "heading", "velocity_y", "yaw_rate", "acceleration_y", "yaw_acceleration"}
+    | {"propulsive_linear_effort_y", "propulsive_rotational_effort_z"}
+)
+"""Fields whose sign tells left from right."""
 
 Destination = Annotated[
     str, typer.Argument(metavar="ID", help="The component, as in 101.1.102; 65535, 255 and 255 are wildcards.")
@@ -48,12 +55,15 @@ def query(
 
     The answer is YAML on a terminal and one JSON object per line in a pipe. For an id with wildcards, as in 101.1.255,
     all answers within the timeout are printed. Without a presence vector, every field is requested. Lengths are in
-    metres, angles in radians, times in seconds.
+    metres, angles in radians, times in seconds. Poses and velocities of messages have the axes of JAUS: x forward, y
+    right, z down; `jauspy tf` shows poses with y to the left (REP-103).
 
     Examples:
       jauspy query 101.1.102 QueryStatus
       jauspy query 101.1.102 QueryLocalPose presence_vector=0x43
       jauspy query 65535.255.255 QueryIdentification query_type=2
+
+    `jauspy schema show MESSAGE` prints an example of any message, lists and records included.
     """
     to = client.destination(destination)
     known = definitions(sources)
@@ -91,10 +101,20 @@ def _show(answer: Message, source: JausID, *, first: bool = True) -> None:
             "code": f"{answer.CODE:04X}",
             "fields": answer.to_dict(),
         }
+        if has_axes(answer):
+            shown["axes"] = "JAUS"
         console.print_json(shown)
         return
     if not first:
         console.stdout().print(Text("---", style="dim"))
-    console.stdout().print(Text(f"# {answer.NAME} ({answer.CODE:04X}h) from {source}", style="dim"))
+    axes = "; axes of JAUS: x forward, y right, z down" if has_axes(answer) else ""
+    console.stdout().print(Text(f"# {answer.NAME} ({answer.CODE:04X}h) from {source}{axes}", style="dim"))
     for line in list(field_lines(answer, yaml=True)) or [Text("{}")]:
         console.stdout().print(line)
+
+
+def has_axes(message: Message) -> bool:
+    """True for poses, velocities and efforts of the platform, whose axes are easily taken for those of REP-103."""
+    layout = message.layout()
+    names = {slot.name for slot in layout.slots} if isinstance(layout, Composite) else set()
+    return ":mobility:" in message.SERVICE and not names.isdisjoint(_WITH_SIDES)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from contextlib import suppress
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 
 import typer
 
@@ -15,19 +15,17 @@ from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
-from jauspy.errors import ConfigError, ControlRejected, ResponseTimeout
+from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.ids import JausID
-from jauspy.messages.core import QueryControl, QueryEventTimeout, QueryStatus, ReportControl, ReportStatus
+from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.ocu import OCU
+from jauspy.ocu.explain import TAKE_CONTROL, needs_control
 from jauspy.ocu.service import ServiceClient
 from jauspy.services.command_timeout import CONTINUOUS_COMMANDS
 
 REPEAT_INTERVAL: Final = 0.2
 """Seconds between two efforts, velocities or vectors during --hold."""
 ACCESS_CONTROL: Final = "urn:jaus:jss:core:AccessControl"
-_UNCONTROLLED_SERVICES: Final = frozenset(
-    {"Transport", "Events", "EventsClient", "AccessControl", "Discovery", "Liveness"}
-)
 
 
 def send(
@@ -66,12 +64,17 @@ def send(
 
     Most commands take effect only if their sender controls the component. --control takes control, resumes the
     component, sends, waits until the command has been carried out (--within) or for --hold seconds, then sends Standby
-    and releases control; losing control meanwhile is an error. Without --control the message is sent, and a note on
-    stderr names what may prevent its effect.
+    and releases control. Exit status 1 tells that control was lost meanwhile, that the component ignores the command
+    (not offered, wrong joints, out of range, not Ready), or that it did not acknowledge Standby and release. Without
+    --control the message is sent, and a note on stderr names what may prevent its effect.
 
     Examples:
       jauspy send 101.1.102 SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2
       jauspy send 101.1.102 SetEmergency emergency_code=STOP
+      jauspy send 101.1.103 SetJointEffort 'joint_effort_list=[{joint_effort: 10}]' --control 200 --hold 1
+      jauspy send 101.1.102 SetTime 'time_stamp={milliseconds: 0, seconds: 0, minutes: 30, hour: 12, day: 1}'
+
+    `jauspy schema show MESSAGE` prints an example of any message, lists and records included.
     """
     if control is None and hold:
         raise typer.BadParameter("it requires --control", param_hint="--hold")
@@ -102,35 +105,20 @@ async def _send(ocu: OCU, to: JausID, command: Message) -> str:
 
 async def _obstacle(ocu: OCU, to: JausID, command: Message) -> str:
     """Why a component may not have carried out a command."""
-    # Every component answers QueryEventTimeout, whatever services it offers.
-    queries = QueryControl(), QueryStatus(), QueryEventTimeout()
-    answers: list[Any] = await asyncio.gather(*(ocu.query(to, each) for each in queries), return_exceptions=True)
-    control, status, _ = answers
+    reason = await ocu.explain(to, command)
     if ocu.stats.refused:
         return ""  # the log says why
-    if all(isinstance(each, BaseException) for each in answers):
-        return f"sent, but {to} does not answer queries and may not exist; `jauspy ls` lists the components"
-    if (
-        command.NAME == "ClearEmergency"
-        and isinstance(status, ReportStatus)
-        and status.status == status.Status.EMERGENCY
-    ):
-        return (
-            f"sent, but {to} is still in EMERGENCY; only the id that set it can clear it; this is {ocu.id} (see --id)"
-        )
-    if isinstance(control, ReportControl) and _needs_control(command):
-        holder = JausID(control.subsystem_id, control.node_id, control.component_id)
-        who = str(holder) if int(holder) else "nobody"
-        if holder != ocu.id:
-            return f"sent, but {to} accepts commands only from its controller, {who}; use --control AUTHORITY"
+    if command.NAME == "ClearEmergency":
+        reason = reason or await _still_in_emergency(ocu, to)
+    return f"sent, but {reason.replace(TAKE_CONTROL, 'use --control AUTHORITY')}" if reason else ""
+
+
+async def _still_in_emergency(ocu: OCU, to: JausID) -> str:
+    with suppress(ResponseTimeout):
+        status = await ocu.query(to, QueryStatus(), expects=ReportStatus)
+        if status.status == ReportStatus.Status.EMERGENCY:
+            return f"{to} is still in EMERGENCY; only the id that set it can clear it; this is {ocu.id} (see --id)"
     return ""
-
-
-def _needs_control(command: Message) -> bool:
-    """False for messages that need no control: those of the core services except Management, and emergencies."""
-    if not command.IS_COMMAND or command.NAME in {"SetEmergency", "ClearEmergency"}:
-        return False
-    return command.SERVICE.rpartition(":")[2] not in _UNCONTROLLED_SERVICES
 
 
 async def send_in_control(
@@ -150,13 +138,29 @@ async def send_in_control(
             else:
                 await client.perform(command, within=within)
             repeats = asyncio.create_task(_repeat(client, command))
+            explained = asyncio.create_task(_ignored(client, command))
             try:
                 with suppress(TimeoutError):
                     await asyncio.wait_for(control.until_lost(), hold)
+                control.check()
+                reason = await explained
             finally:
-                repeats.cancel()
-                await asyncio.wait({repeats})
+                for each in (repeats, explained):
+                    each.cancel()
+                await asyncio.wait({repeats, explained})
             control.check()
+        if control.released is False:
+            raise ResponseTimeout(
+                f"{to} did not acknowledge Standby and ReleaseControl: it was ended, or the connection is lost; if it "
+                f"still runs, it stops when it misses its controller (access control's time-out: {control.timeout:g} s)"
+            )
+        if reason:
+            raise RequestError(f"{command.NAME} was sent, but {reason}")
+
+
+async def _ignored(client: ServiceClient, command: Message) -> str:
+    """Why the component ignores the command, as far as its state tells; empty if it may have taken it."""
+    return await client.explain(command) if needs_control(command) else ""
 
 
 async def _repeat(client: ServiceClient, command: Message) -> None:

@@ -220,10 +220,10 @@ def _head(look: RobotStatus) -> Table:
 
 
 def _motion(snapshot: Snapshot) -> str:
-    """In JAUS axes, as LocalPoseSensor reports them: y and yaw grow to the right."""
+    """In the axes of REP-103, as all commands show poses: y and yaw grow to the left."""
     pose, twist = snapshot.pose, snapshot.twist
-    where = f"x {_signed(pose.x, 2)} m  y {_signed(-pose.y, 2)} m  yaw {_signed(-math.degrees(pose.yaw), 1)}°"
-    return f"{where},  {_signed(twist.vx, 2)} m/s  {_signed(-math.degrees(twist.wz), 1)}°/s"
+    where = f"x {_signed(pose.x, 2)} m  y {_signed(pose.y, 2)} m  yaw {_signed(math.degrees(pose.yaw), 1)}°"
+    return f"{where},  {_signed(twist.vx, 2)} m/s  {_signed(math.degrees(twist.wz), 1)}°/s  (y, yaw: left)"
 
 
 def _signed(value: float, digits: int) -> str:

@@ -51,6 +51,10 @@ ANSWERS: Final = ("Report", "Confirm", "Reject")
 MAX_LOOPS: Final = 16
 """Maximal nesting of lists and arrays; Python allows 20 nested blocks."""
 
+PRESENCE_VECTOR: Final = "presence_vector"
+"""The field of queries that says which optional fields the report is to have."""
+NO_DEFAULTS: Final[Mapping[str, int]] = {}
+
 _OWN_NAMES: Final = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND", "IS_QUERY", "REPORT"})
 
 
@@ -245,6 +249,16 @@ class _SharedTypes:
         return self._classes[key]
 
 
+def _defaults(one: _Planned, parts: _Parts) -> Mapping[str, int]:
+    """The presence vector of a query that asks for all fields of its report, where that is its last required field."""
+    required = [slot.name for slot in parts.slots if not slot.optional]
+    body = one.answer.message.body if one.answer is not None else None
+    if not isinstance(body, m.Record | m.Sequence) or body.presence is None or required[-1:] != [PRESENCE_VECTOR]:
+        return NO_DEFAULTS
+    nodes: Sequence[m.Node] = body.fields if isinstance(body, m.Record) else body.items
+    return {PRESENCE_VECTOR: (1 << sum(node.optional for node in nodes)) - 1}
+
+
 def _bare(node: m.Node) -> m.Node:
     return replace(node, optional=False, doc="")
 
@@ -264,7 +278,7 @@ class _Owner:
         """The class of a message; its body's fields become its own attributes."""
         message = one.message
         parts = self._parts(message.body) if message.body is not None else _Parts()
-        names = self._composite(parts, self.name, _summary(message))
+        names = self._composite(parts, self.name, _summary(message), _defaults(one, parts))
         made = declare.message(
             declare.Service(*one.service.key),
             message.code,
@@ -287,13 +301,15 @@ class _Owner:
         nested = self._nested if is_owner else {}
         return {**place, "__doc__": doc, "__annotations__": dict(kinds), **nested, **values}
 
-    def _composite(self, parts: _Parts, name: str, doc: str) -> dict[str, Any]:
+    def _composite(
+        self, parts: _Parts, name: str, doc: str, defaults: Mapping[str, int] = NO_DEFAULTS
+    ) -> dict[str, Any]:
         """The names of a message, record or sequence."""
         kinds, values = {}, {}
         for slot in parts.slots:
-            optional: Any = {"default": None} if slot.optional else {}
+            given: Any = {"default": defaults[slot.name]} if slot.name in defaults else {}
             kinds[slot.name] = type_of(slot.item) | None if slot.optional else type_of(slot.item)
-            values[slot.name] = declare.field(slot.jaus, slot.item, **optional)
+            values[slot.name] = declare.field(slot.jaus, slot.item, **({"default": None} if slot.optional else given))
         if Composite(Struct, tuple(parts.slots), parts.presence).undefined:
             kinds["reserved_presence"], values["reserved_presence"] = int, 0
         return self._names(name, _doc(doc, parts.rows, name), kinds, values)

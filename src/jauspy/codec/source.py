@@ -173,8 +173,9 @@ class _Writer:
     def _value(self, default: object, part: Slot | Bit | None) -> str:
         match part:
             case Slot():
-                optional = ", default=None" if part.optional else ""
-                return f" = jd.field({quote(part.jaus)}, {self._lazy(part.item)}{optional})"
+                value = f"0x{default:X}" if isinstance(default, int) else repr(default)  # a presence vector, or None
+                known = "" if default is MISSING else f", default={value}"
+                return f" = jd.field({quote(part.jaus)}, {self._lazy(part.item)}{known})"
             case Bit():
                 values = "" if part.values.anything else f", {self._lazy(part.values)}"
                 return f" = jd.bits({part.shift}, 0x{part.mask:X}{values})"

@@ -19,7 +19,7 @@ from jauspy.modules.mounting import frame_of, mounted_camera, mounted_force_torq
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
-from jauspy.protocol.header import Packet
+from jauspy.protocol.header import Broadcast, Packet
 from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
 from jauspy.services.environment_sensing import VideoSource, VideoStreams
@@ -38,6 +38,8 @@ MAY_MOVE: Final = ("Controlled", "Available", "Ready")
 
 ANNOUNCEMENT_PERIOD: Final = 5.0
 """Seconds between two queries."""
+CONSOLE_SILENCE: Final = 10.0
+"""Seconds without a packet from a console that has answered, after which it may have left."""
 
 LIST_DRIVERS: Final = ("ManipulatorJointPositionListDriver", "ManipulatorEndEffectorPoseListDriver")
 """Services that carry out the component's list, with a ManipulatorListDriver."""
@@ -190,22 +192,33 @@ class Watchdog:
 class Announcement:
     """Makes a component known to a console that waits for a query, as those of the IGVC judges did until 2013.
 
-    Queries the identification of `console` every `ANNOUNCEMENT_PERIOD`, until it answers.
+    Queries the identification of `console` every `ANNOUNCEMENT_PERIOD`, until it answers; and again once it has been
+    silent for `CONSOLE_SILENCE`, for the next console of this id. The queries are multicast, too, because the next one
+    may be on another machine.
     """
 
     def __init__(self, host: Host, console: JausID) -> None:
         self._host = host
         self._console = console
+        self._last_heard: float | None = None
+        """When the console was heard last, once it has answered."""
         self._query()
 
     def intercept(self, packet: Packet) -> bool:
         """Handle the answer of the console; all other packets are passed to the services."""
-        code = int.from_bytes(packet.payload[:2], "little")
-        if packet.source != self._console or code != ReportIdentification.CODE:
+        if packet.source != self._console:
             return False
-        self._host.cancel_timer("announcement")
-        return True
+        is_answer = int.from_bytes(packet.payload[:2], "little") == ReportIdentification.CODE
+        if is_answer or self._last_heard is not None:
+            self._last_heard = self._host.now
+        return is_answer
 
     def _query(self) -> None:
-        self._host.set_timer("announcement", self._host.now + ANNOUNCEMENT_PERIOD, self._query)
-        self._host.send(self._console, QueryIdentification(QueryIdentification.QueryType.SUBSYSTEM))
+        now = self._host.now
+        if self._last_heard is not None and now < self._last_heard + CONSOLE_SILENCE:
+            self._host.set_timer("announcement", self._last_heard + CONSOLE_SILENCE, self._query)
+            return
+        self._last_heard = None
+        self._host.set_timer("announcement", now + ANNOUNCEMENT_PERIOD, self._query)
+        query = QueryIdentification(QueryIdentification.QueryType.SUBSYSTEM)
+        self._host.send(self._console, query, broadcast=Broadcast.GLOBAL)

@@ -245,7 +245,7 @@ class RobotRunner:
             sent_at = clock()
             realtime.alive()
             await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
-            if self._modules and clock() - sent_at > HEARTBEAT_TIMEOUT:
+            if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
                 _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
 
     def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:

@@ -8,7 +8,6 @@ from typing import Final
 
 from jauspy.component.component import Component
 from jauspy.errors import TransportError
-from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.modules.config import ModuleConfig
 from jauspy.services.core import Discovery
@@ -71,6 +70,7 @@ class RunningModules:
             if component is not None and not present:
                 await self._close(at)
             elif component is None and present and now - self._tried.get(at, -RETRY_DELAY) >= RETRY_DELAY:
+                await asyncio.sleep(0)  # making one takes 20 ms, and others may wait for the event loop
                 try:
                     await self._open(at)
                 except TransportError as error:
@@ -91,15 +91,12 @@ class RunningModules:
         _list_each_other(component.host, others)
 
     async def _close(self, at: int) -> None:
-        component = self._components.pop(at)
+        component = self._components[at]
         for host in self.hosts():
-            if (discovery := host.service(Discovery)) is not None:
+            if host is not component.host and (discovery := host.service(Discovery)) is not None:
                 discovery.remove_local(component.id)
         await component.close()
-
-    def ids(self) -> list[JausID]:
-        """The ids of the components that are open."""
-        return [component.id for component, _ in self.open]
+        del self._components[at]
 
 
 def _list_each_other(new: Host, others: Iterable[Host]) -> None:

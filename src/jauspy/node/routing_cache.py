@@ -16,6 +16,9 @@ CACHE_LIFETIME: Final = 0.5
 """Seconds after which the cache is cleared, so that what the router learns from packets is at most this much late."""
 MAX_ROUTES: Final = 1024
 
+_BROADCAST: Final = 0x0C
+"""The bits of the control byte with the broadcast flag."""
+_GLOBAL: Final = header.Broadcast.GLOBAL << 2
 _IDS: Final = 0xFFFFFFFF
 _unpack_plain: Final = struct.Struct("<IBQxx").unpack_from
 """Version, flags and data size as one number, the control byte, and destination and source as one number."""
@@ -43,10 +46,10 @@ class RoutingCache:
     def forward(self, datagram: bytes, port: Port) -> bool:
         """Send a datagram from `port` by its cached route; false if the router must process it."""
         try:
-            start, _, ids = _unpack_plain(datagram)
+            start, control, ids = _unpack_plain(datagram)
         except struct.error:
             return False
-        if start != (len(datagram) - 1) << 16 | header.VERSION:
+        if start != (len(datagram) - 1) << 16 | header.VERSION or control & _BROADCAST == _GLOBAL:
             return False
         route = self._routes.get((port, ids)) or self._find(port, ids)
         if route is None:

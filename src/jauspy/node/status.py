@@ -49,6 +49,7 @@ class NodeState:
             "networks": [self._network(name, network) for name, network in self.networks.items()],
             "components": [self._component(id, format_port(port)) for id, port in sorted(self.router.components)],
             "peers": [self._peer(*entry) for entry in self.router.address_book],
+            "clashes": [self._clash(*entry) for entry in self.router.clashes.recent(self.now)],
             "queues": {"ingress": self.ingress, "unknown_destinations": self.router.pending_messages},
             "counters": dict(sorted(self.router.counters.items())),
         }
@@ -67,6 +68,9 @@ class NodeState:
 
     def _component(self, id: int, path: str) -> dict[str, Any]:
         return {"id": str(JausID.from_int(id)), "path": path, "waiting": self.queued.get(path, 0)}
+
+    def _clash(self, id: int, port: NetworkPort, heard: float) -> dict[str, Any]:
+        return {"id": str(JausID.from_int(id)), "address": format_port(port), "heard": round(heard, 3)}
 
     def _peer(self, id: int, port: NetworkPort, heard: float | None) -> dict[str, Any]:
         return {

@@ -5,13 +5,13 @@
 from __future__ import annotations
 
 import asyncio
-import socket
+from collections import deque
 from collections.abc import AsyncGenerator
-from contextlib import suppress
-from typing import TYPE_CHECKING, Final
+from contextlib import aclosing, asynccontextmanager, suppress
+from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
 from jauspy.arguments import check_number
-from jauspy.errors import ConfigError, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout, TransportError
 from jauspy.messages.environment_sensing import (
     ConfirmDigitalResourceEndpoint as Confirm,
     QueryVisualSensorCapabilities,
@@ -25,9 +25,11 @@ from jauspy.ocu.stills import Photo
 from jauspy.ocu.subsystems import ComponentInfo
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP
 from jauspy.video import need_video
+from jauspy.video.h264_payload import Picture
+from jauspy.video.receiver import RtpReceiver
 
 if TYPE_CHECKING:
-    from jauspy.video.frames import Frame, FrameReader
+    from jauspy.video.frames import Frame
 
 VIDEO: Final = "DigitalVideo"
 ENDPOINTS: Final = "DigitalResourceDiscovery"
@@ -36,7 +38,60 @@ RENEWAL_INTERVAL: Final = 60.0
 """Seconds between two registrations; a robot removes an endpoint after five minutes."""
 SILENCE: Final = 5.0
 """Seconds without a frame after which `frames` raises, once the video runs."""
-_LOOPBACK: Final = "127.0.0.1"
+MAX_WAITING: Final = 64
+"""Encoded pictures that wait to be read; the oldest go first."""
+
+
+P_co = TypeVar("P_co", covariant=True)
+
+
+class Reader(Protocol[P_co]):
+    """Reads the video that one camera sends."""
+
+    @property
+    def receiver(self) -> RtpReceiver:
+        """What receives the packets."""
+        ...
+
+    def fileno(self) -> int:
+        """For an event loop: readable when packets have arrived."""
+        ...
+
+    def take(self) -> P_co | None:
+        """The next picture; None until more packets arrive."""
+        ...
+
+    def close(self) -> None:
+        """Stop receiving."""
+        ...
+
+
+R = TypeVar("R", bound=Reader[Any])
+
+
+class PictureReader:
+    """Encoded pictures in order; after a loss, none until the next IDR picture."""
+
+    def __init__(self, host: str) -> None:
+        self.receiver = RtpReceiver(host)
+        self._waiting: deque[Picture] = deque(maxlen=MAX_WAITING)
+        self._broken = True
+
+    def fileno(self) -> int:
+        """For an event loop: readable when packets have arrived."""
+        return self.receiver.fileno()
+
+    def take(self) -> Picture | None:
+        """The next picture; None until more packets arrive."""
+        for picture in self.receiver.take():
+            self._broken = not picture.whole or (self._broken and not picture.is_idr)
+            if not self._broken:
+                self._waiting.append(picture)
+        return self._waiting.popleft() if self._waiting else None
+
+    def close(self) -> None:
+        """Stop receiving."""
+        self.receiver.close()
 
 
 class Camera:
@@ -65,20 +120,27 @@ class Camera:
 
         component, sensor = await self._find()
         host = address or await self._own_address(component)
-        reader = FrameReader(host)
-        try:
-            url = f"rtp://{f'[{host}]' if ':' in host else host}:{reader.receiver.port}"
-            endpoint = await self._register(component, sensor, url)
-            renewal = asyncio.create_task(self._renew(component, sensor, url), name=f"video of {component.id}")
-            try:
-                async for frame in self._received(reader, url, component, timeout):
-                    yield frame
-            finally:
-                renewal.cancel()
-                with suppress(RequestError):  # a camera that is gone sends no video
-                    await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
-        finally:
-            reader.close()
+        async with (
+            self._registered(component, sensor, FrameReader(host), host) as (reader, url),
+            aclosing(self._received(reader, url, component, timeout)) as frames,
+        ):
+            async for frame in frames:
+                yield frame
+
+    async def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> AsyncGenerator[Picture, None]:
+        """Pictures as the camera encodes them (H.264), from a whole IDR picture on; otherwise as `frames`.
+
+        Pictures of which packets were lost are left out, with those that depend on them, until the next IDR picture.
+        """
+        check_number(timeout, "timeout")
+        component, sensor = await self._find()
+        host = address or await self._own_address(component)
+        async with (
+            self._registered(component, sensor, PictureReader(host), host) as (reader, url),
+            aclosing(self._received(reader, url, component, timeout)) as pictures,
+        ):
+            async for picture in pictures:
+                yield picture
 
     async def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
         """An image as the content of a file; see `ServiceClient.still`."""
@@ -124,12 +186,9 @@ class Camera:
         return [(int(each.sensor_id), str(getattr(each, "sensor_name", ""))) for each in rows]
 
     async def _own_address(self, component: ComponentInfo) -> str:
-        location = await self._connection.locate(component.id)
-        if location.is_here:
-            return _LOOPBACK
-        for host in sorted(location.hosts):
-            if (found := _address_towards(host)) is not None:
-                return found
+        found = await self._connection.address_towards(component.id)
+        if found is not None:
+            return found
         raise ConfigError(
             f"it is not known on which machine {component.id} is; name the address of this machine to which it is to "
             "send: frames(address=...)"
@@ -148,6 +207,33 @@ class Camera:
             )
         return answer.id
 
+    @asynccontextmanager
+    async def _registered(
+        self, component: ComponentInfo, sensor: int, reader: R, host: str
+    ) -> AsyncGenerator[tuple[R, str], None]:
+        """The camera sends to the reader; with the URL that it was given.
+
+        This ends when the OCU is closed, too: Python ends a loop that was left by `break` some time later.
+        """
+        try:
+            url = f"rtp://{f'[{host}]' if ':' in host else host}:{reader.receiver.port}"
+            endpoint = await self._register(component, sensor, url)
+            renewal = asyncio.create_task(self._renew(component, sensor, url), name=f"video of {component.id}")
+
+            async def end() -> None:
+                if not renewal.cancelling():
+                    renewal.cancel()
+                    with suppress(RequestError, TransportError):  # a camera that is gone sends no video
+                        await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
+
+            with self._connection.on_close(end):
+                try:
+                    yield reader, url
+                finally:
+                    await end()
+        finally:
+            reader.close()
+
     async def _renew(self, component: ComponentInfo, sensor: int, url: str) -> None:
         while True:
             await asyncio.sleep(RENEWAL_INTERVAL)
@@ -155,12 +241,12 @@ class Camera:
                 await self._register(component, sensor, url)
 
     async def _received(
-        self, reader: FrameReader, url: str, component: ComponentInfo, timeout: float
-    ) -> AsyncGenerator[Frame, None]:
-        loop, arrived, patience = asyncio.get_running_loop(), asyncio.Event(), timeout
-        loop.add_reader(reader.fileno(), arrived.set)
+        self, reader: Reader[P_co], url: str, component: ComponentInfo, timeout: float
+    ) -> AsyncGenerator[P_co, None]:
+        loop, arrived, descriptor = asyncio.get_running_loop(), asyncio.Event(), reader.fileno()
+        loop.add_reader(descriptor, arrived.set)
         try:
-            end = loop.time() + patience
+            end = loop.time() + timeout
             while True:
                 frame = reader.take()
                 if frame is not None:
@@ -174,24 +260,13 @@ class Camera:
                 except TimeoutError:
                     raise ResponseTimeout(_nothing(component, url, reader)) from None
         finally:
-            loop.remove_reader(reader.fileno())
+            loop.remove_reader(descriptor)
 
 
-def _nothing(component: ComponentInfo, url: str, reader: FrameReader) -> str:
+def _nothing(component: ComponentInfo, url: str, reader: Reader[P_co]) -> str:
     counters = dict(reader.receiver.counters)
     what = f"what arrived could not be used ({counters})" if counters else "no packet arrived"
     return (
         f"{component.id} sends no picture to {url}: {what}; its camera may still be starting, or a firewall or another "
         "network be in between (`address` says where it is to send)"
     )
-
-
-def _address_towards(host: str) -> str | None:
-    """The address of this machine from which packets to `host` are sent; nothing is sent."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    with socket.socket(family, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.connect((host, 9))
-        except OSError:
-            return None
-        return str(probe.getsockname()[0])

@@ -12,14 +12,15 @@ from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
 from types import TracebackType
-from typing import TYPE_CHECKING, Any, Self, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Final, Self, TypeVar, overload
 
 from jauspy.arguments import async_only, check_text, described
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Component, ComponentOptions
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
+from jauspy.logs import get_logger
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
 from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.explain import explain
@@ -36,6 +37,10 @@ from jauspy.transport.connect import transport_for
 
 R = TypeVar("R", bound=Message)
 
+_LOG: Final = get_logger("jauspy.ocu")
+
+CLASH_INTERVAL: Final = 5.0
+"""Seconds between two looks for another machine with the same id."""
 _OCU_TYPE = 20001
 _COMPONENT_TYPE = 60001
 _NODE_TYPE = 40001
@@ -123,6 +128,8 @@ class OCU:
         at_exit = partial(self._close_at_exit, loop)
         atexit.register(at_exit)
         self._stack.callback(atexit.unregister, at_exit)
+        watch = loop.create_task(self._watch_id(), name=f"id clashes of {self.id}")
+        self._stack.callback(watch.cancel)
 
     async def close(self) -> None:
         """Put controlled components in Standby, release them, cancel events, disconnect; without effect when closed.
@@ -139,6 +146,14 @@ class OCU:
             self._stack.close()
             self._connection.detach()
             await component.close()
+
+    async def _watch_id(self) -> None:
+        """Warn of another machine with the same id, also if all is well here: the other program gets no answers."""
+        clash = ""
+        while not clash:
+            await asyncio.sleep(CLASH_INTERVAL)
+            clash = await self._connection.id_clash()
+        _LOG.warning("%s", clash)
 
     def _close_at_exit(self, loop: asyncio.AbstractEventLoop) -> None:
         """Close an OCU that the program left open, if its event loop can still run."""
@@ -175,20 +190,36 @@ class OCU:
         """The robot of this number: another name of `discover`."""
         return await self.discover(subsystem, timeout=timeout)
 
-    async def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
-        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
+    async def discover_all(self, *, timeout: float | None = None) -> tuple[Robot, ...]:
+        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers.
+
+        Without `timeout` this takes a second when whatever has answered has told all of itself, and else 2 s.
+        """
         return tuple(Robot(self._connection, each) for each in await discover_all(self._connection, timeout))
 
     async def watch(
-        self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0
+        self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0, parts: bool = False
     ) -> AsyncGenerator[News, None]:
-        """`async for news in ocu.watch()`: yields what is present, and then what appears, changes and vanishes.
+        """`async for news in ocu.watch()`: yields the robots that are present, and then each that comes, changes, goes.
 
+        One event for each robot (and other subsystem), whose `components` are in it: `Appeared`, `Changed` with what it
+        was before, and `Vanished`. With `parts`, one for each subsystem, node, component and service.
         All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
         `subsystem` restricts this to one. A slow reader gets the difference to what it read last.
         """
-        async for news in watch(self._connection, subsystem, interval, silence):
+        async for news in watch(self._connection, subsystem, interval, silence, parts=parts):
             yield news
+
+    async def address_towards(self, destination: str | JausID) -> str:
+        """The IP address of this machine that routes to a component, as for video that it is to send here.
+
+        Raises `RequestError` while it is not known on which machine the component is: nothing was received from it.
+        """
+        id = JausID.of(destination)
+        found = await self._connection.address_towards(id)
+        if found is None:
+            raise RequestError(f"it is not known on which machine {id} is, so no address of this machine routes to it")
+        return found
 
     # --- without discovery ----------------------------------------------------------------------------------------
 

@@ -137,6 +137,9 @@ class Control:
         """Seconds after which the component takes control back from a silent client; 0 when it never does."""
         self.lost = ""
         """Why control was lost; empty while it is held."""
+        self.released: bool | None = None
+        """After the block: true when the component has acknowledged Standby and release; false when it has not, and
+        may move on until its time-outs. None before, and when another client has taken control."""
         self._connection = connection
         self._retry = retry
         self._status = ControlStatus(connection, id, retry)
@@ -177,7 +180,7 @@ class Control:
 
     async def __aenter__(self) -> Self:
         self._connection.controls.add(self.id, self)
-        self.lost = ""
+        self.lost, self.released = "", None
         self._taken = self._returned = self._was_ready = self._may_leave_ready = False
         self._ended.clear()
         try:
@@ -350,10 +353,15 @@ class Control:
 
     async def _release(self) -> None:
         """Standby must arrive first: a component ignores commands of a client that has released control."""
+        self.released = False
         try:
-            await self._connection.deliver(self.id, Standby())
-            if not await self._released():
+            stands = await self._connection.deliver(self.id, Standby())
+            left = await self._released()
+            if not left:
                 self._try_send(ReleaseControl(), Ack.REQUIRED)  # resent in the background
+            self.released = stands and left
+            if not self.released:
+                _LOG.warning("%s did not acknowledge Standby and release of control; it may move on", self.id)
         except BaseException:
             self._try_send(ReleaseControl(), Ack.REQUIRED)
             raise

@@ -31,6 +31,7 @@ from jauspy.messages.core import (
     ReportServices,
 )
 from jauspy.ocu.connection import Connection
+from jauspy.ocu.robot_news import Difference, RobotNews
 from jauspy.ocu.subsystems import (
     INTRODUCTION_TIME,
     ComponentInfo,
@@ -48,12 +49,16 @@ POLL_INTERVAL: Final = 0.05
 """Seconds after which `discover` checks the tree again."""
 QUIET_TIME: Final = 0.15
 """Seconds without new facts after which a subsystem that is complete is returned."""
+MAX_SEARCH: Final = 2.0
+"""Seconds that `discover_all` takes at most without a timeout."""
 MIN_ROUNDS: Final = 2
 """Rounds before a subsystem counts as complete: queries to a component, or its answers, may get lost."""
 MAX_FOLLOW_UPS: Final = 64
 """Queries to single components in one round, so that a flood of answers does not cause a flood of queries."""
 PROBES_PER_INTERVAL: Final = 4
 """How often in each interval `watch` queries components that have not answered the broadcast: packets get lost."""
+MIN_PAUSE: Final = 0.02
+"""Seconds between two looks of `watch`, so that it does not keep the event loop busy."""
 COALESCE_TIME: Final = 0.1
 """Seconds that `watch` waits for further reports before it yields changes."""
 
@@ -70,7 +75,7 @@ class Appeared:
 
 @dataclass(frozen=True, slots=True)
 class Changed:
-    """A subsystem, node or component has another name or type."""
+    """A robot has other components, or one of them has other services; a part has another name or type."""
 
     id: JausID
     before: SubsystemPart
@@ -100,22 +105,29 @@ async def discover(connection: Connection, subsystem: int, timeout: float) -> Su
     tree = await _search(connection, subsystem, timeout)
     found = next((each for each in tree.subsystems() if each.id == subsystem), None)
     if found is None:
-        raise ResponseTimeout(_no_such_subsystem(subsystem, tree, timeout))
+        clash = await connection.id_clash()
+        missing = f"subsystem {subsystem} did not answer for {timeout:g} s: {clash}" if clash else ""
+        raise ResponseTimeout(missing or _no_such_subsystem(subsystem, tree, timeout))
     return found
 
 
-async def discover_all(connection: Connection, timeout: float) -> tuple[SubsystemInfo, ...]:
-    """Every subsystem that answers within `timeout` seconds; returns after that time."""
+async def discover_all(connection: Connection, timeout: float | None) -> tuple[SubsystemInfo, ...]:
+    """Every subsystem that answers within `timeout` seconds; without it, as soon as all that answered are complete."""
+    check_number(timeout, "timeout", optional=True)
+    if timeout is None:
+        return (await _search(connection, None, MAX_SEARCH, may_end_early=True)).subsystems()
     return (await _search(connection, None, timeout)).subsystems()
 
 
-async def _search(connection: Connection, subsystem: int | None, timeout: float) -> SubsystemTree:
+async def _search(
+    connection: Connection, subsystem: int | None, timeout: float, *, may_end_early: bool = False
+) -> SubsystemTree:
     check_number(timeout, "timeout")
     if not timeout > 0:
         raise ConfigError(f"timeout {timeout} s must be above 0")
     tree, own_id = SubsystemTree(), connection.id
     clock = asyncio.get_running_loop().time
-    end = clock() + timeout
+    end, size = clock() + timeout, 0
 
     def on_report(message: Message, source: JausID) -> None:
         if source != own_id:
@@ -126,6 +138,9 @@ async def _search(connection: Connection, subsystem: int | None, timeout: float)
             _broadcast_queries(connection, subsystem)
             _query_missing(connection, tree, subsystem)
             complete = await _completed(tree, subsystem, min(end, clock() + ROUND_INTERVAL), connection)
+            if may_end_early and rounds >= MIN_ROUNDS and size == tree.size and _is_complete(tree):
+                break
+            size = tree.size
             if (complete and rounds >= MIN_ROUNDS) or clock() >= end:
                 break
     return tree
@@ -144,6 +159,12 @@ async def _completed(tree: SubsystemTree, subsystem: int | None, end: float, con
         elif subsystem is not None and tree.is_complete(subsystem) and clock() - changed_at >= QUIET_TIME:
             return True
     return False
+
+
+def _is_complete(tree: SubsystemTree) -> bool:
+    """True when something has answered, and all of it is known."""
+    numbers = {each.subsystem for each in tree}
+    return bool(numbers) and all(map(tree.is_complete, numbers))
 
 
 def _query_missing(connection: Connection, tree: SubsystemTree, subsystem: int | None) -> None:
@@ -174,8 +195,13 @@ def _no_such_subsystem(subsystem: int, tree: SubsystemTree, timeout: float) -> s
 # --- continuously -----------------------------------------------------------------------------------------------------
 
 
-async def watch(connection: Connection, subsystem: int | None, interval: float, silence: float) -> AsyncIterator[News]:
-    """Yield all present parts, then every change; a slow reader gets the difference to what it read last."""
+async def watch(
+    connection: Connection, subsystem: int | None, interval: float, silence: float, *, parts: bool
+) -> AsyncIterator[News]:
+    """Yield what is present, then every change; a slow reader gets the difference to what it read last.
+
+    One event for each robot, or, with `parts`, for each subsystem, node, component and service.
+    """
     check_number(subsystem, "a subsystem", whole=True, optional=True)
     check_number(interval, "interval")
     check_number(silence, "silence")
@@ -192,6 +218,7 @@ async def watch(connection: Connection, subsystem: int | None, interval: float, 
             received.set()
 
     before: _Parts = {}
+    robots = RobotNews(interval + COALESCE_TIME)
     query_at, expire_at, probe_at = clock(), -math.inf, clock()
     kinds = (ReportIdentification, ReportServices, ReportHeartbeatPulse)
     with connection.replies.listening(EVERYONE, on_report, *kinds):
@@ -209,11 +236,16 @@ async def watch(connection: Connection, subsystem: int | None, interval: float, 
                 probe_at = clock() + interval / PROBES_PER_INTERVAL
             if clock() >= expire_at:
                 tree.expire(clock() - silence)
-            now = _parts(tree.subsystems(clock()))
-            for each in _differences(before, now):
-                yield each
-            before = now
-            if await _next_reports(received, min(query_at, probe_at, tree.next_introduction(clock()) or query_at)):
+            if parts:
+                now = _parts(tree.subsystems(clock()))
+                for each in _differences(before, now):
+                    yield each
+                before = now
+            else:
+                for difference in robots.update(tree.subsystems(clock()), tree.is_complete, clock()):
+                    yield _news(difference)
+            wake_at = min(query_at, probe_at, tree.next_introduction(clock()) or query_at, robots.next_at() or query_at)
+            if await _next_reports(received, max(wake_at, clock() + MIN_PAUSE)):
                 _query_unknown(connection, tree, clock() - INTRODUCTION_TIME)
 
 
@@ -235,6 +267,15 @@ def _query_unknown(connection: Connection, tree: SubsystemTree, since: float) ->
         queries += [(id, QueryIdentification(query_type=level)) for id in tree.unnamed(level, since=since)]
     for id, query in queries[:MAX_FOLLOW_UPS]:
         connection.send(id, query)
+
+
+def _news(difference: Difference) -> News:
+    before, now = difference.before, difference.now
+    if now is None:
+        assert before is not None
+        return Vanished(JausID(before.id, 0, 0), before)
+    id = JausID(now.id, 0, 0)
+    return Appeared(id, now) if before is None else Changed(id, before, now)
 
 
 def _parts(subsystems: tuple[SubsystemInfo, ...]) -> _Parts:

@@ -35,7 +35,6 @@ from jauspy.ocu.streaming import CommandStream
 RATE: Final = 10.0
 """Hz at which a velocity is repeated."""
 VELOCITY, WRENCH = "mobility:VelocityStateDriver", "mobility:PrimitiveDriver"
-ALL_OF_A_POSE: Final = 0x1FF
 X_AND_YAW: Final = 0b100001
 """Presence vector of a velocity: forward and about z."""
 ROUNDING: Final = 1e-3
@@ -102,10 +101,9 @@ class Driving:
             check_number(value, use)
         check_number(seconds, "seconds", optional=True)
         driver = self.driver()
-        if self._limits is None:
-            self._limits = await self._read_limits(driver)
-        if self._limits is not None:
-            self._limits.check(linear, angular)
+        limits = await self._known_limits()
+        if limits is not None:
+            limits.check(linear, angular)
         stream = await self._opened(driver)
         if not stream.active:
             await check_ready(self._connection, driver.id)
@@ -115,6 +113,16 @@ class Driving:
                 await self._while_active(stream, driver, seconds)
             finally:
                 await self.stop()
+
+    async def speed_limits(self) -> tuple[float, float]:
+        """See `Robot.speed_limits`."""
+        limits = await self._known_limits()
+        return (math.inf, math.inf) if limits is None else (limits.linear, limits.angular)
+
+    async def _known_limits(self) -> VelocityLimits | None:
+        if self._limits is None:
+            self._limits = await self._read_limits(self.driver())
+        return self._limits
 
     async def stop(self) -> None:
         """Stand still."""
@@ -135,7 +143,7 @@ class Driving:
         sensor = self._offering("mobility:LocalPoseSensor")
         if sensor is None:
             raise ConfigError("this robot does not tell its pose: it does not offer mobility:LocalPoseSensor")
-        report = await sensor.query(QueryLocalPose(ALL_OF_A_POSE), expects=ReportLocalPose)
+        report = await sensor.query(QueryLocalPose(), expects=ReportLocalPose)
         return pose_of(report, datetime.now(UTC))
 
     async def go_to(

@@ -106,8 +106,6 @@ async def _reported_group(component: ComponentClient, model: RobotModel) -> Grou
 LOCAL: Final = "local"
 """The frame of LocalPoseSensor with the axes of REP-103: x as in JAUS, y to the left of it, z up."""
 
-_ALL_FIELDS: Final = 0x1FF
-
 
 class RobotFrames:
     """Reads the frames of a robot; `model` is its description.
@@ -156,6 +154,6 @@ class RobotFrames:
 
     async def _base(self) -> Transform:
         sensor = self._robot.service("mobility:LocalPoseSensor")
-        report = await sensor.query(QueryLocalPose(_ALL_FIELDS), expects=ReportLocalPose)
+        report = await sensor.query(QueryLocalPose(), expects=ReportLocalPose)
         values = (report.x, report.y, report.z, report.roll, report.pitch, report.yaw)
         return Transform.from_pose(jaus_pose(Pose(*(value or 0.0 for value in values))))

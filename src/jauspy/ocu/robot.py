@@ -54,6 +54,11 @@ class ComponentClient:
             raise ConfigError(f"{self.id} does not offer {name}; it offers {_listed(self.info)}")
         return ServiceClient(self._connection, self.id, found)
 
+    @property
+    def camera(self) -> Camera:
+        """Its camera, if it has one only."""
+        return Camera(self._connection, (self.info,), None)
+
 
 class Robot:
     """The client of a discovered subsystem; `info` describes it as it was discovered.
@@ -139,6 +144,10 @@ class Robot:
         without control, and `RequestError`, which says why, when the robot is not Ready.
         """
         await self._driving.drive(linear, angular, seconds)
+
+    async def speed_limits(self) -> tuple[float, float]:
+        """The greatest velocities that `drive` takes, in m/s and rad/s, as the robot reports them; else infinite."""
+        return await self._driving.speed_limits()
 
     async def stop(self) -> None:
         """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""

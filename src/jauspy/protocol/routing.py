@@ -23,6 +23,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Ack, Broadcast, RawPacket
+from jauspy.protocol.id_clashes import IdClashes
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.registrar import DuplicateIdLog, Registrar
 from jauspy.protocol.sources import SourceChecks, TokenBuckets
@@ -87,6 +88,8 @@ class Router:
         if compression != "off":
             self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
         self._duplicate_ids = DuplicateIdLog(_LOGGER)
+        self.clashes = IdClashes()
+        """Ids of components of this machine that other machines use."""
         self._vague = TokenBuckets(VAGUE_RATE, VAGUE_RATE)
         self._registrar = Registrar(
             local_root,
@@ -212,6 +215,8 @@ class Router:
             self._egress.deliver(own, datagram)
         elif (address := self.address_book.find(destination, now)) is not None:
             self._egress.forward(address, destination, datagram, now)
+            if raw.broadcast == Broadcast.GLOBAL:  # the sender does not trust the address: the id may have moved
+                self._egress.multicast(datagram, self._networks, now)
         elif destination == 0:
             self.counters.drop("no_destination", JausID.from_int(raw.source))
         else:
@@ -250,8 +255,12 @@ class Router:
         source = raw.source
         if not verified and addressing.is_wildcard(source):
             return "wildcard_source"
-        if self._registrar.is_in_use(source) or (not verified and self._is_own(source)):
+        if (in_use := self._registrar.is_in_use(source)) or (not verified and self._is_own(source)):
             self._duplicate_ids.warn_duplicate(source, port)
+            if in_use:
+                notice = self.clashes.note(source, port, now, is_notice=raw.destination == source)
+                if notice is not None:
+                    self._egress.send(port, notice)
             return "hijack"
         is_checked = not verified and not addressing.is_incomplete(source)
         if is_checked and not self.sources.check_address(source, port, now, sequence):

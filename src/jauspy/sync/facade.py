@@ -22,6 +22,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.sync.base import Facade, OpensPortal
 from jauspy.sync.portal import Portal
 from jauspy.transport import Transport
+from jauspy.video.h264_payload import Picture
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Generic, Self, TYPE_CHECKING, overload
@@ -128,6 +129,12 @@ class Control(Facade[_Control]):
     def lost(self) -> str:
         """Why control was lost; empty while it is held."""
         return self._async.lost
+
+    @property
+    def released(self) -> bool | None:
+        """After the block: true when the component has acknowledged Standby and release; false when it has not, and
+        may move on until its time-outs. None before, and when another client has taken control."""
+        return self._async.released
 
     @property
     def held(self) -> bool:
@@ -565,6 +572,13 @@ class Camera(Facade[_Camera]):
         """
         return self._portal.iterate(self._async.frames(address=address, timeout=timeout))
 
+    def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Picture, None, None]:
+        """Pictures as the camera encodes them (H.264), from a whole IDR picture on; otherwise as `frames`.
+
+        Pictures of which packets were lost are left out, with those that depend on them, until the next IDR picture.
+        """
+        return self._portal.iterate(self._async.encoded(address=address, timeout=timeout))
+
     def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
         """An image as the content of a file; see `ServiceClient.still`."""
         return self._portal.run(self._async.still(size=size, format=format))
@@ -629,6 +643,11 @@ class ComponentClient(Facade[_ComponentClient]):
         """The client of a service by its URN, or the end of it; `ConfigError` lists what the component offers."""
         return ServiceClient(self._portal, self._async.service(name))
 
+    @property
+    def camera(self) -> Camera:
+        """Its camera, if it has one only."""
+        return Camera(self._portal, self._async.camera)
+
 
 class Robot(Facade[_Robot]):
     """The client of a discovered subsystem; `info` describes it as it was discovered.
@@ -688,6 +707,10 @@ class Robot(Facade[_Robot]):
         without control, and `RequestError`, which says why, when the robot is not Ready.
         """
         self._portal.run(self._async.drive(linear, angular, seconds=seconds))
+
+    def speed_limits(self) -> tuple[float, float]:
+        """The greatest velocities that `drive` takes, in m/s and rad/s, as the robot reports them; else infinite."""
+        return self._portal.run(self._async.speed_limits())
 
     def stop(self) -> None:
         """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
@@ -793,8 +816,11 @@ class OCU(OpensPortal):
         """The robot of this number: another name of `discover`."""
         return Robot(self._portal, self._portal.run(self._async.robot(subsystem, timeout=timeout)))
 
-    def discover_all(self, *, timeout: float = 2.0) -> tuple[Robot, ...]:
-        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers."""
+    def discover_all(self, *, timeout: float | None = None) -> tuple[Robot, ...]:
+        """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers.
+
+        Without `timeout` this takes a second when whatever has answered has told all of itself, and else 2 s.
+        """
         return tuple(Robot(self._portal, each) for each in self._portal.run(self._async.discover_all(timeout=timeout)))
 
     def watch(
@@ -803,13 +829,23 @@ class OCU(OpensPortal):
         *,
         interval: float = 2.0,
         silence: float = 7.0,
+        parts: bool = False,
     ) -> Generator[News, None, None]:
-        """`for news in ocu.watch()`: yields what is present, and then what appears, changes and vanishes.
+        """`for news in ocu.watch()`: yields the robots that are present, and then each that comes, changes, goes.
 
+        One event for each robot (and other subsystem), whose `components` are in it: `Appeared`, `Changed` with what it
+        was before, and `Vanished`. With `parts`, one for each subsystem, node, component and service.
         All are queried every `interval` seconds; a component that sends nothing for `silence` seconds has vanished.
         `subsystem` restricts this to one. A slow reader gets the difference to what it read last.
         """
-        return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence))
+        return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence, parts=parts))
+
+    def address_towards(self, destination: str | JausID) -> str:
+        """The IP address of this machine that routes to a component, as for video that it is to send here.
+
+        Raises `RequestError` while it is not known on which machine the component is: nothing was received from it.
+        """
+        return self._portal.run(self._async.address_towards(destination))
 
     def service(self, destination: str | JausID, name: str) -> ServiceClient:
         """The client of a service of any component, whether it was discovered, and lists the service, or not.

@@ -81,6 +81,22 @@ class LocatingTransport(Transport, Protocol):
         """Call `found`, now or later, with the machine of a component, which may be unknown."""
 
 
+@runtime_checkable
+class AddressedTransport(Transport, Protocol):
+    """A transport that sends to addresses of hosts."""
+
+    def host_towards(self, id: JausID) -> str | None:
+        """The host to which datagrams for a component go; None if it is not known yet."""
+
+
+@runtime_checkable
+class ClashAwareTransport(Transport, Protocol):
+    """A transport that knows whether another machine uses the id of its component."""
+
+    async def id_clash(self) -> str | None:
+        """The address of a machine or program that used this id in the last seconds; None if there is none."""
+
+
 def ignore(datagram: bytes) -> None:
     """The receiver of a transport without an owner."""
 

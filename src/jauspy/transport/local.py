@@ -21,7 +21,7 @@ from jauspy.logs import get_logger
 from jauspy.protocol import junior
 from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
-from jauspy.transport import base
+from jauspy.transport import base, node_status
 from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, SendQueue, ignore
 from jauspy.transport.node_status import Locator, this_machine
@@ -143,6 +143,14 @@ class LocalTransport:
             found(this_machine())
         else:
             self._locator.locate(id, found)
+
+    async def id_clash(self) -> str | None:
+        """The address of another machine that uses this id, as the node manager has noted it."""
+        try:
+            status = await node_status.read(self._root)
+        except TransportError:  # a node manager of others, or none
+            return None
+        return next((str(each["address"]) for each in status.get("clashes", ()) if each["id"] == str(self.id)), None)
 
     def _path(self, id: JausID) -> Path:
         return self._root / str(int(id))

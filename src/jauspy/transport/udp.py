@@ -14,6 +14,7 @@ from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import RawPacket
+from jauspy.protocol.id_clashes import IdClashes
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, multicast, multicast as memberships
 from jauspy.transport.age import MAX_AGE, DatagramReader
@@ -44,10 +45,12 @@ class UdpTransport:
         self.max_age = MAX_AGE
         self._group = group
         self._peers = [address for address in (peer, group) if address is not None]
+        self._peer_host = None if peer is None else peer[0]
         self._bind = bind
         self._interface = interface
         self._book = AddressBook()
         self._sources = SourceChecks()
+        self._clashes = IdClashes()
         self._counters = Counters(_LOGGER)
         self._socket: socket.socket | None = None
         self._group_socket: socket.socket | None = None
@@ -167,7 +170,7 @@ class UdpTransport:
         """Check and learn the address of a source like a node manager; false, and counted, when it is not accepted."""
         source = raw.source
         if source == int(self.id):
-            self._counters["echoes"] += 1
+            self._note_own_id(port, now, is_notice=raw.destination == source)
             return False
         if addressing.is_incomplete(source) or self._sources.is_verified(source, port, now):
             return True
@@ -178,6 +181,27 @@ class UdpTransport:
         self._sources.heard(source, port, now, sequence)
         self._book.learn(source, port, now)
         return True
+
+    def _note_own_id(self, port: UdpPort, now: float, *, is_notice: bool) -> None:
+        """Note a packet with the own id: an echo of a multicast, or another program's."""
+        own = self._socket.getsockname()[1] if self._socket is not None else 0
+        if port.port == own and port.host in multicast.own_addresses():
+            self._counters["echoes"] += 1
+            return
+        self._counters.drop("duplicate_id", f"{self.id} from {port.host}:{port.port}")
+        notice = self._clashes.note(int(self.id), port, now, is_notice=is_notice)
+        if notice is not None and self._socket is not None:
+            self._send_to(self._socket, notice, (port.host, port.port))
+
+    def host_towards(self, id: JausID) -> str | None:
+        """The host of a component as it was learned, else that of the peer."""
+        known = self._book.find(int(id), asyncio.get_running_loop().time())
+        return known.host if known else self._peer_host
+
+    async def id_clash(self) -> str | None:
+        """The address of another program that uses this id."""
+        now = asyncio.get_running_loop().time()
+        return next((f"{port.host}:{port.port}" for _, port, _ in self._clashes.recent(now)), None)
 
     def _failed(self, error: OSError) -> None:
         self._counters.drop("socket_error", error)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable
 from contextlib import AbstractAsyncContextManager
 from dataclasses import replace
 from datetime import datetime
@@ -64,7 +64,6 @@ class VirtualTime(RealTime):
 
     def __init__(self, robot: Robot) -> None:
         super().__init__(robot, step=STEP, clock=loop_time)
-        self._stop: Final[Callable[[], None]] = robot.drive.stop
         self._task: asyncio.Task[None] | None = None
 
     def open(self) -> None:
@@ -77,7 +76,7 @@ class VirtualTime(RealTime):
         task, self._task = self._task, None
         if task is not None:
             task.cancel()
-            self._stop()
+            self._stop_all()
 
     async def _step_on(self) -> None:
         due = loop_time()

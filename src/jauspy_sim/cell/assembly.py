@@ -33,6 +33,7 @@ from jauspy.platform.modular.parts import (
     Solid,
 )
 from jauspy_sim.assembly import COLLISION, TIMESTEP, prefix, robot_spec, world_spec
+from jauspy_sim.cell.looks import Dresser
 
 GRIPPER: Final = "gripper"
 """Name of the connector of the robot's own gripper."""
@@ -100,6 +101,7 @@ def build_cell(robot: RobotModel, world: str) -> CellModel:
     for part in setup.parts:
         _part(spec, part, setup.types[part.type])
     connectors = tuple(_connectors(spec, setup, name_prefix))
+    Dresser(spec, setup, name_prefix).dress()
     _reserve_exclusions(spec, len(connectors))
     _options(spec)
     return CellModel(spec.compile(), setup, name_prefix, connectors)

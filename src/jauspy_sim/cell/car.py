@@ -8,12 +8,13 @@ from typing import Final
 
 import mujoco
 
-from jauspy.geometry.poses import Acceleration, Twist
-from jauspy.geometry.vectors import transposed
+from jauspy.geometry.poses import Acceleration, Transform, Twist
+from jauspy.geometry.vectors import rotated, rotation_from_quaternion, transposed
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.cell import Car, CarState
 from jauspy.platform.modular.parts import CellSetup, PartKind
-from jauspy_sim.cell.connectors import SimulatedConnector, to_transform
+from jauspy_sim.assembly import view
+from jauspy_sim.cell.connectors import SimulatedConnector
 from jauspy_sim.cell.servos import SimulatedServo
 
 MIN_WHEELS: Final = 4
@@ -31,10 +32,9 @@ class SimulatedCar(Car):
         connectors: Mapping[str, SimulatedConnector],
         servos: Mapping[str, SimulatedServo],
     ) -> None:
-        self._data = data
-        self._body = int(model.body(cell.car).id)
+        self._qpos, self._qvel, self._qacc = map(view, (data.qpos, data.qvel, data.qacc))
         joint = model.joint(cell.car)
-        self._dof = int(joint.dofadr[0])
+        self._at, self._dof = int(joint.qposadr[0]), int(joint.dofadr[0])
         self._kinds = {part.name: cell.types[part.type].kind for part in cell.parts}
         self._servos, self._connectors = servos, connectors
         own = [each for each in connectors.values() if each.part == cell.car]
@@ -50,18 +50,16 @@ class SimulatedCar(Car):
 
     def state(self) -> CarState:
         """Whether it is assembled, and its motion."""
-        data, dof = self._data, self._dof
-        frame = to_transform(data.xpos[self._body].tolist(), data.xmat[self._body].tolist())
-        vx, vy, vz, wx, wy, wz = data.qvel[dof : dof + 6].tolist()
-        ax, ay, az, bx, by, bz = data.qacc[dof : dof + 6].tolist()
-        back = transposed(frame.rotation)
-        linear = tuple(sum(row[i] * each for i, each in enumerate((vx, vy, vz))) for row in back)
-        acceleration = tuple(sum(row[i] * each for i, each in enumerate((ax, ay, az))) for row in back)
+        qpos, at, dof = self._qpos, self._at, self._dof
+        rotation = rotation_from_quaternion(qpos[at + 3], qpos[at + 4], qpos[at + 5], qpos[at + 6])
+        frame = Transform(rotation, (qpos[at], qpos[at + 1], qpos[at + 2]))
+        back = transposed(rotation)
+        v, a = self._qvel[dof : dof + 6], self._qacc[dof : dof + 6]
         return CarState(
             assembled=len(self._wheels) >= MIN_WHEELS,
             pose=frame.to_pose(),
-            twist=Twist(linear[0], linear[1], linear[2], wx, wy, wz),
-            acceleration=Acceleration(acceleration[0], acceleration[1], acceleration[2], bx, by, bz),
+            twist=Twist(*rotated(back, (v[0], v[1], v[2])), v[3], v[4], v[5]),
+            acceleration=Acceleration(*rotated(back, (a[0], a[1], a[2])), a[3], a[4], a[5]),
         )
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:

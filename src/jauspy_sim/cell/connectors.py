@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 import mujoco
@@ -13,6 +14,7 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import Rotation, Vector
+from jauspy.platform.contract import PartId
 from jauspy.platform.modular.connector import ConnectorError, ConnectorState, VacuumConnector
 from jauspy.platform.modular.parts import PartKind, PartType, Shape
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, angle_between, carrier
@@ -28,8 +30,11 @@ DEPTH: Final = 0.004
 NEAR: Final = 0.03
 """Metres between the middles of plates from which on a failed attempt is reported."""
 
-OVERLOAD_CYCLES: Final = 4
-"""Cycles over which force and moment are averaged before they count as an overload: 16 ms."""
+MEASURE_EVERY: Final = 2
+"""Control cycles from one measurement of forces to the next: 8 ms."""
+
+OVERLOAD_MEASUREMENTS: Final = 2
+"""Measurements over which force and moment are averaged before they count as an overload: 16 ms."""
 
 PLATE_RADIUS: Final = 0.02
 """Metres: a plate must lie on the face of a box with this radius."""
@@ -69,6 +74,11 @@ class SimulatedConnector(VacuumConnector):
         self.load = (0.0, 0.0)
         """Newtons, newton metres."""
         self._state = ConnectorState()
+
+    @cached_property
+    def id(self) -> PartId:
+        """Kind and name."""
+        return PartId(VacuumConnector, self.name)
 
     def state(self) -> ConnectorState:
         """What it measures."""
@@ -129,6 +139,7 @@ class Attachments:
         self._any_place = np.array([face.half_size is not None for face in self._faces])
         self._unused_exclusions = cell.model.exclude_signature[-len(self.connectors) :].copy()
         self._own_exclusions = cell.model.exclude_signature[: -len(self.connectors)].copy()
+        self._cycles = 0
         self._woken: list[int] = []
         self._loads = np.zeros((cell.model.neq, 2))
 
@@ -153,7 +164,8 @@ class Attachments:
                 seeking.append(connector)
             elif connector.failing:
                 connector.failing = False
-        if holding:
+        self._cycles += 1
+        if holding and not self._cycles % MEASURE_EVERY:
             self._measure()
         if seeking:
             self._seek(seeking)
@@ -312,7 +324,7 @@ class Attachments:
         # the rotational rows act on half the angle
         loads = np.sqrt(np.einsum("nij,nij->ni", forces, forces)) * (1.0, 0.5)
         mean = self._loads[welds]
-        mean += (loads - mean) / OVERLOAD_CYCLES
+        mean += (loads - mean) / OVERLOAD_MEASUREMENTS
         self._loads[welds] = mean
         for weld, (force, moment) in zip(welds.tolist(), mean.tolist(), strict=True):
             connector = self._by_weld[weld]

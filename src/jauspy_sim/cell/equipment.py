@@ -20,18 +20,21 @@ from jauspy.platform.modular.cell import (
     PartSensor,
 )
 from jauspy.platform.modular.parts import CellSetup, ConveyorSetup, PartKind, PartSensorSetup
-from jauspy_sim.assembly import TIMESTEP
+from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.cell.connectors import to_transform
 
 BELT_ACCELERATION: Final = 1.0
 """m/s^2 of the conveyor's drive."""
+
+BELT_BRAKING: Final = 3.0
+"""m/s^2 of the conveyor when it is stopped: from its largest speed it stands within 0.2 s."""
 
 
 class SimulatedConveyor(Conveyor):
     """A belt that is moved by its speed only: its position is set back to zero after each step."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, setup: ConveyorSetup) -> None:
-        self._data = data
+        self._qpos, self._qvel, self._ctrl = map(view, (data.qpos, data.qvel, data.ctrl))
         self._max_speed = setup.max_speed
         joint = model.joint("belt")
         self._position, self._dof = int(joint.qposadr[0]), int(joint.dofadr[0])
@@ -39,24 +42,30 @@ class SimulatedConveyor(Conveyor):
         self._travel = 0.0
         self._wanted = 0.0
         self._speed = 0.0
+        self._braking = False
 
     def state(self) -> ConveyorState:
         """Its speed and travel."""
-        return ConveyorState(float(self._data.qvel[self._dof]), self._travel)
+        return ConveyorState(self._qvel[self._dof], self._travel)
 
     def set_speed(self, speed: float) -> None:
         """Run at this speed, within its limit; NaN and infinite speeds have no effect."""
         if math.isfinite(speed):
             self._wanted = min(self._max_speed, max(-self._max_speed, speed))
+            self._braking = False
+
+    def stop(self) -> None:
+        """Brake as hard as it can."""
+        self._wanted, self._braking = 0.0, True
 
     def control(self) -> None:
         """Approach the speed, and set the belt back."""
         if self._speed != self._wanted:
-            change = BELT_ACCELERATION * TIMESTEP
+            change = (BELT_BRAKING if self._braking else BELT_ACCELERATION) * TIMESTEP
             self._speed += min(change, max(-change, self._wanted - self._speed))
-            self._data.ctrl[self._drive] = self._speed
-        self._travel += float(self._data.qpos[self._position])
-        self._data.qpos[self._position] = 0.0
+            self._ctrl[self._drive] = self._speed
+        self._travel += self._qpos[self._position]
+        self._qpos[self._position] = 0.0
 
 
 class SimulatedPartSensor(PartSensor):

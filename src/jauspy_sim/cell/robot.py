@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator, Mapping, Sequence
+from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import mujoco
 import numpy as np
@@ -33,6 +35,9 @@ from jauspy_sim.joints import SimulatedJoints
 if TYPE_CHECKING:
     from jauspy.platform.modular.assembled_arm import AssembledArm
 
+DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
+"""Environment variables of which a display sets one."""
+
 ARM_LIBRARIES: Final = ("pinocchio", "ruckig")
 
 SETTLING_STEPS: Final = 500
@@ -40,6 +45,9 @@ SETTLING_STEPS: Final = 500
 
 CONTROL_EVERY: Final = 2
 """Physics steps from one control of connectors and modular arm to the next."""
+
+SHOW_EVERY: Final = 5
+"""Physics steps from one state for the cameras to the next: 10 ms."""
 
 ROUNDING: Final = 1e-9
 """Tolerance for rounding errors of times, as a fraction of a step."""
@@ -75,6 +83,8 @@ class SimulatedCell:
         self._truth = Truth(cell, data, self._servos)
         self._revision = -1
         self._owed = 0.0
+        self._next_show = 0
+        self._viewer: Any = None
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
         self._sensor.step(0.0)
@@ -161,11 +171,23 @@ class SimulatedCell:
         if steps:
             self._owed -= steps
             self._run(steps)
-            self._cameras.show()
+            if self._steps >= self._next_show:
+                self._cameras.show()
+                self._next_show = self._steps + SHOW_EVERY
+                if self._viewer is not None:
+                    self._viewer.sync()
 
     def prepare(self, connector: str, parts: Sequence[str]) -> None:
         """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
         put_on_each_other(self, connector, parts)
+
+    def view(self) -> None:
+        """Open a window that shows the cell while it is advanced. Raises `ConfigError` without a display."""
+        if self._viewer is not None:
+            return
+        if not any(os.environ.get(name) for name in DISPLAYS):
+            raise ConfigError("there is no display to show the cell on: DISPLAY is not set; film it instead")
+        self._viewer = import_module("mujoco.viewer").launch_passive(self._model, self._data)
 
     def close(self) -> None:
         """Stop. What connectors hold stays held. May be called twice."""
@@ -176,6 +198,9 @@ class SimulatedCell:
         if self._conveyor is not None:
             self._conveyor.set_speed(0.0)
         self._cameras.close()
+        if self._viewer is not None:
+            self._viewer.close()
+            self._viewer = None
 
     def _run(self, steps: int) -> None:
         model, data = self._model, self._data

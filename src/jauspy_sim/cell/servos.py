@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from functools import cached_property
 from typing import Final
 
 import mujoco
 
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.geometry.vectors import Quaternion, Vector
+from jauspy.platform.contract import PartId
 from jauspy.platform.description import Gains, JointGains
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import ControlMode, Target
@@ -105,6 +107,11 @@ class SimulatedServo(ServoModule):
     def powered(self) -> bool:
         """Whether it has power."""
         return self._powered
+
+    @cached_property
+    def id(self) -> PartId:
+        """Kind and name."""
+        return PartId(ServoModule, self.name)
 
     # --- ServoModule ----------------------------------------------------------------------------------------------
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import typer
 
 from jauspy.cli import console
@@ -34,17 +32,17 @@ def assemble(
     check_extra()
     from dataclasses import asdict
 
-    from jauspy.cell import runs
+    from jauspy.cell import assembly_run, tasks
+    from jauspy.cell.measured import Measured
     from jauspy.cell.session import NONE, connected
     from jauspy.cli.cell.tables import assembly_table
 
-    async def elsewhere() -> runs.Measured:
-        ocu = make_ocu(id, connect, 3.0, operator=operator_key)
-        async with connected(ocu) as session:
-            return await runs.assemble(session, seed)
+    async def here() -> Measured:
+        return await tasks.run_one("assemble", seed, NONE if exact else None, film=record)
 
-    async def here() -> runs.Measured:
-        return await runs.run_one("assemble", seed, NONE if exact else None, film=record)
+    async def elsewhere() -> Measured:
+        async with connected(make_ocu(id, connect, 3.0, operator=operator_key)) as session:
+            return await assembly_run.assemble(session, seed)
 
     found = run(here() if connect is None else elsewhere())
     if found is None:
@@ -53,22 +51,13 @@ def assemble(
         console.print_json(asdict(found))
     else:
         console.stdout(140).print(assembly_table(found))
-        _print_summary(found, record)
+        values = found.values
+        speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
+        console.print_lines(
+            f"{values.get('parts', 0):.0f} parts in {found.duration:.1f} s{speed}; smallest distance "
+            f"{millimetres(values.get('clearance', 0.0))} mm; {values.get('retries', 0):.0f} retries"
+        )
     if not found.success:
-        if found.failure and not json:
+        if not json:
             console.error(f"the arm was not finished: {found.failure}")
         raise typer.Exit(1)
-
-
-def _print_summary(found: object, record: Path | None) -> None:
-    from jauspy.cell.runs import Measured
-
-    assert isinstance(found, Measured)
-    values = found.values
-    speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
-    console.print_lines(
-        f"{values.get('parts', 0):.0f} parts in {found.duration:.1f} s{speed}; "
-        f"smallest distance {millimetres(values.get('clearance', 0.0))} mm; {values.get('retries', 0):.0f} retries"
-    )
-    if record is not None:
-        console.print_lines(f"film: {record}")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from jauspy.cell.runs import Measured
+from jauspy.cell.measured import Measured
 from jauspy.cell.trials import Summary, mean_of
 from jauspy.cli.cell.options import degrees, millimetres
 
@@ -37,6 +37,26 @@ def assembly_table(found: Measured) -> Table:
             degrees(row["error_turn"]) if placed else "-",
             str(len(row["attempts"])),
         )
+    return table
+
+
+def values_table(found: Measured) -> Table:
+    """What was measured of one run."""
+    from rich.table import Table
+
+    table = Table(title=f"{found.task}, seed {found.seed}", title_justify="left", show_header=False)
+    table.add_column()
+    table.add_column()
+    table.add_row("result", "[green]success[/]" if found.success else "[red]failure[/]")
+    table.add_row("time of the cell", f"{found.duration:.1f} s, {found.duration / found.wall:.1f} times real time")
+    for name, value in found.values.items():
+        table.add_row(name.replace("_", " "), f"{value:.4g}")
+    for row in found.rows:
+        if "event" in row:
+            table.add_row("", row["event"])
+        elif "slot" in row:
+            tried = "; ".join(row["attempts"]) or "at once"
+            table.add_row(row["slot"], f"{row['part']}: {row['fetch_time'] + row['join_time']:.1f} s, {tried}")
     return table
 
 

@@ -38,9 +38,10 @@ def trials(
     check_extra()
     from rich.progress import Progress
 
+    from jauspy.cell.measured import Measured
     from jauspy.cell.plots import plot_trials
-    from jauspy.cell.runs import TASKS, Measured
     from jauspy.cell.session import NONE
+    from jauspy.cell.tasks import TASKS
     from jauspy.cell.trials import run_trials, summarised
     from jauspy.cli.cell.tables import trials_table
 

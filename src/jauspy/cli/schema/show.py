@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import shlex
 from collections.abc import Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from typing import Annotated, Any
 
@@ -12,10 +14,13 @@ from rich.text import Text
 from rich.tree import Tree
 
 from jauspy.cli import console
+from jauspy.cli.definitions import definitions as message_definitions
+from jauspy.cli.examples import example
 from jauspy.cli.options import Json
 from jauspy.cli.render import unit_symbol
 from jauspy.cli.schema.ls import Match, SchemasOption, as_object, definitions, find, set_of
 from jauspy.codec.wire import CODES, FLOATS, limits
+from jauspy.errors import ConfigError
 from jauspy.schema import load_builtin, model as m
 from jauspy.schema.differences import trigger
 from jauspy.schema.fields import BITS
@@ -67,6 +72,7 @@ def show(
             _show_service(match.service, schema)
         else:
             _show_message(match, match.message, docs=docs)
+            _show_example(match, match.message, sources)
 
 
 def _object(match: Match) -> dict[str, Any]:
@@ -107,6 +113,23 @@ def _show_message(match: Match, message: Message, *, docs: bool) -> None:
         out.print(Text(message.doc), soft_wrap=False)
     out.print()
     out.print(_table(rows(message), docs=docs), soft_wrap=False)
+
+
+def _show_example(match: Match, message: Message, sources: list[str] | None) -> None:
+    """The command line that sends it, for messages that components take."""
+    if not any(each.code == message.code for each in match.service.inputs):
+        return
+    registry = message_definitions(sources).registry
+    with suppress(ConfigError):
+        kind = registry.by_name(message.name, service=match.service.id, version=match.service.version)
+        words = example(registry, kind)
+        if not words:
+            return
+        out, text = console.stdout(), f"example:  {shlex.join(words)}"
+        if len(text) > out.width:  # lines within quotes may be broken at spaces
+            text = f"example:  {shlex.join(words[:4])}" + "".join(f" \\\n  {shlex.quote(each)}" for each in words[4:])
+        out.print()
+        out.print(Text(text), soft_wrap=False)
 
 
 def _direction(service: Service, message: Message) -> str:

@@ -25,8 +25,11 @@ Array = NDArray[np.float64]
 FADE_TIME: Final = 0.05
 """Seconds in which the torques go over from one model or controller to the next."""
 
-RESERVE: Final = 0.9
-"""Fraction of a module's speed, and of its torque, that planned motions use; the rest is for control."""
+SPEED_RESERVE: Final = 0.8
+"""Fraction of a module's speed that planned motions use; beyond, the voltage limits its torque."""
+
+TORQUE_RESERVE: Final = 0.9
+"""Fraction of a module's torque that planned motions use; the rest is for control."""
 
 ACCELERATION: Final = 25.0
 """rad/s^2: the largest acceleration of a planned motion; torque usually allows less."""
@@ -144,7 +147,8 @@ class AssembledArm(ModularArm):
             self._error = f"motion refused: {refusal}"
             return
         if self._motion is None:
-            self._shaper = Shaper(self._planned, round(SHAPING_TIME / self._period))
+            shaped = self._controller is ArmController.MODEL
+            self._shaper = Shaper(self._planned, round(SHAPING_TIME / self._period) if shaped else 1)
         self._motion = motion
         self._error, self._since_end = "", 0.0
 
@@ -398,7 +402,7 @@ class AssembledArm(ModularArm):
         """The largest torque that a setpoint demands of a motor, as a fraction of what planned motions may use."""
         links = self._model.inverse_dynamics(setpoint.q, setpoint.v, setpoint.a)
         rotors = self._rotors * setpoint.a + self._dampings * setpoint.v + self._frictions * np.sign(setpoint.v)
-        return float(np.max(np.abs(links + rotors) / (RESERVE * self._torque_limits), initial=0.0))
+        return float(np.max(np.abs(links + rotors) / (TORQUE_RESERVE * self._torque_limits), initial=0.0))
 
     def _tip_pose(self) -> Pose:
         if self._chain.tip_body is None:
@@ -415,5 +419,5 @@ def _servo_data(cell: CellSetup, name: str) -> ServoData:
 
 def _limits(servos: Sequence[ServoData]) -> Limits:
     count = len(servos)
-    speeds = tuple(RESERVE * each.max_speed for each in servos)
+    speeds = tuple(SPEED_RESERVE * each.max_speed for each in servos)
     return Limits(speeds, (ACCELERATION,) * count, (ACCELERATION / JERK_TIME,) * count)

@@ -36,7 +36,7 @@ class Conveyor(OptionalPart):
         """Run at this speed (m/s), clamped to its limit; negative is backward."""
 
     def stop(self) -> None:
-        """Stop the belt."""
+        """Brake as hard as it can; a speed of zero is approached gently."""
         self.set_speed(0.0)
 
     def proxy(self, link: RobotLink) -> Conveyor:
@@ -49,14 +49,18 @@ CONVEYOR: Final = PartId(Conveyor)
 
 @dataclass(frozen=True, slots=True)
 class ConveyorSpeed(Command):
-    """Run the conveyor at a speed, in m/s."""
+    """Run the conveyor at a speed, in m/s; None stops it."""
 
-    speed: float
+    speed: float | None
     part: PartId = CONVEYOR
 
     def apply(self, robot: Robot) -> None:
         """Set the speed."""
-        if (conveyor := Conveyor.of(robot)) is not None:
+        if (conveyor := Conveyor.of(robot)) is None:
+            return
+        if self.speed is None:
+            conveyor.stop()
+        else:
             conveyor.set_speed(self.speed)
 
 
@@ -71,6 +75,9 @@ class _ConveyorProxy(Conveyor):
 
     def set_speed(self, speed: float) -> None:
         self._link.submit(ConveyorSpeed(speed))
+
+    def stop(self) -> None:
+        self._link.submit(ConveyorSpeed(None))
 
 
 @dataclass(frozen=True, slots=True)

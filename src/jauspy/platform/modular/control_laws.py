@@ -22,13 +22,13 @@ Array = NDArray[np.float64]
 TORQUE_BANDWIDTH: Final = 100.0
 """rad/s: natural frequency of errors of the springs' torques, at most."""
 
-LARGEST_STEP: Final = 0.35
+LARGEST_STEP: Final = 0.45
 """This natural frequency times the control period, at most."""
 
 STIFFENING: Final = 4.0
 """This natural frequency over that of the rotor on its spring, at most; the gain of the torque error is its square."""
 
-SEPARATION: Final = 5.5
+SEPARATION: Final = 8.0
 """This natural frequency over that of position errors."""
 
 POSITION_DAMPING: Final = 0.9

@@ -28,7 +28,7 @@ class ConveyorService(Service, urn="urn:jauspy:cell:Conveyor"):
     def stop_conveyor(self) -> None:
         """Stop; runs when Ready is left."""
         self._commanded = 0.0
-        self._conveyor.set_speed(0.0)
+        self._conveyor.stop()
 
     def control_lost(self) -> None:
         """Stop."""

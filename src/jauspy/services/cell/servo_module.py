@@ -18,7 +18,7 @@ from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.parts import PartType
 from jauspy.platform.modular.servo import ServoModule
 from jauspy.services.cell.texts import sent_text
-from jauspy.services.service import Service
+from jauspy.services.command_timeout import ContinuousCommands
 
 _MODES: Final[Mapping[int, ControlMode]] = {
     SetServoTarget.Mode.POSITION_MODE: ControlMode.POSITION,
@@ -47,8 +47,11 @@ class ServoControl:
             self.servo.hold()
 
 
-class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
-    """A servo module, unless a modular arm moves it: then targets are ignored and counted, and the state says so."""
+class ServoModuleService(ContinuousCommands, urn="urn:jauspy:cell:ServoModule"):
+    """A servo module, unless a modular arm moves it: then targets are ignored and counted, and the state says so.
+
+    Velocities and torques end without a further target, positions do not.
+    """
 
     def __init__(self, control: ServoControl) -> None:
         self._control = control
@@ -64,6 +67,10 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
             self.host.count("claimed", f"{msg}")
         else:
             self._control.follow(Target(mode, msg.value), feed_forward)
+            if mode is ControlMode.POSITION:
+                self.expect_no_command()
+            else:
+                self.expect_next_command(self._control.stop)
 
     def set_servo_gains(self, msg: SetServoGains) -> None:
         """Set the gains; those that are negative or not finite numbers are ignored, all of them, and counted."""
@@ -76,12 +83,13 @@ class ServoModuleService(Service, urn="urn:jauspy:cell:ServoModule"):
 
     def hold_servo(self) -> None:
         """Hold the position; runs when Ready is left."""
+        self.expect_no_command()
         self._control.stop()
 
     def control_lost(self) -> None:
         """Hold the position: the next client must not inherit a motion."""
         super().control_lost()
-        self._control.stop()
+        self.hold_servo()
 
     def report_servo_state(self) -> ReportServoState:
         """What it measures."""

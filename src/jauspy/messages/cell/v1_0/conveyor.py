@@ -39,4 +39,4 @@ class QueryConveyorState(jd.Message):
     presence_vector: Which fields the report is to have, by bit
     """
     REPORT = ReportConveyorState
-    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"), default=0xF)

@@ -101,7 +101,7 @@ class QueryServoState(jd.Message):
     presence_vector: Which fields the report is to have, by bit
     """
     REPORT = ReportServoState
-    presence_vector: int = jd.field("PresenceVector", jd.Number("I"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("I"), default=0x1FFFF)
 
 
 @jd.message(_SERVICE, 0xFA61, presence="B", kw_only=True)

@@ -18,7 +18,7 @@ class ReportJointDescription(jd.Message):
     @jd.record()
     class GroupRec(jd.Struct):
         """group_name: up to 255 characters. Name of the group in the description, as in arm or gripper
-        tool_d: Real part of the quaternion that turns the tool link's axes into the last joint's frame
+        tool_d: Real part of the quaternion that turns axes of the tool link into the last joint's
         tool_a: Its part along x
         tool_b: Its part along y
         tool_c: Its part along z

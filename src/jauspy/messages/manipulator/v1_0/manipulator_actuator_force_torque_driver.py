@@ -34,7 +34,7 @@ class QueryManipulatorSpecifications(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportManipulatorSpecifications
-    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"), default=0x1)
 
 
 @jd.message(_SERVICE, 0x4613)

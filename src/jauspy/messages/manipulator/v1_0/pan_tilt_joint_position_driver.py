@@ -48,7 +48,7 @@ class QueryPanTiltSpecifications(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportPanTiltSpecifications
-    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"), default=0x7F)
 
 
 @jd.message(_SERVICE, 0x4628)

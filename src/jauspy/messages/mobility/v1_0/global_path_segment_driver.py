@@ -89,7 +89,7 @@ class QueryGlobalPathSegment(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportGlobalPathSegment
-    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"), default=0x7)
 
 
 @jd.message(_SERVICE, 0x441E)

@@ -78,7 +78,7 @@ class QueryGlobalPose(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportGlobalPose
-    presence_vector: int = jd.field("PresenceVector", jd.Number("H"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("H"), default=0x1FF)
 
 
 @jd.message(_SERVICE, 0x4412)

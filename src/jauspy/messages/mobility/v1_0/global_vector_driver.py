@@ -50,4 +50,4 @@ class QueryGlobalVector(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportGlobalVector
-    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"), default=0x1F)

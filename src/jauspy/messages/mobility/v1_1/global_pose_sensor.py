@@ -98,7 +98,7 @@ class QueryGlobalPoseExt(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportGlobalPoseExt
-    presence_vector: int = jd.field("PresenceVector", jd.Number("H"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("H"), default=0x7FFF)
 
 @jd.derived(_SERVICE)
 class ReportGeomagneticProperty(mobility_v1_0_global_pose_sensor.ReportGeomagneticProperty): ...

@@ -70,4 +70,4 @@ class QueryGlobalVectorExt(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportGlobalVectorExt
-    presence_vector: int = jd.field("PresenceVector", jd.Number("H"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("H"), default=0x1F)

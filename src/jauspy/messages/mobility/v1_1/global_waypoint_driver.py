@@ -98,4 +98,4 @@ class QueryGlobalWaypointExt(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportGlobalWaypointExt
-    presence_vector: int = jd.field("PresenceVector", jd.Number("H"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("H"), default=0x3F)

@@ -111,7 +111,7 @@ class QueryLocalPathSegmentExt(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportLocalPathSegmentExt
-    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"), default=0x7)
 
 @jd.derived(_SERVICE)
 class ReportActiveElement(mobility_v1_0_global_path_segment_driver.ReportActiveElement): ...

@@ -73,7 +73,7 @@ class QueryLocalVector(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportLocalVector
-    presence_vector: int = jd.field("PresenceVector", jd.Number("B"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("B"), default=0xF)
 
 
 @jd.message(_SERVICE, 0x44A8, presence="B")
@@ -105,4 +105,4 @@ class QueryLocalVectorExt(jd.Message):
     presence_vector: Optional fields that the report is to have: bit i asks for the i-th of them, from 0
     """
     REPORT = ReportLocalVectorExt
-    presence_vector: int = jd.field("PresenceVector", jd.Number("H"))
+    presence_vector: int = jd.field("PresenceVector", jd.Number("H"), default=0x1F)

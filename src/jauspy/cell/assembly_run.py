@@ -1,42 +1,13 @@
-"""One seeded run of each task on virtual time, and what was measured of it, as plain values for tables and files."""
+"""The assembly as a task, with what the judge measures of it."""
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable, Coroutine
-from dataclasses import asdict, dataclass, field
-from pathlib import Path
-from typing import Any, Final, TypeAlias
+from dataclasses import asdict
 
 from jauspy.cell.assembly import Assembler, AssemblyResult
 from jauspy.cell.judge import Placement
-from jauspy.cell.session import Disturbances, Session, simulated
-from jauspy.errors import JausError
-
-
-@dataclass(slots=True)
-class Measured:
-    """What was measured of one run."""
-
-    seed: int
-    task: str
-    success: bool = False
-    failure: str = ""
-    """Why it did not succeed, in words."""
-    duration: float = 0.0
-    """Seconds of the cell's time."""
-    wall: float = 0.0
-    """Seconds of this machine's time; differs from run to run."""
-    values: dict[str, float] = field(default_factory=dict)
-    """Figures by name, SI units."""
-    rows: list[dict[str, Any]] = field(default_factory=list)
-    """Lines of a table."""
-
-    def comparable(self) -> dict[str, Any]:
-        """All that is the same in each run with this seed."""
-        found = asdict(self)
-        del found["wall"]
-        return found
+from jauspy.cell.measured import Measured
+from jauspy.cell.session import Session
 
 
 async def assemble(session: Session, seed: int) -> Measured:
@@ -80,24 +51,3 @@ def _placements(session: Session) -> dict[str, Placement]:
         return {}
     judge = session.judge
     return {part: judge.placement(at, part) for at, part in judge.attached().items() if at != "gripper"}
-
-
-Task: TypeAlias = Callable[[Session, int], Coroutine[Any, Any, Measured]]
-
-TASKS: Final[dict[str, Task]] = {"assemble": assemble}
-"""The tasks that can be run by name, each in a fresh cell."""
-
-
-async def run_one(
-    task: str, seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None
-) -> Measured:
-    """One run. A task that raises is a failure with that reason."""
-    begun = time.perf_counter()
-    async with simulated(seed, disturbances, film=film) as session:
-        start = session.cell.now()
-        try:
-            found = await TASKS[task](session, seed)
-        except JausError as error:
-            found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
-    found.wall = time.perf_counter() - begun
-    return found

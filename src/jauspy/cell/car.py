@@ -1,0 +1,341 @@
+"""The UR10 builds the car, puts it on the conveyor and the arm on top; the car is then driven over JAUS."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Final
+
+import numpy as np
+import pinocchio as pin
+
+from jauspy.cell.assembly import Assembler, PartResult, Slot, Tip
+from jauspy.cell.client import CellClient
+from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
+from jauspy.cell.handling import LINE_MARGIN
+from jauspy.cell.interface import GRIPPER
+from jauspy.cell.layout import Layout
+from jauspy.cell.modular import ArmOperator
+from jauspy.cell.motion import NoPath, Path
+from jauspy.cell.scene import Piece, connector_frame, pieces_of_part
+from jauspy.cell.schedule import TaskFailed
+from jauspy.messages.mobility import (
+    QueryLocalPose,
+    ReportLocalPose,
+    SetWrenchEffort,
+)
+
+CORNERS: Final = ("front_left", "rear_left", "front_right", "rear_right")
+TURNER: Final = Slot("wheel servo", ("x5_1_inline",))
+WHEEL: Final = Slot("wheel", ("wheel",), "")
+CARRY_SPEED: Final = 0.25
+"""Fraction of the UR10's speed with the car in the gripper."""
+ARM_SPEED: Final = 0.12
+"""The same with the arm, whose joints have no power then and are held by friction only."""
+BESIDE: Final = (0.015, 0.12)
+"""Metres from the middle of the belt towards the UR10, and from the line of the arm against the belt's direction, at
+which the car is put down."""
+BELT_SPEED: Final = 0.12
+"""m/s."""
+DRIVE_EFFORT: Final = 35.0
+"""Percent."""
+DRIVE_TIME: Final = 8.0
+"""Seconds of the drive off the conveyor."""
+MOVED: Final = 0.8
+"""Metres that the car must have driven."""
+NOD: Final = (0.0, 0.25, -0.5, 0.25, 0.6)
+"""How far the arm's joints move from upright and back on the driving car, radians."""
+NOD_TIME: Final = 1.5
+
+
+@dataclass(slots=True)
+class CarResult:
+    """What was measured of building and driving the car."""
+
+    parts: list[PartResult] = field(default_factory=list)
+    build_time: float = 0.0
+    load_time: float = 0.0
+    """Seconds in which car and arm were put on the conveyor."""
+    car_force: float = 0.0
+    """Newtons that the gripper measured with the car."""
+    arm_force: float = 0.0
+    arm_moment: float = 0.0
+    """Newtons and newton metres that the gripper measured with the arm."""
+    driven: float = 0.0
+    """Metres, by the car's pose sensor."""
+    arm_error: float = 0.0
+    """Largest error of the arm's joints after its motions on the driving car, radians."""
+    arm_motions: int = 0
+
+
+class CarTask:
+    """Builds, loads and drives the car; the arm stands on `platform_1` already."""
+
+    def __init__(self, cell: CellClient, layout: Layout, ur10: Assembler, arm: ArmOperator) -> None:
+        if not layout.setup.car or layout.setup.conveyor is None:
+            raise TaskFailed("the cell has no car, or no conveyor")
+        self.cell = cell
+        self.layout = layout
+        self.ur10 = ur10
+        self.arm = arm
+        self.car = layout.setup.car
+        self.belt = layout.setup.conveyor
+        self.result = CarResult()
+
+    async def run(self) -> CarResult:
+        """Build the car, put it and the arm on the conveyor, and drive off. Raises `TaskFailed`."""
+        begun = self.cell.now()
+        for corner in CORNERS:
+            await self._build_corner(corner)
+        self.result.build_time = self.cell.now() - begun
+        begun = self.cell.now()
+        await self._load_car()
+        await self._load_arm()
+        self.result.load_time = self.cell.now() - begun
+        await self._drive()
+        return self.result
+
+    # --- building -------------------------------------------------------------------------------------------------
+
+    async def _build_corner(self, corner: str) -> None:
+        ur10 = self.ur10
+        await ur10.look()
+        pose = ur10.seen[self.car].pose
+        frame = pose * connector_frame(self.layout.type_of(self.car), corner)
+        tip = Tip(f"{self.car}/{corner}", self.car, frame)
+        for slot in (TURNER, WHEEL):
+            row = PartResult(f"{slot.name} {corner.replace('_', ' ')}")
+            self.result.parts.append(row)
+            await ur10.fetch_for(slot, row, tip)
+            await ur10.join_to(slot, row, tip)
+
+    # --- loading --------------------------------------------------------------------------------------------------
+
+    def _composite(self, root: str, members: list[str]) -> None:
+        """Treat a part with others attached as one: their shapes move with it."""
+        scene, handling = self.ur10.scene, self.ur10.handling
+        at = scene.poses[root]
+        pieces = list(pieces_of_part(self.layout.type_of(root)))
+        for name in members:
+            offset = at.actInv(scene.poses[name])
+            pieces += [Piece(each.shape, offset * each.frame) for each in scene.pieces(name)]
+        handling.composites[root] = pieces
+        for name in members:
+            scene.remove(name)
+        self.ur10.carried |= set(members)
+        scene.put(root, pieces, at)
+
+    async def _load_car(self) -> None:
+        """Lift the car by its top, and put it on the belt beside the arm."""
+        ur10 = self.ur10
+        await ur10.look()
+        self._composite(self.car, [row.part for row in self.result.parts])
+        pose = ur10.seen[self.car].pose
+        radius = max(solid.size[0] for solid in self.layout.type_of(self.result.parts[1].part).solids)
+        axle = float(connector_frame(self.layout.type_of(self.car), CORNERS[0]).translation[2])
+        x, y = self.belt.pose.x - BESIDE[0], float(self.arm.chain.root[1]) - BESIDE[1]
+        stand = shifted(x, y, self.belt.pose.z + radius - axle)
+        goals = [stand * turned("z", turn) for turn in (math.pi / 2.0,)]
+        plan = ur10.handling.pick(self.car, pose, ur10.at, goals, lift=0.12, supports=["stand"])
+        row = PartResult("car", self.car)
+        if why := await ur10.try_grasp(plan, row, weigh=False):
+            raise TaskFailed(f"the car cannot be lifted: {why}")
+        self.result.car_force = row.grasp_force
+        held = ur10.held
+        assert held is not None
+        place = ur10.handling.place(
+            self.car, held.grasp, ur10.at, goals, along=shifted(z=0.06), touches=["conveyor"], press=-0.002
+        )
+        await ur10.go(place.transfer, speed=CARRY_SPEED)
+        await ur10.go(place.insert, speed=0.1, contact=True)
+        await ur10.go(place.contact, speed=0.02, contact=True)
+        await self._release(self.car, place.goal)
+        await ur10.go(ur10.handling.retreat(ur10.at, 0.12), speed=0.3, contact=True)
+
+    async def _release(self, part: str, pose: pin.SE3) -> None:
+        ur10 = self.ur10
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.3)
+        ur10.held = None
+        ur10.scene.release()
+        ur10.scene.put(part, ur10.handling.pieces(part), pose)
+
+    async def _load_arm(self) -> None:
+        """Turn the arm so that its bracket faces the UR10, and carry it upright onto the car."""
+        ur10, arm = self.ur10, self.arm
+        await ur10.look()
+        grasped = arm.members[1].name
+        car = (await self.cell.observe(fresh=True))[self.car].pose
+        ur10.scene.put(self.car, ur10.handling.pieces(self.car), car)
+        top = car * connector_frame(self.layout.type_of(self.car), "top")
+        root = arm.members[0].name
+        reasons = []
+        for turn in (math.pi, math.pi * 0.75, -math.pi * 0.75, math.pi / 2.0, -math.pi / 2.0, 0.0):
+            goal = np.zeros(arm.chain.model.nq)
+            goal[0] = turn
+            arm_at = self._arm_frames(goal)
+            try:
+                plan = self._plan_carry(grasped, root, arm_at, top)
+            except NoPath as error:
+                reasons.append(f"turned by {math.degrees(turn):.0f} degrees: {error}")
+                continue
+            await arm.go(goal)
+            await self._carry(plan, grasped, root, top)
+            return
+        raise TaskFailed(f"the UR10 cannot carry the arm to the car: {'; '.join(reasons)}")
+
+    def _arm_frames(self, positions: Array) -> dict[str, pin.SE3]:
+        """The frames of the arm's parts in the world, in a posture."""
+        found, frame = {}, self.arm.base
+        by_name = dict(zip(self.arm.chain.joints, positions.tolist(), strict=True))
+        for member in self.arm.members:
+            frame = frame * member.offset
+            found[member.name] = frame
+            frame = frame * connector_frame(member.type, member.connector, by_name.get(member.name, 0.0))
+        return found
+
+    def _plan_carry(
+        self, grasped: str, root: str, frames: dict[str, pin.SE3], top: pin.SE3
+    ) -> tuple[Path, Path, Path, Path, pin.SE3]:
+        """To the bracket, up, across, and down to the car's connector; the arm stays upright all the way."""
+        ur10 = self.ur10
+        scene, planner, k = ur10.scene, ur10.planner, self.layout.kinematics
+        for name, frame in frames.items():
+            scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
+        reasons = []
+        for grasp in ur10.handling.grasps(grasped):
+            contact = frames[grasped] * grasp
+            for posture in k.solve(contact * shifted(z=-0.06), ur10.at):
+                try:
+                    approach = planner.to_posture(ur10.at, posture.positions)
+                    with scene.without(grasped):
+                        near = planner.line(approach.end, contact, margin=-0.002)
+                    carry, over = self._plan_across(near.end, contact, frames, root, top)
+                except NoPath as error:
+                    reasons.append(str(error))
+                    continue
+                return approach, near, carry, over, contact
+        raise NoPath(reasons[0] if reasons else "the bracket is out of reach")
+
+    def _plan_across(
+        self, start: Array, contact: pin.SE3, frames: dict[str, pin.SE3], root: str, top: pin.SE3
+    ) -> tuple[Path, Path]:
+        scene, planner = self.ur10.scene, self.ur10.planner
+        pieces = [
+            Piece(each.shape, contact.actInv(frame) * each.frame)
+            for name, frame in frames.items()
+            for each in pieces_of_part(self.layout.type_of(name))
+        ]
+        foot = frames[root]
+        try:
+            for name in frames:
+                scene.remove(name)
+            scene.hold("the arm", pieces, pin.SE3.Identity())
+            rise = float(top.translation[2] - foot.translation[2]) + 0.08
+            # the foot goes up, across to above the car, and down; it keeps its heading
+            raised = shifted(z=max(rise, 0.05)) * contact
+            move = top.translation - foot.translation
+            across = shifted(float(move[0]), float(move[1])) * raised
+            with scene.without("platform_1"):
+                up = planner.line(start, raised, margin=LINE_MARGIN)
+            over = planner.line(up.end, across, margin=LINE_MARGIN)
+            return up, over
+        finally:
+            scene.release()
+            for name, frame in frames.items():
+                scene.put(name, pieces_of_part(self.layout.type_of(name)), frame)
+
+    async def _carry(self, plan: tuple[Path, Path, Path, Path, pin.SE3], grasped: str, root: str, top: pin.SE3) -> None:
+        ur10, arm = self.ur10, self.arm
+        approach, near, up, over, _ = plan
+        base = arm.base_name
+        await ur10.go(approach)
+        await self.cell.enable(GRIPPER, True)
+        state = await self.cell.touch(near, GRIPPER, speed=0.02)
+        await self.cell.sleep(0.1)
+        state = await self.cell.connector(GRIPPER)
+        ur10.at = await self.cell.posture()
+        if state.attached_to != grasped:
+            raise TaskFailed(f"the gripper does not hold {grasped}: {state.last_error or 'nothing attaches'}")
+        await self.cell.enable(base, False)
+        await self.cell.sleep(0.2)
+        tool = self.layout.kinematics.forward(ur10.at)
+        foot = tool * se3(state.offset) * self._root_from(grasped, root)
+        first = self.layout.kinematics.forward(up.points[0])
+        shift = shifted(*(tool.translation - first.translation).tolist())
+        for path in (up, over):
+            goal = shift * self.layout.kinematics.forward(path.end)
+            await ur10.go(ur10.planner.line(ur10.at, goal), speed=ARM_SPEED, contact=True, gentle=True)
+        state = await self.cell.connector(GRIPPER)
+        self.result.arm_force, self.result.arm_moment = state.force, state.moment
+        # the foot now hangs over the car: put it down where the connector is
+        tool = self.layout.kinematics.forward(ur10.at)
+        foot = tool * se3(state.offset) * self._root_from(grasped, root)
+        move = top.translation - foot.translation
+        above = shifted(float(move[0]), float(move[1]), float(move[2]) + 0.01) * tool
+        await ur10.go(ur10.planner.line(ur10.at, above), speed=ARM_SPEED, contact=True, gentle=True)
+        down = shifted(*move.tolist()) * tool
+        down = shifted(z=-0.0005) * down
+        connector = f"{self.car}/top"
+        await self.cell.enable(connector, True)
+        path = ur10.planner.line(ur10.at, down)
+        for _ in range(4):
+            state = await self.cell.touch(path, connector, speed=0.01)
+            ur10.at = await self.cell.posture()
+            await self.cell.sleep(0.1)
+            state = await self.cell.connector(connector)
+            if state.attached_to:
+                break
+            path = ur10.planner.line(ur10.at, shifted(z=-0.001) * self.layout.kinematics.forward(ur10.at))
+        if state.attached_to != root:
+            raise TaskFailed(f"{connector} does not hold the arm: {state.last_error or 'nothing attaches'}")
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.2)
+        await ur10.go(ur10.handling.retreat(ur10.at, 0.1), speed=0.2, contact=True)
+
+    def _root_from(self, grasped: str, root: str) -> pin.SE3:
+        """The frame of the arm's first part in that of the one that is held, where the joints went last."""
+        frames = self._arm_frames(self.arm.last_goal)
+        return frames[grasped].actInv(frames[root])
+
+    # --- driving --------------------------------------------------------------------------------------------------
+
+    async def _drive(self) -> None:
+        """Ride on the belt, drive off its end, and move the arm meanwhile."""
+        arm = self.arm
+        await self.ur10.park()
+        await arm.ready()
+        await self.cell.run_conveyor(BELT_SPEED)
+        end = self.belt.length / 2.0
+        while True:
+            _, pose = self.cell.latest(self.car)
+            along = float((se3_of_pose(self.belt.pose).actInv(pose)).translation[0])
+            if along > end - 0.35:
+                break
+            await self.cell.sleep(0.1)
+        await self.cell.run_conveyor(0.0)
+        driver = await self.cell.control_module("CM-MOB", "car", "mobility:PrimitiveDriver")
+        sensor = await self.cell.control_module("CM-MOB", "car", "mobility:LocalPoseSensor")
+        start = await sensor.query(QueryLocalPose(ALL_POSE))
+        upright = arm.last_goal
+        goals = (upright + np.array(NOD), upright)
+        until = self.cell.now() + DRIVE_TIME
+        await driver.send(SetWrenchEffort(propulsive_linear_effort_x=DRIVE_EFFORT), ack=True)
+        while self.cell.now() < until:
+            goal = goals[self.result.arm_motions % 2]
+            await arm.move(goal, NOD_TIME)
+            off = float(np.max(np.abs(await arm.positions() - goal)))
+            self.result.arm_error = max(self.result.arm_error, off)
+            self.result.arm_motions += 1
+            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=DRIVE_EFFORT), ack=True)
+        await driver.send(SetWrenchEffort(propulsive_linear_effort_x=0.0), ack=True)
+        await self.cell.sleep(1.0)
+        end_pose = await sensor.query(QueryLocalPose(ALL_POSE))
+        self.result.driven = _distance(start, end_pose)
+
+
+ALL_POSE: Final = 0xFFFF
+
+
+def _distance(a: ReportLocalPose, b: ReportLocalPose) -> float:
+    return math.hypot((b.x or 0.0) - (a.x or 0.0), (b.y or 0.0) - (a.y or 0.0))

@@ -1,0 +1,136 @@
+"""The tasks of the cell, each in a fresh one, and what the judge measures of them."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Coroutine, Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any, Final, TypeAlias
+
+from jauspy.cell.assembly import Assembler
+from jauspy.cell.assembly_run import assemble
+from jauspy.cell.car import MOVED, CarTask
+from jauspy.cell.lift import Lifter
+from jauspy.cell.measured import Measured
+from jauspy.cell.modular import FIVE_JOINTS, ArmOperator
+from jauspy.cell.session import Disturbances, Session, simulated
+from jauspy.cell.step import PARTS, Stepper
+from jauspy.errors import JausError
+
+BASE: Final = "platform_1/top"
+MAX_ARM_ERROR: Final = 0.03
+"""Radians by which the arm's joints may be off on the driving car."""
+SETTLE: Final = 0.1
+"""Seconds until a prepared arm is known to all."""
+
+
+async def prepared(session: Session, parts: Sequence[str]) -> ArmOperator:
+    """The operator of an arm that is there already, in a simulation of this process; the UR10 parks."""
+    if session.judge is not None:
+        session.judge.prepare(BASE, parts)
+    await session.cell.sleep(SETTLE)
+    ur10 = Assembler(session.cell, session.layout)
+    ur10.at = await session.cell.posture()
+    await ur10.park()
+    arm = await ArmOperator.found(session.cell, session.layout, parts, BASE)
+    await arm.ready()
+    return arm
+
+
+async def lift(session: Session, seed: int) -> Measured:
+    """Take a box off the moving conveyor and throw it; a hit rests in the marked area."""
+    begun = session.cell.now()
+    arm = await prepared(session, FIVE_JOINTS)
+    lifter = Lifter(session.cell, session.layout, arm)
+    result = await lifter.run()
+    found = Measured(seed, "lift", duration=session.cell.now() - begun)
+    found.values = {
+        "attempts": float(result.attempts),
+        "payload": result.payload,
+        "lift_time": result.lift_time,
+        "release_speed": result.release_speed,
+        "clearance": arm.clearance.distance,
+    }
+    if session.judge is not None:
+        x, y, _ = session.judge.pose(result.box).translation
+        area = lifter.target
+        off = float(x) - area.pose.x, float(y) - area.pose.y
+        found.values |= {"off_x": off[0], "off_y": off[1]}
+        found.success = abs(off[0]) <= area.length / 2.0 and abs(off[1]) <= area.width / 2.0
+        if not found.success:
+            found.failure = f"{result.box} rests {off[0]:+.2f} m, {off[1]:+.2f} m from the middle of the area"
+    else:
+        found.success = True
+    return found
+
+
+async def step(session: Session, seed: int) -> Measured:
+    """Step from platform to platform, and back."""
+    begun = session.cell.now()
+    arm = await prepared(session, PARTS)
+    stepper = Stepper(session.cell, session.layout, arm, BASE)
+    result = await stepper.run()
+    found = Measured(seed, "step", success=result.steps == 2, duration=session.cell.now() - begun)
+    found.values = {
+        "steps": float(result.steps),
+        "there": result.times[0],
+        "back": result.times[1],
+        "attempts": float(result.attempts),
+        "clearance": arm.clearance.distance,
+    }
+    found.rows = [{"event": line} for line in result.log]
+    if session.judge is not None:
+        held = session.judge.attached()
+        found.success = found.success and held.get(BASE) == PARTS[0] and arm.tip not in held
+        found.values["placement"] = session.judge.placement(BASE, PARTS[0]).distance
+    return found
+
+
+async def car(session: Session, seed: int) -> Measured:
+    """Build the car, put it on the conveyor with the arm on top, and drive it off."""
+    begun = session.cell.now()
+    arm = await prepared(session, FIVE_JOINTS)
+    ur10 = Assembler(session.cell, session.layout, seed=seed)
+    ur10.at = await session.cell.posture()
+    task = CarTask(session.cell, session.layout, ur10, arm)
+    result = await task.run()
+    found = Measured(seed, "car", duration=session.cell.now() - begun)
+    found.rows = [asdict(row) for row in result.parts]
+    found.values = {
+        "retries": float(sum(len(row.attempts) for row in result.parts)),
+        "build_time": result.build_time,
+        "load_time": result.load_time,
+        "car_force": result.car_force,
+        "arm_force": result.arm_force,
+        "arm_moment": result.arm_moment,
+        "driven": result.driven,
+        "arm_motions": float(result.arm_motions),
+        "arm_error": result.arm_error,
+        "clearance": ur10.clearance.distance,
+    }
+    found.success = result.driven >= MOVED and result.arm_error < MAX_ARM_ERROR
+    if not found.success:
+        found.failure = f"the car drove {result.driven:.2f} m, and the arm was {result.arm_error:.3f} rad off"
+    return found
+
+
+Task: TypeAlias = Callable[[Session, int], Coroutine[Any, Any, Measured]]
+
+TASKS: Final[dict[str, Task]] = {"assemble": assemble, "lift": lift, "step": step, "car": car}
+"""The tasks that can be run by name."""
+
+
+async def run_one(
+    task: str, seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None
+) -> Measured:
+    """One run. A task that raises is a failure with that reason."""
+    begun = time.perf_counter()
+    async with simulated(seed, disturbances, film=film) as session:
+        start = session.cell.now()
+        try:
+            found = await TASKS[task](session, seed)
+        except JausError as error:
+            found = Measured(seed, task, failure=str(error), duration=session.cell.now() - start)
+    found.wall = time.perf_counter() - begun
+    return found

@@ -1,0 +1,246 @@
+"""The console's server: sockets for driving, video and the emergency stop, and the page, in the OCU's event loop."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import secrets
+import socket
+from collections import deque
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager, nullcontext
+from dataclasses import dataclass
+from datetime import datetime
+from importlib.resources import files
+from typing import Any, Final
+from urllib.parse import urlsplit
+
+import uvicorn
+from fastapi import FastAPI, WebSocket, WebSocketDisconnect
+from starlette.staticfiles import StaticFiles
+
+from jauspy.console.fleet import Fleet
+from jauspy.console.operation import Operation
+from jauspy.console.video import SharedCamera
+from jauspy.errors import ConfigError, JausError
+from jauspy.ids import JausID
+from jauspy.ocu import OCU
+from jauspy.ocu.emergency import obeys, set_emergency
+from jauspy.printable import printable
+
+MAX_EVENTS: Final = 500
+"""Lines of the log that are kept."""
+MAX_MESSAGE: Final = 1000
+"""Characters of a message of a browser."""
+LOCAL_HOSTS: Final = frozenset({"127.0.0.1", "localhost", "::1"})
+"""The console serves this machine only."""
+STOP_TIME: Final = 1.0
+"""Seconds in which an emergency stop is repeated until all obey."""
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """A line of the log."""
+
+    time: datetime
+    text: str
+
+
+class Console:
+    """The state that all browsers share: the fleet, operations, cameras and the log."""
+
+    def __init__(self, ocu: OCU, emergency_ocu: OCU) -> None:
+        self.ocu = ocu
+        self.fleet = Fleet(ocu)
+        self.fleet.on_event = self.note
+        self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
+        self.total_events = 0
+        self._emergency_ocu = emergency_ocu
+        self._operations: dict[int, Operation] = {}
+        self._cameras: dict[JausID, SharedCamera] = {}
+        self.tokens: set[str] = set()
+        """Of the pages that were served; sockets without one are refused."""
+
+    def note(self, text: str) -> None:
+        """Add a line to the log."""
+        self.events.append(Event(datetime.now().astimezone(), printable(text)))
+        self.total_events += 1
+
+    def new_token(self) -> str:
+        """A token for one page."""
+        token = secrets.token_urlsafe(16)
+        self.tokens.add(token)
+        return token
+
+    async def forget(self, token: str) -> None:
+        """The page has gone: robots that it operated are released."""
+        self.tokens.discard(token)
+        for operation in self._operations.values():
+            if operation.operator == token:
+                self.note(f"robot {operation.robot.id}: its operator's browser has left")
+                await operation.release()
+
+    def operation(self, subsystem: int) -> Operation | None:
+        """The operation of a robot; None when there is no such robot."""
+        robot = self.fleet.robots.get(subsystem)
+        if robot is None:
+            return self._operations.get(subsystem)
+        operation = self._operations.setdefault(subsystem, Operation(robot, self.note))
+        if not operation.is_controlled:
+            operation.robot = robot
+        return operation
+
+    def camera(self, id: JausID) -> SharedCamera | None:
+        """The camera of a component; None when it is not there."""
+        if id in self._cameras:
+            return self._cameras[id]
+        robot = self.fleet.robots.get(id.subsystem)
+        if robot is None or not any(each.id == id and each.find("DigitalVideo") for each in robot.components):
+            return None
+        self._cameras[id] = SharedCamera(robot.component(str(id)).camera, self.note)
+        return self._cameras[id]
+
+    async def stop(self, target: str, *, release: bool = False) -> str:
+        """Set the emergency of a robot or of all, or clear it; returns who obeyed, in words."""
+        to = JausID(int(target), 255, 255) if target.isdecimal() else JausID(65535, 255, 255)
+        for operation in self._operations.values():
+            if to.subsystem in (65535, operation.robot.id) and operation.operator and not release:
+                operation.drive(operation.operator, 0.0, 0.0)
+        found = await set_emergency(self._emergency_ocu, to, release=release, within=STOP_TIME)
+        obeyed = sum(obeys(report, release=release) for report in found.values())
+        what = "released from the emergency" if release else "stopped"
+        text = f"{obeyed} of {len(found)} components {what}" if found else "no component answered"
+        self.note(f"emergency {'release' if release else 'stop'} of {target}: {text}")
+        return text
+
+    async def close(self) -> None:
+        """Release all robots."""
+        for operation in self._operations.values():
+            await operation.release()
+        await self.fleet.close()
+
+
+def make_app(console: Console) -> FastAPI:
+    """The sockets and static files; the page is added by `page.add_page`."""
+    app = FastAPI(openapi_url=None, docs_url=None, redoc_url=None)
+    app.mount("/static", StaticFiles(directory=str(files("jauspy.console") / "static")), name="static")
+
+    @app.websocket("/ws/drive/{subsystem}/{token}")
+    async def drive(page: WebSocket, subsystem: int, token: str) -> None:
+        """Deflections of the stick as [forward, left]; the answer is why there is no effect, if so."""
+        if not await _accepted(page, console, token):
+            return
+        said = ""
+        async for text in _messages(page):
+            operation = console.operation(subsystem)
+            forward, left = _pair(text)
+            problem = "the robot has gone" if operation is None else operation.drive(token, forward, left)
+            if problem != said:
+                await page.send_text(problem)
+                said = problem
+        if (operation := console.operation(subsystem)) is not None and operation.operator == token:
+            operation.drive(token, 0.0, 0.0)
+
+    @app.websocket("/ws/video/{component}/{token}")
+    async def video(page: WebSocket, component: str, token: str) -> None:
+        if not await _accepted(page, console, token):
+            return
+        try:
+            camera = console.camera(JausID.parse(component))
+        except ConfigError:
+            camera = None
+        if camera is None:
+            await page.close(4404, "there is no such camera")
+            return
+        await camera.serve(page)
+
+    @app.websocket("/ws/stop/{token}")
+    async def stop(page: WebSocket, token: str) -> None:
+        """`stop 101`, `stop all`, `release 101`: a connection of its own, which nothing else waits for."""
+        if not await _accepted(page, console, token):
+            return
+        async for text in _messages(page):
+            verb, _, target = text.partition(" ")
+            if verb not in ("stop", "release") or not (target == "all" or (target.isdecimal() and len(target) < 6)):
+                await page.send_text(f"not understood: {printable(text)}")
+                continue
+            try:
+                await page.send_text(await console.stop(target, release=verb == "release"))
+            except JausError as error:
+                await page.send_text(str(error))
+
+    return app
+
+
+async def _accepted(page: WebSocket, console: Console, token: str) -> bool:
+    """Accept a page of this console; anything else, such as a page of another site, is closed."""
+    origin = urlsplit(page.headers.get("origin", ""))
+    if token not in console.tokens or origin.netloc != page.headers.get("host"):
+        await page.close(4403)
+        return False
+    await page.accept()
+    return True
+
+
+async def _messages(page: WebSocket) -> AsyncIterator[str]:
+    try:
+        while True:
+            yield (await page.receive_text())[:MAX_MESSAGE]
+    except (WebSocketDisconnect, RuntimeError):
+        return
+
+
+def _pair(text: str) -> tuple[float, float]:
+    """Two numbers; zeros for anything else."""
+    try:
+        forward, left = json.loads(text)
+        return float(forward), float(left)
+    except (ValueError, TypeError):
+        return 0.0, 0.0
+
+
+class _Server(uvicorn.Server):
+    """Leaves signals to the program."""
+
+    def capture_signals(self) -> Any:  # uvicorn's own handlers would end the program
+        return nullcontext()
+
+
+@asynccontextmanager
+async def serving(ocu: OCU, emergency_ocu: OCU, host: str, port: int) -> AsyncIterator[str]:
+    """Serve the console at this address while the context is open; the URL. Both OCUs must be open.
+
+    NiceGUI has one application in a process: a process can serve once.
+    """
+    if host not in LOCAL_HOSTS:
+        raise ConfigError(
+            f"--host {host}: the console has no login yet, so it serves this machine only; use an SSH tunnel, as in "
+            f"ssh -L {port}:localhost:{port} ROBOT-SIDE"
+        )
+    listener = _listener(host, port)
+    from jauspy.console.page import add_page  # noqa: PLC0415 - NiceGUI takes a second
+
+    console = Console(ocu, emergency_ocu)
+    app = make_app(console)
+    add_page(app, console)
+    server = _Server(uvicorn.Config(app, log_level="warning", lifespan="on", ws_max_size=1 << 16))
+    console.fleet.start()
+    task = asyncio.create_task(server.serve(sockets=[listener]), name="console: server")
+    try:
+        while not server.started and not task.done():  # noqa: ASYNC110 - uvicorn has no event for it
+            await asyncio.sleep(0.05)
+        yield f"http://{host}:{listener.getsockname()[1]}"
+    finally:
+        await console.close()
+        server.should_exit = True
+        await task
+        listener.close()
+
+
+def _listener(host: str, port: int) -> socket.socket:
+    try:
+        return socket.create_server((host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET)
+    except OSError as error:
+        raise ConfigError(
+            f"the console cannot listen at {host} port {port}: {error.strerror}; choose another one with --port"
+        ) from error

@@ -1,0 +1,192 @@
+// Video, driving and the emergency stop, each on a connection of its own. Nothing here waits for the rest of the page.
+"use strict";
+
+const jauspy = {
+  token: "",
+  robot: 0,
+  sockets: new Map(),
+
+  url(path) {
+    return `${location.protocol === "https:" ? "wss" : "ws"}://${location.host}/ws/${path}/${jauspy.token}`;
+  },
+
+  // --- emergency stop: Escape, or the button --------------------------------------------------------------------
+  connectStop() {
+    const socket = new WebSocket(jauspy.url("stop"));
+    socket.onmessage = (event) => jauspy.say(event.data);
+    socket.onclose = () => setTimeout(jauspy.connectStop, 500);
+    jauspy.stopSocket = socket;
+  },
+  stop(target) {
+    jauspy.release_keys();
+    if (jauspy.stopSocket?.readyState === WebSocket.OPEN) {
+      jauspy.stopSocket.send(`stop ${target}`);
+      jauspy.say("stopping …");
+    } else {
+      jauspy.say("NOT STOPPED: no connection to the console; stop the robot by other means");
+    }
+  },
+  clear(target) {
+    jauspy.stopSocket?.send(`release ${target}`);
+  },
+  say(text) {
+    const line = document.getElementById("stop-answer");
+    if (line) line.textContent = text;
+  },
+
+  // --- driving: keys, stick, gamepad; 20 messages a second while something is deflected --------------------------
+  keys: new Set(),
+  stick: { forward: 0, left: 0, held: false },
+  moving: false,
+  bindings: {
+    KeyW: [1, 0], ArrowUp: [1, 0], KeyS: [-1, 0], ArrowDown: [-1, 0],
+    KeyA: [0, 1], ArrowLeft: [0, 1], KeyD: [0, -1], ArrowRight: [0, -1],
+  },
+  selectRobot(id) {
+    if (jauspy.robot === id) return;
+    jauspy.release_keys();
+    jauspy.robot = id;
+    jauspy.driveSocket?.close();
+    jauspy.driveSocket = null;
+    if (id) jauspy.connectDrive();
+  },
+  connectDrive() {
+    if (!jauspy.robot) return;
+    const socket = new WebSocket(jauspy.url(`drive/${jauspy.robot}`));
+    socket.onmessage = (event) => {
+      const line = document.getElementById("drive-answer");
+      if (line) line.textContent = event.data;
+    };
+    socket.onclose = () => {
+      if (jauspy.driveSocket === socket) setTimeout(jauspy.connectDrive, 500);
+    };
+    jauspy.driveSocket = socket;
+  },
+  deflection() {
+    let forward = jauspy.stick.forward;
+    let left = jauspy.stick.left;
+    for (const code of jauspy.keys) {
+      forward += jauspy.bindings[code][0];
+      left += jauspy.bindings[code][1];
+    }
+    for (const pad of navigator.getGamepads?.() ?? []) {
+      if (!pad) continue;
+      const dead = (value) => (Math.abs(value) < 0.15 ? 0 : value);
+      forward -= dead(pad.axes[1] ?? 0);
+      left -= dead(pad.axes[0] ?? 0);
+    }
+    const clamp = (value) => Math.max(-1, Math.min(1, value));
+    return [clamp(forward), clamp(left)];
+  },
+  tick() {
+    const [forward, left] = jauspy.deflection();
+    const moving = forward !== 0 || left !== 0;
+    if ((moving || jauspy.moving) && jauspy.driveSocket?.readyState === WebSocket.OPEN) {
+      jauspy.driveSocket.send(JSON.stringify([forward, left]));
+    }
+    jauspy.moving = moving;
+    const knob = document.getElementById("stick-knob");
+    if (knob) knob.style.transform = `translate(${-left * 56}px, ${-forward * 56}px)`;
+  },
+  release_keys() {
+    jauspy.keys.clear();
+    jauspy.stick = { forward: 0, left: 0, held: false };
+    jauspy.tick();
+  },
+  listenToKeys() {
+    const typing = (event) => event.target.closest?.("input, textarea, select, [contenteditable]");
+    addEventListener("keydown", (event) => {
+      if (event.code === "Escape") { jauspy.stop("all"); event.preventDefault(); return; }
+      if (typing(event) || event.ctrlKey || event.altKey || event.metaKey) return;
+      if (event.code in jauspy.bindings) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
+    });
+    addEventListener("keyup", (event) => { if (jauspy.keys.delete(event.code)) jauspy.tick(); });
+    for (const name of ["blur", "pagehide"]) addEventListener(name, jauspy.release_keys);
+    document.addEventListener("visibilitychange", () => document.hidden && jauspy.release_keys());
+    document.addEventListener("pointerdown", (event) => {
+      const stick = event.target.closest?.("#stick");
+      if (!stick) return;
+      stick.setPointerCapture(event.pointerId);
+      jauspy.stick.held = true;
+      jauspy.moveStick(stick, event);
+    });
+    document.addEventListener("pointermove", (event) => {
+      const stick = event.target.closest?.("#stick");
+      if (stick && jauspy.stick.held) jauspy.moveStick(stick, event);
+    });
+    for (const name of ["pointerup", "pointercancel", "lostpointercapture"]) {
+      document.addEventListener(name, () => {
+        if (jauspy.stick.held) { jauspy.stick = { forward: 0, left: 0, held: false }; jauspy.tick(); }
+      });
+    }
+    setInterval(jauspy.tick, 50);
+  },
+  moveStick(stick, event) {
+    const box = stick.getBoundingClientRect();
+    const scale = (at, from, size) => Math.max(-1, Math.min(1, (2 * (at - from)) / size - 1));
+    jauspy.stick.left = -scale(event.clientX, box.left, box.width);
+    jauspy.stick.forward = -scale(event.clientY, box.top, box.height);
+    jauspy.tick();
+  },
+
+  // --- video: encoded pictures by WebSocket, decoded by WebCodecs, drawn on a canvas ------------------------------
+  watch(canvas, component) {
+    if (canvas.jauspySocket) return;
+    const context = canvas.getContext("2d");
+    const note = canvas.parentElement.querySelector(".video-note");
+    const tell = (text) => { if (note) note.textContent = text; };
+    if (!("VideoDecoder" in window)) { tell("this browser has no WebCodecs"); return; }
+    let decoder = null;
+    let shown = 0;
+    const socket = new WebSocket(jauspy.url(`video/${component}`));
+    socket.binaryType = "arraybuffer";
+    canvas.jauspySocket = socket;
+    tell("waiting for the camera …");
+    const open = (codec) => {
+      if (decoder && decoder.state !== "closed") decoder.close();
+      decoder = new VideoDecoder({
+        output(frame) {
+          if (canvas.width !== frame.displayWidth || canvas.height !== frame.displayHeight) {
+            canvas.width = frame.displayWidth;
+            canvas.height = frame.displayHeight;
+          }
+          context.drawImage(frame, 0, 0);
+          frame.close();
+          shown += 1;
+          canvas.dataset.pictures = shown;
+          tell("");
+        },
+        error(problem) { tell(`the video cannot be decoded: ${problem.message}`); },
+      });
+      decoder.configure({ codec, optimizeForLatency: true });
+    };
+    socket.onmessage = (event) => {
+      if (typeof event.data === "string") { open(event.data); return; }
+      if (!decoder || decoder.state !== "configured") return;
+      const header = new DataView(event.data, 0, 16);
+      decoder.decode(new EncodedVideoChunk({
+        type: header.getUint8(0) ? "key" : "delta",
+        timestamp: header.getFloat64(8, true),
+        data: new Uint8Array(event.data, 16),
+      }));
+    };
+    socket.onclose = () => {
+      canvas.jauspySocket = null;
+      if (decoder && decoder.state !== "closed") decoder.close();
+      if (canvas.isConnected) { tell("no connection"); setTimeout(() => jauspy.watch(canvas, component), 1000); }
+    };
+  },
+  enlarge(figure) {
+    for (const each of figure.parentElement.children) each.classList.toggle("large", each === figure);
+  },
+  watchAll() {
+    for (const canvas of document.querySelectorAll("canvas[data-component]")) jauspy.watch(canvas, canvas.dataset.component);
+  },
+
+  start(token) {
+    jauspy.token = token;
+    jauspy.connectStop();
+    jauspy.listenToKeys();
+    setInterval(jauspy.watchAll, 500);
+  },
+};

@@ -1,0 +1,124 @@
+"""A person's tour of the console in a real browser: take control, drive by keys, stop, close the page."""
+
+from __future__ import annotations
+
+import shutil
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
+
+import pytest
+from tests.helpers.command_line import RunningRobot, shared_robot, start
+
+pytest.importorskip("nicegui", reason="needs the extra 'console'")
+sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
+]
+WAIT = 60_000
+"""Milliseconds for anything to appear on a loaded machine."""
+
+
+@pytest.fixture(scope="module")
+def robot() -> Iterator[RunningRobot]:
+    with shared_robot() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def url(robot: RunningRobot) -> Iterator[str]:
+    process = start("console", "--no-browser", "--port", "0", "--connect", robot.local)
+    try:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip().rpartition(" ")[2]
+    finally:
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+
+
+@contextmanager
+def page_at(url: str):
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        page.set_default_timeout(WAIT)
+        errors: list[str] = []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        page.goto(url)
+        yield page
+        assert errors == []
+        browser.close()
+
+
+def status(robot: RunningRobot) -> str:
+    output, _ = start("query", "101.1.102", "QueryStatus", "--connect", robot.local, "--id", "42.9.1").communicate()
+    return output
+
+
+def x_of(page) -> float:
+    text = page.locator(".facts b").inner_text()
+    return float(text.split()[1])
+
+
+def test_a_persons_tour(url: str, robot: RunningRobot) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_text("standby").first.wait_for()
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        page.locator(".facts b").wait_for()
+        before = x_of(page)
+
+        page.keyboard.down("KeyW")
+        page.wait_for_function(
+            f"parseFloat(document.querySelector('.facts b').innerText.split(' ')[1]) > {before + 0.3}"
+        )
+        page.keyboard.up("KeyW")
+        page.wait_for_timeout(1500)
+        stopped = x_of(page)
+        page.wait_for_timeout(1500)
+        assert x_of(page) == stopped, "the robot stands when the key is up"
+
+        page.keyboard.down("KeyW")
+        page.wait_for_timeout(500)
+        page.evaluate("window.dispatchEvent(new Event('blur'))")
+        page.wait_for_timeout(1500)
+        stopped = x_of(page)
+        page.wait_for_timeout(1000)
+        assert x_of(page) == stopped, "the robot stands when the window has lost the focus"
+        page.keyboard.up("KeyW")
+
+        page.keyboard.press("Escape")
+        page.get_by_text("components stopped").first.wait_for()
+        assert "EMERGENCY" in status(robot)
+        page.get_by_role("button", name="release", exact=True).first.click()
+        page.get_by_text("released from the emergency").first.wait_for()
+        assert "EMERGENCY" not in status(robot)
+    for _ in range(100):  # the page is closed: control is released, the robot is in Standby
+        if "STANDBY" in status(robot):
+            return
+    pytest.fail("the robot is still controlled after its operator's page was closed")
+
+
+def test_two_browsers_one_operates_and_hands_over(url: str) -> None:
+    with page_at(url) as first:
+        first.get_by_role("button", name="take", exact=True).click()
+        first.get_by_text("you operate this robot").wait_for()
+        second = first.context.browser.new_page()
+        second.set_default_timeout(WAIT)
+        second.goto(url)
+        second.get_by_text("another browser operates it").wait_for()
+        second.get_by_role("button", name="take over").click()
+        second.get_by_text("you operate this robot").wait_for()
+        first.get_by_text("another browser operates it").wait_for()
+
+
+def test_pictures_of_the_cameras_arrive(url: str) -> None:
+    pytest.importorskip("av", reason="the extra 'video' is not installed")
+    with page_at(url) as page:
+        canvas = page.locator("canvas[data-component='101.1.106']")
+        canvas.wait_for()
+        page.wait_for_function("+document.querySelector('canvas[data-component]').dataset.pictures > 10")

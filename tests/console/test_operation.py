@@ -1,0 +1,119 @@
+"""Operating a robot from a browser: control, hand-over, and the dead-man's switch."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager
+from dataclasses import dataclass
+
+from jauspy.console.fleet import Fleet
+from jauspy.console.operation import DEAD_MAN_TIME, Operation
+from jauspy.modules.robot import RobotRunner
+from jauspy.ocu import OCU
+from jauspy.testing import VirtualNetwork
+
+STOP_TIME = 0.3
+"""Seconds in which a robot stands after the last message of its operator's browser."""
+
+
+@dataclass
+class Desk:
+    runner: RobotRunner
+    operation: Operation
+    events: list[str]
+    ocu: OCU
+
+    @property
+    def speed(self) -> float:
+        assert self.runner.snapshot is not None
+        return self.runner.snapshot.twist.vx
+
+    async def drive(self, seconds: float, forward: float = 1.0, token: str = "first") -> str:
+        problem = ""
+        for _ in range(round(seconds / 0.05)):
+            problem = self.operation.drive(token, forward, 0.0)
+            await asyncio.sleep(0.05)
+        return problem
+
+
+@asynccontextmanager
+async def desk(network: VirtualNetwork) -> AsyncIterator[Desk]:
+    async with network.robot() as runner, network.ocu() as ocu:
+        events: list[str] = []
+        operation = Operation(await ocu.discover(101), events.append)
+        try:
+            yield Desk(runner, operation, events, ocu)
+        finally:
+            await operation.release()
+
+
+async def test_a_browser_takes_control_and_drives(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        assert at.operation.drive("first", 1.0, 0.0) == "take control first"
+        assert await at.operation.take("first", 127) == ""
+        assert at.operation.is_controlled
+        assert await at.drive(2.0) == ""
+        assert at.speed > 0.4
+        assert at.operation.drive("second", 1.0, 0.0) == "another browser operates this robot"
+
+
+async def test_the_robot_stops_when_the_browser_is_silent(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        await at.operation.take("first", 127)
+        await at.drive(2.0)
+        await asyncio.sleep(DEAD_MAN_TIME + STOP_TIME)
+        assert abs(at.speed) < 0.05
+        assert at.events[-1] == "robot 101 was stopped: its operator's browser is silent"
+        assert await at.drive(1.0) == "", "the operator may drive on"
+        assert at.speed > 0.2
+
+
+async def test_hand_over_stops_the_robot_first(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        await at.operation.take("first", 127)
+        await at.drive(2.0)
+        assert await at.operation.take("second", 127) == ""
+        await asyncio.sleep(STOP_TIME)
+        assert abs(at.speed) < 0.05
+        assert at.operation.drive("first", 1.0, 0.0) == "another browser operates this robot"
+        assert await at.drive(1.0, token="second") == ""
+        assert at.speed > 0.2
+
+
+async def test_refused_control_says_why(virtual_network: VirtualNetwork) -> None:
+    async with (
+        desk(virtual_network) as at,
+        virtual_network.ocu("42.1.9") as other,
+        (await other.discover(101)).control(authority=200),
+    ):
+        problem = await at.operation.take("first", 127)
+        assert "held by 42.1.9 with authority 200" in problem
+        assert at.operation.problem == problem
+        assert not at.operation.is_controlled
+
+
+async def test_the_fleet_follows_robots_and_their_states(virtual_network: VirtualNetwork) -> None:
+    events: list[str] = []
+    async with virtual_network.ocu() as ocu:
+        fleet = Fleet(ocu)
+        fleet.on_event = events.append
+        fleet.start()
+        try:
+            async with virtual_network.robot(), virtual_network.ocu("42.1.9") as other:
+                async with asyncio.timeout(20.0):
+                    while 101 not in fleet.robots:
+                        await asyncio.sleep(0.1)
+                async with (await other.discover(101)).control("drive"):
+                    await asyncio.sleep(2.0)
+                    (id,) = (each.id for each in fleet.robots[101].components if each.find("PrimitiveDriver"))
+                    assert (fleet.states[id].status, fleet.states[id].controller) == ("READY", "42.1.9")
+                    assert not fleet.is_silent(id)
+            async with asyncio.timeout(30.0):
+                while fleet.robots:
+                    await asyncio.sleep(0.1)
+        finally:
+            await fleet.close()
+    assert events[0] == "robot 101 inc1 has appeared"
+    assert "101.1.102 is controlled by 42.1.9, was by nobody" in events
+    assert events[-1] == "robot 101 inc1 does not answer any more"

@@ -1,0 +1,30 @@
+from __future__ import annotations
+
+import pytest
+
+from jauspy.messages.manipulator import SetJointPositions
+from jauspy.ocu import joint_efforts, joint_positions, joint_velocities, metres
+
+
+def test_numbers_become_records():
+    message = joint_positions(0.5, -0.2, metres(0.03))
+    values = [
+        (int(each.joint_position.choice), round(each.joint_position.value, 6)) for each in message.joint_position_list
+    ]
+    assert values == [(1, 0.5), (1, -0.2), (2, 0.03)]
+    assert SetJointPositions.decode(message.encode()).encode() == message.encode()
+    assert [each.joint_effort for each in joint_efforts(10, -20).joint_effort_list] == [10.0, -20.0]
+    assert [each.joint_velocity.value for each in joint_velocities(0.1).joint_velocity_list] == [0.1]
+
+
+def test_what_is_no_number_is_named():
+    with pytest.raises(TypeError, match="joint 2 is a number, not the str 'up'"):
+        joint_positions(0.0, "up")
+
+
+async def test_arm_makes_the_message_from_names(robot, ocu):
+    arm = (await ocu.robot(101)).arm
+    message = await arm.joint_positions(arm_link_2_to_arm_link_3=-1.2)
+    assert isinstance(message, SetJointPositions)
+    assert len(message.joint_position_list) == 5
+    assert message.joint_position_list[2].joint_position.value == pytest.approx(-1.2, abs=1e-5)
