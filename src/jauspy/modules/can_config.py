@@ -94,6 +94,8 @@ class CanConfig(StrictConfig):
     heartbeat: Annotated[float, Field(ge=0.01, le=1.0)] = 0.05
     heartbeat_timeout: Annotated[float, Field(ge=0.03, le=5.0)] = 0.2
     """Seconds; without a heartbeat for so long, a drive stops, and counts as lost."""
+    status_timeout: Annotated[float, Field(ge=0.01, le=5.0)] = 0.05
+    """Seconds without a PDO after which a drive counts as silent."""
     drives: Annotated[Mapping[Name, DriveConfig], Field(min_length=1, max_length=64)]
 
     @model_validator(mode="after")
@@ -138,6 +140,7 @@ def can_setup(
         config.node,
         config.heartbeat,
         config.heartbeat_timeout,
+        config.status_timeout,
         drives,
     )
 

@@ -18,9 +18,6 @@ from jauspy.platform.can.cia402 import (
 from jauspy.platform.can.setup import DriveSetup
 from jauspy.platform.can.units import DriveUnits, unwrapped
 
-SILENT_SYNCS: Final = 10
-"""SYNCs without an answer after which a drive counts as silent."""
-
 TRANSITION_TIME: Final = 0.1
 """Seconds that a drive may take to enter Operation Enabled again after a quick stop."""
 
@@ -51,12 +48,12 @@ class Motion(Protocol):
 class Drive:
     """One drive. `receive_*` may be called by another thread than the other methods."""
 
-    def __init__(self, setup: DriveSetup, joint: Joint, motion: Motion, sync_period: float) -> None:
+    def __init__(self, setup: DriveSetup, joint: Joint, motion: Motion, status_timeout: float) -> None:
         self.setup = setup
         self.joint = joint
         self.units = DriveUnits(setup, joint)
         self.motion = motion
-        self._silent_after = SILENT_SYNCS * sync_period
+        self._silent_after = status_timeout
         self.configured = False
         """True when it was configured since it last started."""
         self.statusword = 0

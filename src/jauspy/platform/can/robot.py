@@ -196,7 +196,7 @@ class CanRobot:
         else:
             motion = JointMotion(joint, 0.0)
         self._motions[name] = motion
-        return Drive(setup, joint, motion, 1.0 / self._setup.sync_rate)
+        return Drive(setup, joint, motion, self._setup.status_timeout)
 
     def _tracks(self) -> CanTracks | None:
         tracks = self._model.tracks
@@ -296,6 +296,13 @@ class CanRobot:
         except Exception:
             self._failed = True
             raise
+
+    def measure_lateness(self) -> list[float]:
+        """A list that gets the seconds by which each cycle from now on is late; it stays empty without a real bus."""
+        late: list[float] = []
+        if isinstance(self._ticker, _Clocked):
+            self._ticker.late = late
+        return late
 
     def _tick(self) -> None:
         """After each cycle."""

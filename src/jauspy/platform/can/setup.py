@@ -99,4 +99,6 @@ class CanSetup:
     """Seconds between two heartbeats."""
     heartbeat_timeout: float = 0.2
     """Seconds without a heartbeat after which a drive stops, and after which a drive counts as lost."""
+    status_timeout: float = 0.05
+    """Seconds without a PDO after which a drive counts as silent."""
     drives: Mapping[str, DriveSetup] = field(default_factory=dict)
