@@ -43,6 +43,9 @@ MATERIALS: Final[Mapping[str, tuple[Colour, float, float]]] = {
 }
 """Colour (red, green, blue, alpha), specular and shininess."""
 
+SHADING: Final = frozenset({"housing", "silver", "white", "carbon", "frame", "cardboard", "bin", "belt"})
+"""Materials that cast shadows: those of what is large. Bolts and lips would double the time of a picture."""
+
 LOOKS: Final[Mapping[str, tuple[str, str]]] = {
     "x5_1_inline": ("x5_inline", "inline_output"),
     "x5_4_inline": ("x5_inline", "inline_output"),
@@ -168,6 +171,7 @@ class Dresser:
 
     @staticmethod
     def _only_seen(geom: mujoco.MjsGeom) -> None:
+        geom.castshadow = geom.material in SHADING
         geom.contype = geom.conaffinity = 0
         geom.mass = 0.0
         geom.group = VISUAL

@@ -13,6 +13,7 @@ import mujoco
 import numpy as np
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
 from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
@@ -177,9 +178,12 @@ class SimulatedCell:
                 if self._viewer is not None:
                     self._viewer.sync()
 
-    def prepare(self, connector: str, parts: Sequence[str]) -> None:
-        """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
-        put_on_each_other(self, connector, parts)
+    def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
+        """Have an arm there before a task starts: put parts on a connector and on each other, attached.
+
+        `errors` are poses of parts on their connectors, by part.
+        """
+        put_on_each_other(self, connector, parts, errors)
 
     def view(self) -> None:
         """Open a window that shows the cell while it is advanced. Raises `ConfigError` without a display."""

@@ -159,6 +159,7 @@ def test_the_car_drives_once_it_has_wheels() -> None:
     cell.data.qpos[joint.qposadr[0] : joint.qposadr[0] + 7] = (-2.0, 0.0, 0.03, 1.0, 0.0, 0.0, 0.0)
     build_car(cell)
     assert car.state().assembled
+    assert {cell.servos[f"servo_{number}"].state().claimed_by for number in range(6, 10)} == {"car"}
     cell.advance(0.5)
     start = car.pose()
     assert start.z == pytest.approx(0.02, abs=0.003)
@@ -174,6 +175,10 @@ def test_the_car_drives_once_it_has_wheels() -> None:
     cell.advance(0.3)
     assert abs(car.twist().vx) < 0.01
     assert abs(car.twist().wz) < 0.02
+    cell.connectors["servo_6/output"].set(False)
+    cell.advance(0.01)
+    assert not car.state().assembled
+    assert {cell.servos[f"servo_{number}"].state().claimed_by for number in range(6, 10)} == {""}
 
 
 def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
