@@ -117,6 +117,11 @@ CELL_VERBS: Final = {
     "all": ("jauspy.cli.cell.all:all_tasks", "Run everything once; write films, plots and a page of results."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
+CAN_VERBS: Final = {
+    "drives": ("jauspy.cli.can:drives", "List the nodes on a robot's bus: state, error, voltage, firmware."),
+    "simulate": ("jauspy.cli.can:simulate", "Simulate all drives of a robot on a CAN bus, until Ctrl-C."),
+    "fault": ("jauspy.cli.can:fault", "Make a simulated drive fail."),
+}
 FUZZ_VERBS: Final = {
     "codec": ("jauspy.cli.fuzz:codec", "Decode valid, random and damaged messages and check invariants."),
     "replay": ("jauspy.cli.fuzz:replay", "Check the bytes of a saved finding again."),
@@ -129,6 +134,7 @@ GROUPS: Final = {
     "schema": SCHEMA_VERBS,
     "keys": KEY_VERBS,
     "cell": CELL_VERBS,
+    "can": CAN_VERBS,
     "fuzz": FUZZ_VERBS,
 }
 
@@ -230,6 +236,9 @@ cell_app = typer.Typer(
     no_args_is_help=True,
     help="Tasks of the modular factory cell: simulated in this process, on virtual time, unless said otherwise.",
 )
+can_app = typer.Typer(
+    cls=VerbGroup, name="can", no_args_is_help=True, help="Servo drives on a robot's CAN bus: real and simulated ones."
+)
 fuzz_app = typer.Typer(
     cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec with random and damaged messages."
 )
@@ -264,6 +273,7 @@ for _group, _verbs in (
     (schema_app, SCHEMA_VERBS),
     (keys_app, KEY_VERBS),
     (cell_app, CELL_VERBS),
+    (can_app, CAN_VERBS),
     (fuzz_app, FUZZ_VERBS),
 ):
     _add(_group, _verbs)
