@@ -48,6 +48,19 @@ async def test_documented_gate_runs(virtual_network: VirtualNetwork) -> None:
     assert "host.action_failed" not in component.counters
 
 
+async def test_compared_program_runs_and_lines_are_counted_right(virtual_network: VirtualNetwork, robot) -> None:
+    page = (DOCS / "side-by-side.md").read_text()
+    parts = [re.findall(r"^ {4}.*\S", part, re.MULTILINE) for part in page.split("\n## ")[1:4]]
+    assert f"| lines of code | {' | '.join(str(len(part)) for part in parts)} |" in page
+    source = program("side-by-side.md", "import asyncio\nimport jauspy")
+    source = source.replace("jauspy.OCU(", "network.ocu(").replace("asyncio.run(main())", "")
+    names: dict[str, Any] = {"network": virtual_network}
+    exec(source, names)
+    await names["main"]()
+    assert robot.snapshot.pose.x > 1.85
+    assert robot.components[0].host.state.endswith("NotControlled.Available.Standby")
+
+
 def test_index_of_decisions_is_complete() -> None:
     listed = [line for line in (DOCS / "adr" / "README.md").read_text().splitlines() if line.startswith("| [")]
     records = []

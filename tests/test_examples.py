@@ -51,6 +51,14 @@ async def test_ocu(node_manager: LocalNode) -> None:
         assert robot.snapshot.pose.x >= 2.0
 
 
+async def test_verbs(node_manager: LocalNode) -> None:
+    async with node_manager.robot() as robot:
+        output = await run("verbs.py", node_manager.local)
+        assert robot.snapshot is not None
+        assert robot.snapshot.pose.y > 0.3
+    assert "elbow -1.2" in output
+
+
 async def test_sync_ocu(node_manager: LocalNode) -> None:
     async with node_manager.robot():
         output = await run("sync_ocu.py", node_manager.local)

@@ -87,8 +87,12 @@ class GlRenderer:
         mujoco.mjr_render(self._rect, self._scene, self._context)
 
     def _be_thorough(self, thoroughly: bool) -> None:
-        """Change to the context with smooth edges, or back; it is made when it is needed first."""
+        """Change to shadows and smooth edges, or back; the context for these is made when it is needed first."""
         if thoroughly is self._thorough:
+            return
+        if self._samples == 1:
+            self._thorough = thoroughly
+            self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(thoroughly)
             return
         other = self._other or self._make_context(self._samples if thoroughly else 0)
         self._context, self._other, self._thorough = other, self._context, thoroughly

@@ -122,7 +122,8 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(beside):
 def test_send_notes_what_prevents_an_effect(beside):
     where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
-    assert "its controller, nobody; use --control" in jauspy("send", "101.1.102", *effort, *where).stderr
+    assert "which is nobody: use --control AUTHORITY" in jauspy("send", "101.1.102", *effort, *where).stderr
+    assert "101.1.103 does not offer SetWrenchEffort" in jauspy("send", "101.1.103", *effort, *where).stderr
     assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where).stderr
     emergency = ("Emergency", "emergency_code=STOP")
     assert jauspy("send", "101.1.102", f"Set{emergency[0]}", emergency[1], *where).stderr == ""
@@ -146,9 +147,9 @@ def test_send_tells_that_the_robot_was_ended_meanwhile():
     with shared_robot() as robot:
         process = start(
             *("send", "101.1.102", "SetWrenchEffort", "propulsive_linear_effort_x=10", "--control", "200"),
-            *("--hold", "3", "--timeout", "1", "--connect", robot.local),
+            *("--hold", "3", "--connect", robot.local),
         )
-        while '"subsystem_id": 42' not in jauspy("query", "101.1.102", "QueryControl", "--connect", robot.local).stdout:
+        while "READY" not in jauspy("query", "101.1.102", "QueryStatus", "--connect", robot.local).stdout:
             assert process.poll() is None
         robot.process.kill()
         _, error = process.communicate(timeout=20)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import select
 import signal
@@ -14,6 +15,12 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 import av
 
+from jauspy.cli import video
+from jauspy.errors import RequestError
+from jauspy.ids import JausID
+from jauspy.ocu import OCU
+from jauspy.transport.loopback import LoopbackHub, LoopbackTransport
+from jauspy.transport.udp import UdpTransport
 from jauspy.video.receiver import RtpReceiver
 
 HEADLESS = {name: value for name, value in os.environ.items() if name not in {"DISPLAY", "WAYLAND_DISPLAY"}}
@@ -101,3 +108,36 @@ def test_unknown_sensor_is_an_error(robot):
 )
 def test_wrong_usage_ends_with_status_2(arguments, status, said):
     assert said in " ".join(jauspy("video", *arguments, status=status).stderr.split())
+
+
+async def test_without_an_address_it_is_the_one_that_routes_to_the_robot(monkeypatch):
+    """Not 127.0.0.1, to which a robot on another machine sends its own."""
+    asked = []
+    monkeypatch.setattr("jauspy.ocu.connection.address_towards", lambda host: asked.append(host) or "10.0.0.7")
+    async with OCU("42.1.1", transport=UdpTransport(JausID(42, 1, 1), peer=("127.0.0.1", 9))) as ocu:
+        assert await ocu.address_towards("101.1.106") == "10.0.0.7"
+    assert asked == ["127.0.0.1"]
+    async with OCU("42.1.1", transport=UdpTransport(JausID(42, 1, 1), group=("239.255.0.77", 9))) as ocu:
+        with pytest.raises(RequestError, match=r"not known on which machine 101\.1\.106 is"):
+            await ocu.address_towards("101.1.106")
+
+
+async def test_the_address_of_this_machine_is_that_of_its_loopback_interface(robot):
+    async with OCU("42.1.9", robot[1]) as ocu:
+        assert await video.own_address(ocu, JausID(101, 1, 106), None) == ("127.0.0.1", 5004)
+        assert await video.own_address(ocu, JausID(101, 1, 106), ("10.0.0.1", 6000)) == ("10.0.0.1", 6000)
+
+
+async def test_missing_picture_is_explained_after_three_seconds(monkeypatch, capsys, tmp_path, port):
+    assert video.FIRST_NOTE == 3.0
+    monkeypatch.setattr(video, "FIRST_NOTE", 0.05)
+    monkeypatch.setattr(video, "START_TIMEOUT", 0.1)
+    monkeypatch.setattr(video, "registered", lambda *_: contextlib.nullcontext())
+    ocu, camera = OCU("42.1.1", transport=LoopbackTransport(JausID(42, 1, 1), LoopbackHub())), JausID(101, 1, 106)
+    with pytest.raises(RequestError, match=r"no picture was received in 0\.1 s: no packet has arrived at rtp://127"):
+        await video.record(ocu, camera, 1, ("127.0.0.1", port), file=tmp_path / "x.mp4", seconds=None)
+    said = " ".join(capsys.readouterr().err.split())
+    assert "no picture yet: no packet has arrived" in said
+    assert "if 101.1.106 is on another one, name an address with --to" in said
+    assert "101.1.106 may have no route to 10.0.0.7" in video.no_picture(camera, ("10.0.0.7", 5004), {})
+    assert "no whole picture to begin with (lost 3)" in video.no_picture(camera, ("10.0.0.7", 5004), {"lost": 3})

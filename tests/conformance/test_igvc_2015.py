@@ -8,6 +8,7 @@ import pytest
 from tests.conformance.simulated import TARGET, examined, robot
 
 from jauspy.conformance.trace import Direction
+from jauspy.ids import JausID
 
 EVENT_ID_AT = {"01f1": 4, "01f2": 1, "21f0": 1}
 """Where the robot's own event id is in the body; the robot of 2015 had others."""
@@ -40,3 +41,11 @@ def test_sent_bytes_equal_those_of_the_judge(report, shared):
         if row["message_id"] in EVENT_ID_AT and body[0] != 3:
             body[EVENT_ID_AT[row["message_id"]]] = wanted[EVENT_ID_AT[row["message_id"]]]
         assert body.hex() == wanted.hex(), result.id
+
+
+def test_several_components_that_answer_are_an_error_before_the_first_step():
+    report = examined("igvc-2015", robot(name="inc1", tick=None), JausID(101, 1, 255))
+    assert report.results == ()
+    assert report.status == 2
+    assert report.problem.startswith("7 components answer; name one: 101.1.10")
+    assert "(as in --target 101.1.10" in report.problem

@@ -29,6 +29,7 @@ class Workcell:
 
     def __init__(self, backend: str, robot: str, component: int) -> None:
         config, model = described(robot)
+        self.backend = backend
         self.model = model
         self.robot = find(backend).open(model, "empty")
         self.now = 0.0
@@ -88,9 +89,13 @@ _HAS_MUJOCO = find_spec("mujoco") is not None
 
 BACKENDS = [
     pytest.param("kinematic", marks=[pytest.mark.slow] if _HAS_MUJOCO else []),
+    pytest.param(
+        "can",
+        marks=[pytest.mark.slow, pytest.mark.skipif(find_spec("canopen") is None, reason="canopen is not installed")],
+    ),
     pytest.param("sim", marks=pytest.mark.skipif(not _HAS_MUJOCO, reason="MuJoCo is not installed")),
 ]
-"""Modules are tested on the simulator, and in the slow tests on the kinematic backend too."""
+"""Modules are tested on the simulator, and in the slow tests on the kinematic backend and on simulated drives, too."""
 
 
 def told(cell: Workcell, *messages: Message) -> list[int]:

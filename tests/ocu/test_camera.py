@@ -9,6 +9,7 @@ import pytest
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ocu import camera as module
 from jauspy.protocol.addressing import Location
+from jauspy.transport.multicast import address_towards
 
 np = pytest.importorskip("numpy")
 pytest.importorskip("av")
@@ -63,8 +64,8 @@ async def _ignored(self, component, sensor, url) -> int:
 
 
 def test_own_address_is_the_one_that_routes_to_the_robot():
-    assert module._address_towards("127.0.0.1") == "127.0.0.1"
-    assert module._address_towards("not an address") is None
+    assert address_towards("127.0.0.1") == "127.0.0.1"
+    assert address_towards("not an address") is None
 
 
 @pytest.mark.parametrize(
@@ -87,3 +88,11 @@ async def test_unknown_machine_asks_for_an_address(robot, ocu, monkeypatch):
     monkeypatch.setattr(module.Connection, "locate", locate)
     with pytest.raises(ConfigError, match=r"not known on which machine 101.1.106 is; .*frames\(address=...\)"):
         await anext((await ocu.robot(101)).camera("arm").frames())
+
+
+async def test_loop_that_is_left_by_break_ends_the_video_when_the_ocu_is_closed(node_manager, robot):
+    async with node_manager.ocu() as ocu:
+        async for _ in (await ocu.robot(101)).camera("arm").frames():
+            assert sum(robot.videos["arm"].receivers.values()) == 1
+            break
+    assert sum(robot.videos["arm"].receivers.values()) == 0

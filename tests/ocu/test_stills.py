@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import os
 import zlib
-from datetime import UTC, datetime
+from datetime import UTC, datetime, timedelta
 
 import pytest
 from tests.modules.cameras import FakeVideo
@@ -64,6 +64,7 @@ async def test_large_image_arrives_complete(service, video):
     assert zlib.crc32(photo.content) == zlib.crc32(video.picture)
     assert (photo.format, photo.sensor) == ("JPEG", 1)
     assert photo.taken is not None
+    assert photo.taken.utcoffset() == timedelta(0)
     video.picture = os.urandom(1_500_000)
     photo = await service.still(timeout=40.0)
     assert zlib.crc32(photo.content) == zlib.crc32(video.picture)

@@ -7,11 +7,17 @@ import math
 from datetime import UTC, datetime, timedelta
 
 import pytest
+from tests.helpers.robot import FakeDrive
 
+from jauspy.component.component import loop_time
 from jauspy.errors import ConfigError, ControlRejected, RequestError
 from jauspy.messages.core import Standby, TimeStamp
-from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.messages.mobility import QueryWrenchEffort, SetWrenchEffort
 from jauspy.ocu.state import datetime_of
+from jauspy.platform.chassis import Chassis
+from jauspy.services.core import AccessControl
+from jauspy.services.mobility import PrimitiveDriver, Vehicle
+from jauspy.services.ugv import PlatformSpecifications
 
 TURN, SHOULDER, ELBOW = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2", "arm_link_2_to_arm_link_3"
 FINGER = "gripper_link_to_left_finger"
@@ -217,3 +223,26 @@ def test_time_stamp_is_of_the_closest_month():
     now = datetime(2026, 3, 1, 0, 0, 5, tzinfo=UTC)
     stamp = TimeStamp(milliseconds=500, seconds=59, minutes=59, hour=23, day=28)
     assert datetime_of(stamp, now) == datetime(2026, 2, 28, 23, 59, 59, 500_000, tzinfo=UTC)
+
+
+async def test_robot_with_efforts_only_is_driven_in_metres_per_second(ocu, virtual_network):
+    drive = FakeDrive(clock=loop_time)
+    vehicle = Vehicle(drive, chassis=Chassis(max_speed=2.0, max_turn_rate=4.0))
+    services = [AccessControl(timeout=5), PrimitiveDriver(vehicle), PlatformSpecifications(vehicle)]
+    async with virtual_network.component("7.1.1", services):
+        robot = await ocu.robot(7)
+        async with robot.control("drive"):
+            assert await robot.speed_limits() == pytest.approx((2.0, 4.0), abs=0.01)
+            await robot.drive(linear=0.5, angular=1.0)
+            report = await robot.service("PrimitiveDriver").query(QueryWrenchEffort())
+            assert report.propulsive_linear_effort_x == pytest.approx(25.0, abs=0.2)
+            assert report.propulsive_rotational_effort_z == pytest.approx(-25.0, abs=0.2)
+
+
+async def test_robot_with_efforts_only_that_hides_its_speeds_says_so(ocu, virtual_network):
+    vehicle = Vehicle(FakeDrive(clock=loop_time))
+    async with virtual_network.component("7.1.1", [AccessControl(timeout=5), PrimitiveDriver(vehicle)]):
+        robot = await ocu.robot(7)
+        async with robot.control("drive"):
+            with pytest.raises(ConfigError, match=r"percent.* does not report its greatest speeds"):
+                await robot.drive(linear=0.5)

@@ -16,6 +16,7 @@ INC1 = robot_model(load("inc1"))
 @pytest.fixture(
     params=[
         "kinematic",
+        pytest.param("can", marks=pytest.mark.skipif(find_spec("canopen") is None, reason="canopen is not installed")),
         pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
     ]
 )

@@ -181,3 +181,47 @@ def test_state_reached_only_by_a_derived_service_is_no_finding(jsidl):
     child = machine(transition("T", goes("A.C"))).replace('"M"', '"t.M"')
     jsidl.service(name="Child", urn="urn:test:Child", references=parent, behavior=child)
     assert jsidl.lint("unreachable-state") == []
+
+
+WRONG_GUARD = (
+    "guard 'isReady(mgs)' names the parameter mgs, and the transition has msg and transportData; did you mean msg?"
+)
+
+
+def guarded(condition: str, here: str, action: str = "") -> str:
+    return (
+        f'<transition name="events.transport.Receive">{here}<parameter type="Msg" value="msg"/>'
+        '<parameter type="Receive.Body.ReceiveRec" value="transportData"/>'
+        f'<guard condition="{condition}"/><internal/>{action}</transition>'
+    )
+
+
+@pytest.mark.parametrize(
+    ("condition", "message"),
+    [
+        ("isReady(mgs)", WRONG_GUARD),
+        ("isReady(msg) &amp;&amp; !isOpen('mgs') &amp;&amp; isFull(transportData)", None),
+        ("isReady()", None),
+    ],
+)
+def test_parameters_of_guards(jsidl, condition, message):
+    jsidl.service(behavior=machine(guarded(condition, HERE if message else "")), references=TRANSPORT)
+    assert jsidl.lint("guard-parameter") == ([message] if message else [])
+
+
+CONTROL = '<references><inherits_from name="access" id="urn:jaus:jss:core:AccessControl" version="1.1"/></references>'
+
+
+@pytest.mark.parametrize(
+    ("condition", "references", "found"),
+    [
+        ("isReady(msg)", CONTROL, True),
+        ("isControllingClient(transportData)", CONTROL, False),
+        ("isReady(msg)", TRANSPORT, False),
+    ],
+)
+def test_commands_without_control(jsidl, condition, references, found):
+    body = machine(guarded(condition, HERE if found else "", '<action name="move"/>'))
+    jsidl.service(behavior=body, references=references)
+    warnings = jsidl.lint("uncontrolled-command")
+    assert [each.startswith("the command Msg is carried out for any client") for each in warnings] == [True] * found

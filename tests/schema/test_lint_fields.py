@@ -214,3 +214,24 @@ def test_names_of_values_and_messages_that_collide(jsidl):
     found = jsidl.lint("python-name")
     assert "are both ON_OFF in Python" in found[0]
     assert "'msg' and 'Msg' in service 'Test' are both msg in Python" in found[1]
+
+
+@pytest.mark.parametrize(
+    ("unit", "problem"),
+    [
+        ("metre", "'metre', the unit of 'F', is not one of JSIDL; did you mean meter"),
+        ("m/s", "'m/s', the unit of 'F', is not one of JSIDL"),
+        ("meter per", "'meter per', the unit of 'F', is not one of JSIDL"),
+        ("meter", ""),
+        ("newton meter", ""),
+        ("meter per second squared", ""),
+        ("kilogram per cubic meter", ""),
+        ("degree Celsius", ""),
+        ("rotations per minute", ""),
+    ],
+)
+def test_units(jsidl, unit, problem):
+    field = f'<fixed_field name="F" field_type="byte" field_units="{unit}"/>{HERE if problem else ""}'
+    jsidl.service(body=record(field))
+    found = jsidl.lint("unknown-unit")
+    assert [text.startswith(problem) for text in found] == ([True] if problem else [])

@@ -13,6 +13,7 @@ PECULIAR = {
     ("MeasurementSensorClient.xml", "conflicting-message"),
     ("CBRNSensor.xml", "presence-vector"),
     ("CBRNSensor.xml", "duplicate-message"),
+    ("DigitalControl.xml", "uncontrolled-command"),
     ("Drawing.xml", "tag-limits"),
     ("types.xml", "tag-limits"),
     ("MissionSpooler.xml", "output-trigger"),

@@ -66,7 +66,7 @@ class Film:
         due = loop.time()
         assert self._session is not None
         while True:
-            picture = self._session.look(*self._size)
+            picture = self._session.look(*self._size, thoroughly=True)
             frame = self._av.VideoFrame.from_ndarray(picture.image, format="rgb24")
             frame.pts, frame.time_base = self.pictures, Fraction(1, RATE)
             for packet in self._stream.encode(frame):

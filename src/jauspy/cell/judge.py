@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Protocol, runtime_checkable
 
@@ -47,8 +47,11 @@ class KnowsTruth(Protocol):
         """What is really the case."""
         ...
 
-    def prepare(self, connector: str, parts: Sequence[str]) -> None:
-        """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
+    def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
+        """Have an arm there before a task starts: put parts on a connector and on each other, attached.
+
+        `errors` are poses of parts on their connectors, by part.
+        """
         ...
 
 

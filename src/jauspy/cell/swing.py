@@ -187,8 +187,8 @@ def plot_swing(comparison: SwingComparison, path: Path) -> None:
         axes[3].set_yscale("log")
         axes[3].set_ylim(1e-3, None)
         axes[3].axhline(AT_REST, color="#2f7d4f", lw=1.2)
-        axes[3].annotate(f"at rest: {AT_REST:g} rad/s", (longest, AT_REST), ha="right", va="bottom", color="#2f7d4f")
+        axes[3].annotate(f"at rest: {AT_REST:g} rad/s", (longest, 1.2e-3), ha="right", va="bottom", color="#2f7d4f")
         for each in both:
             axes[3].axvline(each.settled, color=colours[each.controller], lw=1.0, ls=":")
-        axes[1].annotate("end of the commanded motion", (both[1].end, axes[1].get_ylim()[0]), rotation=90, fontsize=8)
+        axes[1].annotate("end of the commanded motion", (1.3 * both[1].end, -1.0), fontsize=9)
         axes[0].legend(loc="best")

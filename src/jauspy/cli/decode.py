@@ -25,6 +25,7 @@ from jauspy.capture.dissect import (
 )
 from jauspy.capture.reader import CaptureReader, Datagram, from_hex, from_lines, is_capture
 from jauspy.cli import console
+from jauspy.cli.can_log import can_lines, is_can_log
 from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.render import field_lines
 from jauspy.codec import reference
@@ -64,12 +65,15 @@ def decode(
     sources: SchemasOption = None,
     service: ServiceName = None,
     version: ServiceVersion = None,
+    robot: Annotated[
+        str, typer.Option("--robot", metavar="ROBOT", help="The robot whose drives are in a log of CAN frames.")
+    ] = "inc1",
     message: Annotated[
         str | None,
         typer.Option("--message", metavar="NAME", help="Which message, if a service has several with one id."),
     ] = None,
 ) -> None:
-    """Print the JAUS messages in a capture file or in hex text.
+    """Print the JAUS messages in a capture file or in hex text, or the CAN frames in a log of candump.
 
     Values are in SI units and radians. Yellow lines describe deviations from the definition. The exit status is 1 if
     something could not be decoded.
@@ -82,7 +86,12 @@ def decode(
       jauspy decode --explain 02001000010a017e0014017e0002200200
       tcpdump -w - udp | jauspy decode -
       jauspy decode arm.pcap --schemas vendor/ --version 1.0
+      jauspy decode candump-2026-11-22.log --robot inc1
     """
+    if is_can_log(source):
+        for line in can_lines(source, robot):
+            console.print_lines(line)
+        return
     known = definitions(sources)
     wanted = known.hints(service, version, message)
     options = DecodeOptions(known.registry, wanted, _port(port), None if what is None else what.value)

@@ -102,7 +102,25 @@ CELL_VERBS: Final = {
     ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
+    "kpi": (
+        "jauspy.cli.cell.measurements:kpi",
+        "Measure how soon the arm is at rest after a release, with both controllers.",
+    ),
+    "iso9283": (
+        "jauspy.cli.cell.measurements:iso9283",
+        "Measure accuracy and repeatability of both arms, before and after a calibration.",
+    ),
+    "kitting": (
+        "jauspy.cli.cell.kitting:kitting",
+        "Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.",
+    ),
+    "all": ("jauspy.cli.cell.all:all_tasks", "Run everything once; write films, plots and a page of results."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
+}
+CAN_VERBS: Final = {
+    "drives": ("jauspy.cli.can:drives", "List the nodes on a robot's bus: state, error, voltage, firmware."),
+    "simulate": ("jauspy.cli.can:simulate", "Simulate all drives of a robot on a CAN bus, until Ctrl-C."),
+    "fault": ("jauspy.cli.can:fault", "Make a simulated drive fail."),
 }
 FUZZ_VERBS: Final = {
     "codec": ("jauspy.cli.fuzz:codec", "Decode valid, random and damaged messages and check invariants."),
@@ -116,6 +134,7 @@ GROUPS: Final = {
     "schema": SCHEMA_VERBS,
     "keys": KEY_VERBS,
     "cell": CELL_VERBS,
+    "can": CAN_VERBS,
     "fuzz": FUZZ_VERBS,
 }
 
@@ -217,6 +236,9 @@ cell_app = typer.Typer(
     no_args_is_help=True,
     help="Tasks of the modular factory cell: simulated in this process, on virtual time, unless said otherwise.",
 )
+can_app = typer.Typer(
+    cls=VerbGroup, name="can", no_args_is_help=True, help="Servo drives on a robot's CAN bus: real and simulated ones."
+)
 fuzz_app = typer.Typer(
     cls=VerbGroup, name="fuzz", no_args_is_help=True, help="Test the codec with random and damaged messages."
 )
@@ -251,6 +273,7 @@ for _group, _verbs in (
     (schema_app, SCHEMA_VERBS),
     (keys_app, KEY_VERBS),
     (cell_app, CELL_VERBS),
+    (can_app, CAN_VERBS),
     (fuzz_app, FUZZ_VERBS),
 ):
     _add(_group, _verbs)

@@ -66,6 +66,16 @@ OperatorKey = Annotated[
 ]
 Timeout = Annotated[float, typer.Option("--timeout", min=0.01, metavar="SECONDS", help="How long to wait for answers.")]
 Json = Annotated[bool, typer.Option("--json", help="One JSON object per line.")]
+Bus = Annotated[
+    str | None,
+    typer.Option(
+        "--bus",
+        metavar="INTERFACE:CHANNEL",
+        help="The CAN bus, as python-can names it: socketcan:can0, slcan:/dev/ttyACM0, udp_multicast:239.0.0.1; "
+        "virtual:motors, virtual:kinematic or virtual:sim are simulated drives in the robot's process, and what they "
+        "move. Default: that of the robot's file.",
+    ),
+]
 WithParent = Annotated[
     bool,
     typer.Option("--with-parent", hidden=True, help="End when standard input closes, as it does when the parent dies."),

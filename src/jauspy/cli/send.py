@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import asyncio
 from contextlib import suppress
-from typing import Annotated, Any, Final
+from typing import Annotated, Final
 
 import typer
 
@@ -17,9 +17,9 @@ from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
 from jauspy.ids import JausID
-from jauspy.messages.core import QueryControl, QueryEventTimeout, QueryStatus, ReportControl, ReportStatus
+from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.ocu import OCU
-from jauspy.ocu.explain import needs_control
+from jauspy.ocu.explain import TAKE_CONTROL, needs_control
 from jauspy.ocu.service import ServiceClient
 from jauspy.services.command_timeout import CONTINUOUS_COMMANDS
 
@@ -105,29 +105,20 @@ async def _send(ocu: OCU, to: JausID, command: Message) -> str:
 
 async def _obstacle(ocu: OCU, to: JausID, command: Message) -> str:
     """Why a component may not have carried out a command."""
-    # Every component answers QueryEventTimeout, whatever services it offers.
-    queries = QueryControl(), QueryStatus(), QueryEventTimeout()
-    answers: list[Any] = await asyncio.gather(*(ocu.query(to, each) for each in queries), return_exceptions=True)
-    control, status, _ = answers
+    reason = await ocu.explain(to, command)
     if ocu.stats.refused:
         return ""  # the log says why
-    if all(isinstance(each, BaseException) for each in answers):
-        return f"sent, but {to} does not answer queries and may not exist; `jauspy ls` lists the components"
-    if (
-        command.NAME == "ClearEmergency"
-        and isinstance(status, ReportStatus)
-        and status.status == status.Status.EMERGENCY
-    ):
-        return (
-            f"sent, but {to} is still in EMERGENCY; only the id that set it can clear it; this is {ocu.id} (see --id)"
-        )
-    if isinstance(control, ReportControl) and needs_control(command):
-        holder = JausID(control.subsystem_id, control.node_id, control.component_id)
-        who = str(holder) if int(holder) else "nobody"
-        if holder != ocu.id:
-            return f"sent, but {to} accepts commands only from its controller, {who}; use --control AUTHORITY"
-    reason = await ocu.explain(to, command)
-    return f"sent, but {reason}" if reason else ""
+    if command.NAME == "ClearEmergency":
+        reason = reason or await _still_in_emergency(ocu, to)
+    return f"sent, but {reason.replace(TAKE_CONTROL, 'use --control AUTHORITY')}" if reason else ""
+
+
+async def _still_in_emergency(ocu: OCU, to: JausID) -> str:
+    with suppress(ResponseTimeout):
+        status = await ocu.query(to, QueryStatus(), expects=ReportStatus)
+        if status.status == ReportStatus.Status.EMERGENCY:
+            return f"{to} is still in EMERGENCY; only the id that set it can clear it; this is {ocu.id} (see --id)"
+    return ""
 
 
 async def send_in_control(

@@ -83,7 +83,7 @@ async def take_picture(
         photo = await service.still(size=size, format=format, sensor=sensor, timeout=max_wait)
     _write(file, photo.content)
     at = photo.taken
-    when = f", taken at {at.hour:02}:{at.minutes:02}:{at.seconds:02}.{at.milliseconds:03} UTC" if at else ""
+    when = f", taken at {at:%H:%M:%S}.{at.microsecond // 1000:03} UTC" if at else ""
     what = f"{photo.format} by sensor {photo.sensor} of {camera}, {len(photo.content):,} bytes{when}"
     console.print_lines(f"{file}: {what}")
 

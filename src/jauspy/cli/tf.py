@@ -80,15 +80,15 @@ def _row(frame: str, parent: str, pose: Transform) -> dict[str, Any]:
         "frame": frame,
         "in": parent,
         "axes": "REP-103",
-        "position": [round(value, 6) for value in pose.position],
-        "roll_pitch_yaw": [round(value, 6) for value in (angles.roll, angles.pitch, angles.yaw)],
-        "quaternion": [round(value, 6) for value in quaternion(pose.rotation)],
+        "position": [round(value, 6) + 0.0 for value in pose.position],
+        "roll_pitch_yaw": [round(value, 6) + 0.0 for value in (angles.roll, angles.pitch, angles.yaw)],
+        "quaternion": [round(value, 6) + 0.0 for value in quaternion(pose.rotation)],
     }
 
 
 def _line(row: dict[str, Any]) -> str:
-    x, y, z = row["position"]
-    roll, pitch, yaw = row["roll_pitch_yaw"]
+    x, y, z = (round(value, 4) + 0.0 for value in row["position"])  # no negative zeros
+    roll, pitch, yaw = (round(value, 4) + 0.0 for value in row["roll_pitch_yaw"])
     line = (
         f"{row['frame']:24} in {row['in']:24}"
         f"  x {x:8.4f}  y {y:8.4f}  z {z:8.4f} m  roll {roll:7.4f}  pitch {pitch:7.4f}  yaw {yaw:7.4f} rad"

@@ -13,6 +13,7 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli import console
+from jauspy.cli.can_bus import on_bus
 from jauspy.cli.options import (
     DEFAULT_ADDRESS,
     DEFAULT_GROUP,
@@ -20,6 +21,7 @@ from jauspy.cli.options import (
     DEFAULT_PORT,
     DEFAULT_ROOT,
     Address,
+    Bus,
     Interface,
     LocalRoot,
     MulticastGroup,
@@ -47,7 +49,8 @@ Backend = Annotated[
         "--backend",
         metavar="NAME",
         help=f"What moves the robot; installed: {', '.join(backends.names())}. sim is MuJoCo physics (extra 'sim'), "
-        "kinematic is pure Python without obstacles. Default: the robot's own.",
+        "kinematic is pure Python without obstacles, can is servo drives on a CAN bus (extra 'can'). "
+        "Default: the robot's own.",
     ),
 ]
 
@@ -58,6 +61,7 @@ def up(
         str, typer.Argument(metavar="ROBOT", help="The robot's name, as in inc1, or the path of its .toml file.")
     ],
     backend: Backend = None,
+    bus: Bus = None,
     port: Port = DEFAULT_PORT,
     address: Address = DEFAULT_ADDRESS,
     local_root: LocalRoot = DEFAULT_ROOT,
@@ -111,7 +115,7 @@ def up(
         console.log_to_stderr("DEBUG")
     if with_parent:
         end_with_parent()
-    config = robot_files.load(robot)
+    config = on_bus(robot_files.load(robot), bus)
     clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
         config,
@@ -119,6 +123,8 @@ def up(
         backend=backend,
         world=world,
     )
+    if bus is not None and runner.config.backend != CAN:
+        raise ConfigError(f"--bus is for the backend can; this one is {runner.config.backend}")
     if world is not None and runner.config.backend == KINEMATIC:
         raise ConfigError("the backend kinematic has no worlds; leave out --world, or use another backend")
     if gateway is not None:
@@ -140,6 +146,7 @@ def up(
 
 
 KINEMATIC: Final = "kinematic"
+CAN: Final = "can"
 _DRIVE: Final = "jauspy send {} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2"
 
 LONG_CONTROL_TIMEOUT: Final = 30

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import asyncio
+import ipaddress
 import os
 import shlex
 import shutil
 import subprocess
-from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager, suppress
+from collections.abc import AsyncIterator, Mapping
+from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -35,13 +36,14 @@ def video(
     camera: Annotated[str, typer.Argument(metavar="ID", help="The component of the camera, as in 101.1.106.")],
     sensor: Annotated[int, typer.Option("--sensor", min=1, max=65535, help="The sensor id of the camera.")] = 1,
     to: Annotated[
-        str,
+        str | None,
         typer.Option(
             "--to",
             metavar="IP:PORT",
-            help="Where the robot sends the video: an address of this machine that the robot can reach.",
+            help="Where the robot sends the video: an address of this machine that the robot can reach.  "
+            "[default: port 5004 of the address that routes to the robot]",
         ),
-    ] = "127.0.0.1:5004",
+    ] = None,
     sdp: Annotated[
         Path | None, typer.Option("--sdp", metavar="FILE", help="Description for players.  [default: ID.sdp]")
     ] = None,
@@ -77,19 +79,38 @@ def video(
         raise ConfigError(f"{component} has wildcards; name one component")
     if save is not None and show:
         raise typer.BadParameter("it cannot be combined with --save: a port has one receiver", param_hint="--show")
-    address = parse_rtp_url(f"rtp://{to}")
+    given = None if to is None else parse_rtp_url(f"rtp://{to}")
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
     if save is not None:
-        run(record(ocu, component, sensor, address, file=save, seconds=seconds))
+        run(record(ocu, component, sensor, given, file=save, seconds=seconds))
         return
     file = sdp or Path(f"{component}.sdp")
-    players(file, f"{component} sensor {sensor}", address, show=show)
-    run(watch(ocu, component, sensor, address, seconds))
+    check_writable(file)
+    run(watch(ocu, component, sensor, given, seconds, file=file, show=show))
 
 
+DEFAULT_PORT: Final = 5004
+"""As in RFC 3551."""
+
+
+async def own_address(ocu: OCU, camera: JausID, given: tuple[str, int] | None) -> tuple[str, int]:
+    """The given address, else the one of this machine that routes to the camera."""
+    if given is not None:
+        return given
+    robot = await ocu.discover(camera.subsystem)
+    robot.component(str(camera)).service(ENDPOINTS)
+    try:
+        return await ocu.address_towards(camera), DEFAULT_PORT
+    except RequestError as error:
+        raise RequestError(f"{error}; name one that the robot can reach: --to IP:PORT") from None
+
+
+ENDPOINTS: Final = "DigitalResourceDiscovery"
 RENEWAL_INTERVAL: Final = 60.0
 """Seconds between two registrations; the robot removes an endpoint after five minutes."""
 
+FIRST_NOTE: Final = 3.0
+"""Seconds without a picture after which a note says why that may be."""
 START_TIMEOUT: Final = 20.0
 """Seconds until the first picture; the camera may have to be started."""
 
@@ -117,7 +138,7 @@ async def register(ocu: OCU, camera: JausID, sensor: int, url: str) -> int:
 async def registered(ocu: OCU, camera: JausID, sensor: int, url: str) -> AsyncIterator[None]:
     """The video is sent to `url` while this context is open."""
     robot = await ocu.discover(camera.subsystem)
-    robot.component(str(camera)).service("DigitalResourceDiscovery")
+    robot.component(str(camera)).service(ENDPOINTS)
     number = await register(ocu, camera, sensor, url)
     renewing = asyncio.create_task(_renew(ocu, camera, sensor, url))
     try:
@@ -128,15 +149,28 @@ async def registered(ocu: OCU, camera: JausID, sensor: int, url: str) -> AsyncIt
             await ocu.query(camera, Remove(number, 2), expects=Confirm)
 
 
-async def watch(ocu: OCU, camera: JausID, sensor: int, address: tuple[str, int], seconds: float | None) -> None:
-    """Keep the endpoint registered until the time is up."""
-    async with ocu, registered(ocu, camera, sensor, url_of(address)):
+async def watch(
+    ocu: OCU,
+    camera: JausID,
+    sensor: int,
+    given: tuple[str, int] | None,
+    seconds: float | None,
+    *,
+    file: Path,
+    show: bool,
+) -> None:
+    """Keep the endpoint registered until the time is up; print what shows the video."""
+    async with AsyncExitStack() as stack:
+        await stack.enter_async_context(ocu)
+        address = await own_address(ocu, camera, given)
+        players(file, f"{camera} sensor {sensor}", address, show=show)
+        await stack.enter_async_context(registered(ocu, camera, sensor, url_of(address)))
         console.print_lines(f"{camera} sends to {url_of(address)}; Ctrl-C ends it")
         await _sleep(seconds)
 
 
 async def record(
-    ocu: OCU, camera: JausID, sensor: int, address: tuple[str, int], *, file: Path, seconds: float | None
+    ocu: OCU, camera: JausID, sensor: int, given: tuple[str, int] | None, *, file: Path, seconds: float | None
 ) -> None:
     """Record the video; also ends when the size of the pictures changes."""
     need_video()
@@ -145,7 +179,10 @@ async def record(
 
     loop = asyncio.get_running_loop()
     started, ended = asyncio.Event(), asyncio.Event()
-    with RtpReceiver(*address) as receiver, Recorder(file) as recorder:
+    async with AsyncExitStack() as stack:
+        await stack.enter_async_context(ocu)
+        address = await own_address(ocu, camera, given)
+        receiver, recorder = stack.enter_context(RtpReceiver(*address)), stack.enter_context(Recorder(file))
 
         def take() -> None:
             for picture in receiver.take():
@@ -156,20 +193,44 @@ async def record(
 
         loop.add_reader(receiver.fileno(), take)
         try:
-            async with ocu, registered(ocu, camera, sensor, url_of(address)):
+            async with registered(ocu, camera, sensor, url_of(address)):
                 console.print_lines(f"recording {camera} to {file}; Ctrl-C ends it")
                 with suppress(TimeoutError):
-                    await asyncio.wait_for(started.wait(), START_TIMEOUT)
+                    if not await _starts(started, FIRST_NOTE):
+                        console.note(f"no picture yet: {no_picture(camera, address, receiver.counters)}")
+                    await asyncio.wait_for(started.wait(), START_TIMEOUT - FIRST_NOTE)
                     await asyncio.wait_for(ended.wait(), seconds)
         finally:
             loop.remove_reader(receiver.fileno())
             pictures, lost = recorder.pictures, receiver.counters.get("lost", 0)
             console.note(f"{pictures} pictures in {file}, {lost} packets lost")
     if not pictures:
-        raise RequestError(
-            f"no picture was received at {url_of(address)} in {START_TIMEOUT:g} s: {camera} must be able to reach this "
-            "address"
-        )
+        why = no_picture(camera, address, receiver.counters)
+        raise RequestError(f"no picture was received in {START_TIMEOUT:g} s: {why}")
+
+
+async def _starts(started: asyncio.Event, seconds: float) -> bool:
+    with suppress(TimeoutError):
+        await asyncio.wait_for(started.wait(), seconds)
+    return started.is_set()
+
+
+def no_picture(camera: JausID, address: tuple[str, int], counters: Mapping[str, int]) -> str:
+    """Why no picture may have come, from what was received."""
+    if counters:
+        told = ", ".join(f"{name} {count}" for name, count in sorted(counters.items()))
+        return f"packets arrive at {url_of(address)}, but no whole picture to begin with ({told})"
+    if ipaddress.ip_address(address[0]).is_loopback:
+        there = f"only a robot on this machine reaches it; if {camera} is on another one, name an address with --to"
+    else:
+        there = f"UDP port {address[1]} may be closed by a firewall, or {camera} may have no route to {address[0]}"
+    return f"no packet has arrived at {url_of(address)}: the camera may still be starting; else {there}"
+
+
+def check_writable(file: Path) -> None:
+    """Raise `ConfigError` if the description cannot be written, before anybody is asked for video."""
+    if not os.access(file if file.exists() else file.parent, os.W_OK):
+        raise ConfigError(f"cannot write {file}; choose another file with --sdp")
 
 
 def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> None:

@@ -35,7 +35,7 @@ from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services
 from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.age import MAX_AGE
-from jauspy.transport.base import ClashAwareTransport, LocatingTransport
+from jauspy.transport.base import AddressedTransport, ClashAwareTransport, LocatingTransport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
 S = TypeVar("S", bound=Service)
@@ -455,6 +455,10 @@ class Component:
             services, delivery = self.host.next_timeout(), self._endpoint.next_timeout()
             at = services if delivery is None or (services is not None and services < delivery) else delivery
             self._timer.set(self._loop, at)
+
+    def host_towards(self, id: JausID) -> str | None:
+        """The host to which datagrams for a component go, if the transport sends to hosts and knows it."""
+        return self._transport.host_towards(id) if isinstance(self._transport, AddressedTransport) else None
 
     async def id_clash(self) -> str | None:
         """The address of another machine that uses the id of this component, as far as the transport knows it."""

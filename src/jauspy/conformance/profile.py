@@ -71,6 +71,8 @@ class Profile:
     steps: tuple[Step, ...] | Plan
     notes: tuple[str, ...] = ()
     """Notes for the readers of its reports."""
+    one_component: bool = False
+    """True if all steps need one component; then several that answer to a wildcard are an error before the first."""
 
     @property
     def asks_for_services(self) -> bool:

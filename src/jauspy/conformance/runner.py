@@ -10,7 +10,7 @@ from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.conformance.offers import Offers, discover
+from jauspy.conformance.offers import DISCOVERY_CLIENT, Offers, discover
 from jauspy.conformance.profile import Profile, Step
 from jauspy.conformance.results import Report, Result, StepOutcome, Verdict
 from jauspy.conformance.tester import HARMLESS_QUERIES, TIMEOUT, Tester
@@ -18,10 +18,20 @@ from jauspy.conformance.wire import Wire
 from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages import registry as known_messages
-from jauspy.messages.core import ClearEmergency, ReleaseControl, RequestControl, SetEmergency, Standby
+from jauspy.messages.core import (
+    ClearEmergency,
+    QueryIdentification,
+    ReleaseControl,
+    ReportIdentification,
+    RequestControl,
+    SetEmergency,
+    Standby,
+)
 
 MAX_SILENT_STEPS: Final = 3
 """Steps in a row without an answer after which the others are skipped."""
+COUNT_TIME: Final = 0.5
+"""Timeouts in which all components of a wildcard answer."""
 MAX_PROBE_CLIENTS: Final = 64
 """Clients that probe in turn, so that a late answer to an earlier probe does not count."""
 
@@ -225,10 +235,25 @@ def _notes(tester: Tester) -> tuple[str, ...]:
 
 def _results(profile: Profile, tester: Tester, offers: Offers | None, settings: Settings) -> Iterator[Result]:
     """Run step by step, and stop if the target has never answered."""
+    if profile.one_component and tester.target.is_wildcard:
+        _check_one_component(tester)
     for result in results(_chosen(profile.plan(_offers(profile, tester, offers)), settings.only), tester, settings):
         yield result
         if result.verdict is Verdict.SILENT and tester.has_sent and not tester.has_received:
             return
+
+
+def _check_one_component(tester: Tester) -> None:
+    """Raise `ConfigError` if several components answer, each of which would get a part of the steps."""
+    client = tester.client(DISCOVERY_CLIENT)
+    query = QueryIdentification(QueryIdentification.QueryType.COMPONENT)
+    found = {source for source, _ in client.answers(query, ReportIdentification, COUNT_TIME * tester.timeout)}
+    if len(found) > 1:
+        ids = ", ".join(map(str, sorted(found)))
+        raise ConfigError(
+            f"{len(found)} components answer; name one: {ids} (as in --target {min(found)}), since this test needs one "
+            "component with all services"
+        )
 
 
 def results(steps: Iterable[Step], tester: Tester, settings: Settings) -> Iterator[Result]:

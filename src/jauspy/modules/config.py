@@ -14,6 +14,7 @@ from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
+from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, StrictConfig
 from jauspy.platform.camera import CameraSetup
@@ -362,6 +363,8 @@ class RobotConfig(StrictConfig):
     """Without tracks the base is fixed to the world."""
     cell: CellConfig | None = None
     """The factory cell around the robot. Parts with a servo or connectors that no module names get one for each."""
+    can: CanConfig | None = None
+    """The servo drives of the robot, for the backend `can`."""
     groups: Groups = Field(default_factory=dict)
     """The groups of joints, by name."""
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()

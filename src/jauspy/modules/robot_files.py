@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -15,9 +16,11 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import JointKind, RobotDescription, parse_urdf
 from jauspy.geometry.vectors import dot
+from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
 from jauspy.modules.xacro_files import expand
-from jauspy.platform.description import RobotModel
+from jauspy.platform.can.setup import CanSetup
+from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.user_files import read_toml
 
 SUFFIX: Final = ".toml"
@@ -65,6 +68,7 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])
     _read_part_types(data.get("cell"), folder)
+    _place_eds_files(data.get("can"), folder)
     other = data.pop("extends", None)
     if other is None:
         return data
@@ -77,6 +81,14 @@ def _read_part_types(cell: object, folder: Path) -> None:
     """Replace the path of a file with types of parts by what it has."""
     if isinstance(cell, dict) and isinstance(path := cell.get("types"), str):
         cell["types"] = read_toml(folder / path).get("types", {})
+
+
+def _place_eds_files(can: object, folder: Path) -> None:
+    """Make the paths of drives' EDS files relative to the robot's file."""
+    drives = can.get("drives") if isinstance(can, dict) else None
+    for drive in drives.values() if isinstance(drives, dict) else ():
+        if isinstance(drive, dict) and isinstance(path := drive.get("eds"), str) and path:
+            drive["eds"] = str(folder / path)
 
 
 def _find(name_or_path: str | Path, folder: Path) -> Traversable:
@@ -117,7 +129,18 @@ def robot_model(config: RobotConfig) -> RobotModel:
         _check_link("cell.gripper", cell.gripper, description)
     tracks = config.tracks.setup() if config.tracks else None
     setup = cell.setup() if cell else None
-    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup)
+    drives = _can_setup(config.can, description, tracks, groups) if config.can else None
+    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup, drives)
+
+
+def _can_setup(
+    config: CanConfig, description: RobotDescription, tracks: TrackSetup | None, groups: Mapping[str, GroupSetup]
+) -> CanSetup | str:
+    """The drives, or why they do not match the robot: a file that extends another one may have no use for them."""
+    try:
+        return can_setup(config, description, tracks, groups)
+    except ConfigError as error:
+        return str(error)
 
 
 def _read_urdf(path: str) -> RobotDescription:

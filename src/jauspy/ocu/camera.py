@@ -5,14 +5,13 @@
 from __future__ import annotations
 
 import asyncio
-import socket
 from collections import deque
 from collections.abc import AsyncGenerator
 from contextlib import aclosing, asynccontextmanager, suppress
 from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
 from jauspy.arguments import check_number
-from jauspy.errors import ConfigError, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout, TransportError
 from jauspy.messages.environment_sensing import (
     ConfirmDigitalResourceEndpoint as Confirm,
     QueryVisualSensorCapabilities,
@@ -41,7 +40,6 @@ SILENCE: Final = 5.0
 """Seconds without a frame after which `frames` raises, once the video runs."""
 MAX_WAITING: Final = 64
 """Encoded pictures that wait to be read; the oldest go first."""
-_LOOPBACK: Final = "127.0.0.1"
 
 
 P_co = TypeVar("P_co", covariant=True)
@@ -188,12 +186,9 @@ class Camera:
         return [(int(each.sensor_id), str(getattr(each, "sensor_name", ""))) for each in rows]
 
     async def _own_address(self, component: ComponentInfo) -> str:
-        location = await self._connection.locate(component.id)
-        if location.is_here:
-            return _LOOPBACK
-        for host in sorted(location.hosts):
-            if (found := _address_towards(host)) is not None:
-                return found
+        found = await self._connection.address_towards(component.id)
+        if found is not None:
+            return found
         raise ConfigError(
             f"it is not known on which machine {component.id} is; name the address of this machine to which it is to "
             "send: frames(address=...)"
@@ -216,17 +211,26 @@ class Camera:
     async def _registered(
         self, component: ComponentInfo, sensor: int, reader: R, host: str
     ) -> AsyncGenerator[tuple[R, str], None]:
-        """The camera sends to the reader; with the URL that it was given."""
+        """The camera sends to the reader; with the URL that it was given.
+
+        This ends when the OCU is closed, too: Python ends a loop that was left by `break` some time later.
+        """
         try:
             url = f"rtp://{f'[{host}]' if ':' in host else host}:{reader.receiver.port}"
             endpoint = await self._register(component, sensor, url)
             renewal = asyncio.create_task(self._renew(component, sensor, url), name=f"video of {component.id}")
-            try:
-                yield reader, url
-            finally:
-                renewal.cancel()
-                with suppress(RequestError):  # a camera that is gone sends no video
-                    await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
+
+            async def end() -> None:
+                if not renewal.cancelling():
+                    renewal.cancel()
+                    with suppress(RequestError, TransportError):  # a camera that is gone sends no video
+                        await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
+
+            with self._connection.on_close(end):
+                try:
+                    yield reader, url
+                finally:
+                    await end()
         finally:
             reader.close()
 
@@ -239,10 +243,10 @@ class Camera:
     async def _received(
         self, reader: Reader[P_co], url: str, component: ComponentInfo, timeout: float
     ) -> AsyncGenerator[P_co, None]:
-        loop, arrived, patience = asyncio.get_running_loop(), asyncio.Event(), timeout
-        loop.add_reader(reader.fileno(), arrived.set)
+        loop, arrived, descriptor = asyncio.get_running_loop(), asyncio.Event(), reader.fileno()
+        loop.add_reader(descriptor, arrived.set)
         try:
-            end = loop.time() + patience
+            end = loop.time() + timeout
             while True:
                 frame = reader.take()
                 if frame is not None:
@@ -256,7 +260,7 @@ class Camera:
                 except TimeoutError:
                     raise ResponseTimeout(_nothing(component, url, reader)) from None
         finally:
-            loop.remove_reader(reader.fileno())
+            loop.remove_reader(descriptor)
 
 
 def _nothing(component: ComponentInfo, url: str, reader: Reader[P_co]) -> str:
@@ -266,14 +270,3 @@ def _nothing(component: ComponentInfo, url: str, reader: Reader[P_co]) -> str:
         f"{component.id} sends no picture to {url}: {what}; its camera may still be starting, or a firewall or another "
         "network be in between (`address` says where it is to send)"
     )
-
-
-def _address_towards(host: str) -> str | None:
-    """The address of this machine from which packets to `host` are sent; nothing is sent."""
-    family = socket.AF_INET6 if ":" in host else socket.AF_INET
-    with socket.socket(family, socket.SOCK_DGRAM) as probe:
-        try:
-            probe.connect((host, 9))
-        except OSError:
-            return None
-        return str(probe.getsockname()[0])

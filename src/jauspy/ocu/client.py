@@ -18,7 +18,7 @@ from jauspy.arguments import async_only, check_text, described
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.component import Component, ComponentOptions
-from jauspy.errors import ConfigError
+from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.ocu.connection import Connection, RetryPolicy, Stats
@@ -209,6 +209,17 @@ class OCU:
         """
         async for news in watch(self._connection, subsystem, interval, silence, parts=parts):
             yield news
+
+    async def address_towards(self, destination: str | JausID) -> str:
+        """The IP address of this machine that routes to a component, as for video that it is to send here.
+
+        Raises `RequestError` while it is not known on which machine the component is: nothing was received from it.
+        """
+        id = JausID.of(destination)
+        found = await self._connection.address_towards(id)
+        if found is None:
+            raise RequestError(f"it is not known on which machine {id} is, so no address of this machine routes to it")
+        return found
 
     # --- without discovery ----------------------------------------------------------------------------------------
 

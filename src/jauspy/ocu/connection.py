@@ -42,9 +42,12 @@ from jauspy.protocol.addressing import Location
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.protocol.seal import OperatorKey
 from jauspy.services.core.command_seal import explained
+from jauspy.transport.multicast import address_towards
 
 _LOG: Final = get_logger("jauspy.ocu")
 
+LOOPBACK: Final = "127.0.0.1"
+"""Where programs of this machine send to each other."""
 QUERY_EACH_INTERVAL: Final = 0.5
 """Seconds after which `query_each` sends its query again."""
 MAX_ANSWERS: Final = 4096
@@ -391,6 +394,14 @@ class Connection:
             f"the id {self.id} is in use twice, by this program and at {other}, so answers may go to the other one; "
             "give one of them another id, as in OCU('42.1.7') or --id 42.1.7"
         )
+
+    async def address_towards(self, id: JausID) -> str | None:
+        """The IP address of this machine that routes to a component; None if it is not known."""
+        location = await self.locate(id)
+        if location.is_here:
+            return LOOPBACK
+        hosts = (*sorted(location.hosts), self._opened().host_towards(id))
+        return next(filter(None, (address_towards(host) for host in hosts if host)), None)
 
     async def locate(self, id: JausID) -> Location:
         """The machine of a component, as far as it is known."""

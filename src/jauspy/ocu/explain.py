@@ -28,6 +28,8 @@ _UNCONTROLLED_SERVICES: Final = frozenset(
 )
 _TAKEN_IN_STANDBY: Final = ("SetLocalWaypoint", "SetGlobalWaypoint", "SetElement", "DeleteElement")
 """Beginnings of names of commands that need control, and not Ready."""
+TAKE_CONTROL: Final = "take control first"
+"""What to do when another client, or none, is in control."""
 _STATES: Final[dict[int, str]] = {
     ReportStatus.Status.INITIALIZE: "still starting: wait until it is in Standby, then resume it",
     ReportStatus.Status.STANDBY: "in Standby: resume first",
@@ -70,7 +72,7 @@ async def explain(
     if command is None or needs_control(command):
         if isinstance(control, ReportControl) and (holder := controller(control)) != connection.id:
             who = "nobody" if holder == NO_CONTROLLER else f"{holder} with authority {control.authority_code}"
-            return f"{id} takes commands only from the client in control, which is {who}: take control first"
+            return f"{id} takes commands only from the client in control, which is {who}: {TAKE_CONTROL}"
         if isinstance(status, ReportStatus) and not _is_taken(command, status):
             return f"{id} is {_STATES.get(status.status, status_name(status))}"
     if command is not None:

@@ -7,11 +7,11 @@ from __future__ import annotations
 import asyncio
 from contextlib import AbstractAsyncContextManager, nullcontext
 from dataclasses import dataclass
+from datetime import UTC, datetime
 from typing import Any, Final
 
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
-from jauspy.messages.core import TimeStamp
 from jauspy.messages.environment_sensing.v1_0.types import StillImageSensorErrorRec
 from jauspy.messages.environment_sensing.v2_0.still_image import (
     QueryStillImageDataExt,
@@ -23,6 +23,7 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
+from jauspy.ocu.state import datetime_of
 from jauspy.platform.frame_sizes import FRAME_SIZES, frame_size
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
@@ -42,12 +43,12 @@ CAMERA_WAIT: Final = 2.0
 
 @dataclass(frozen=True, slots=True)
 class Photo:
-    """An image as the content of a file; `format` is JAUS's name of it (JPEG, PNG), `taken` a time of day in UTC."""
+    """An image as the content of a file; `format` is JAUS's name of it (JPEG, PNG), `taken` the time in UTC."""
 
     content: bytes
     format: str
     sensor: int
-    taken: TimeStamp | None
+    taken: datetime | None
 
 
 async def take_photo(connection: Connection, id: JausID, wanted: Configuration, timeout: float) -> Photo:
@@ -129,5 +130,6 @@ def _photo(report: ReportStillImageDataExt) -> Photo | None:
     for each in report.still_image_data_list:
         if each.image_frame is not None:
             number = each.image_frame.format
-            return Photo(each.image_frame.data, getattr(number, "name", str(number)), each.sensor_id, each.time_stamp)
+            taken = None if each.time_stamp is None else datetime_of(each.time_stamp, datetime.now(UTC))
+            return Photo(each.image_frame.data, getattr(number, "name", str(number)), each.sensor_id, taken)
     return None

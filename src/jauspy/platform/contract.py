@@ -10,7 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol, Self
+from typing import TYPE_CHECKING, NamedTuple, Protocol, Self
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 
@@ -97,8 +97,7 @@ class Robot(RobotParts, Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
-class PartId:
+class PartId(NamedTuple):
     """A part of a robot that is commanded: its kind, as in `DriveBase` or `JointGroup`, and its name among those."""
 
     kind: type

@@ -16,6 +16,7 @@ from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
 
 if TYPE_CHECKING:
+    from jauspy.platform.can.setup import CanSetup
     from jauspy.platform.modular.parts import CellSetup
 
 
@@ -75,3 +76,5 @@ class RobotModel:
     force_torque: tuple[ForceTorqueSetup, ...] = ()
     cell: CellSetup | None = None
     """What is in the factory cell around it; None for a robot that is not in one."""
+    can: CanSetup | str | None = None
+    """The drives on its CAN bus, for the backend `can`; a sentence if they do not match the robot."""

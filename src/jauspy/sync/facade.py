@@ -840,6 +840,13 @@ class OCU(OpensPortal):
         """
         return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence, parts=parts))
 
+    def address_towards(self, destination: str | JausID) -> str:
+        """The IP address of this machine that routes to a component, as for video that it is to send here.
+
+        Raises `RequestError` while it is not known on which machine the component is: nothing was received from it.
+        """
+        return self._portal.run(self._async.address_towards(destination))
+
     def service(self, destination: str | JausID, name: str) -> ServiceClient:
         """The client of a service of any component, whether it was discovered, and lists the service, or not.
 

@@ -82,6 +82,14 @@ class LocatingTransport(Transport, Protocol):
 
 
 @runtime_checkable
+class AddressedTransport(Transport, Protocol):
+    """A transport that sends to addresses of hosts."""
+
+    def host_towards(self, id: JausID) -> str | None:
+        """The host to which datagrams for a component go; None if it is not known yet."""
+
+
+@runtime_checkable
 class ClashAwareTransport(Transport, Protocol):
     """A transport that knows whether another machine uses the id of its component."""
 

@@ -235,3 +235,14 @@ class Memberships:
         family = self._family
         with contextlib.suppress(OSError):  # the kernel has left by itself with the interface
             self._socket.setsockopt(family.level, family.leave, family.membership(self._group, interface))
+
+
+def address_towards(host: str) -> str | None:
+    """The address of this machine from which packets to `host` are sent; None without a route. Nothing is sent."""
+    family = socket.AF_INET6 if ":" in host else socket.AF_INET
+    with socket.socket(family, socket.SOCK_DGRAM) as probe:
+        try:
+            probe.connect((host, 9))
+        except OSError:
+            return None
+        return str(probe.getsockname()[0])

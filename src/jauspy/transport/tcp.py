@@ -279,6 +279,10 @@ class TcpTransport:
         """Counters of sent, received and dropped datagrams, by reason."""
         return self._counters
 
+    def host_towards(self, id: JausID) -> str | None:  # noqa: ARG002 - the same for all ids
+        """The host of the node manager, which routes to all components."""
+        return self._peer[0]
+
     async def open(self) -> None:
         """Connect; raises `TransportError` if there is no connection in time."""
         dialer = self._dialer = Dialer(self._peer, self._counters, self._take, max_age=self.max_age)

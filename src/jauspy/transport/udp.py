@@ -45,6 +45,7 @@ class UdpTransport:
         self.max_age = MAX_AGE
         self._group = group
         self._peers = [address for address in (peer, group) if address is not None]
+        self._peer_host = None if peer is None else peer[0]
         self._bind = bind
         self._interface = interface
         self._book = AddressBook()
@@ -191,6 +192,11 @@ class UdpTransport:
         notice = self._clashes.note(int(self.id), port, now, is_notice=is_notice)
         if notice is not None and self._socket is not None:
             self._send_to(self._socket, notice, (port.host, port.port))
+
+    def host_towards(self, id: JausID) -> str | None:
+        """The host of a component as it was learned, else that of the peer."""
+        known = self._book.find(int(id), asyncio.get_running_loop().time())
+        return known.host if known else self._peer_host
 
     async def id_clash(self) -> str | None:
         """The address of another program that uses this id."""

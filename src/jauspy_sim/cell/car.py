@@ -22,7 +22,10 @@ MIN_WHEELS: Final = 4
 
 
 class SimulatedCar(Car):
-    """Drives by the torques of its wheels' servo modules, within their speeds; x of the chassis is forward."""
+    """Drives by the torques of its wheels' servo modules, within their speeds; x of the chassis is forward.
+
+    Once it is assembled these modules are its own: targets of others are ignored.
+    """
 
     def __init__(
         self,
@@ -36,6 +39,7 @@ class SimulatedCar(Car):
         joint = model.joint(cell.car)
         self._at, self._dof = int(joint.qposadr[0]), int(joint.dofadr[0])
         self._kinds = {part.name: cell.types[part.type].kind for part in cell.parts}
+        self._name = cell.car
         self._servos, self._connectors = servos, connectors
         own = [each for each in connectors.values() if each.part == cell.car]
         # a wheel on a side whose connector points to y rolls forward when it turns about y
@@ -96,7 +100,12 @@ class SimulatedCar(Car):
         wheels = tuple(found)
         if wheels != self._wheels:
             self.stop()
+            for servo, _ in self._wheels:
+                servo.claim("")
             self._wheels = wheels
+            if len(wheels) >= MIN_WHEELS:
+                for servo, _ in wheels:
+                    servo.claim(self._name)
 
 
 def _sideways(connector: SimulatedConnector) -> bool:

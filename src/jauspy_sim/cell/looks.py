@@ -43,6 +43,9 @@ MATERIALS: Final[Mapping[str, tuple[Colour, float, float]]] = {
 }
 """Colour (red, green, blue, alpha), specular and shininess."""
 
+SHADING: Final = frozenset({"housing", "silver", "white", "carbon", "frame", "cardboard", "bin", "belt"})
+"""Materials that cast shadows: those of what is large. Bolts and lips would double the time of a picture."""
+
 LOOKS: Final[Mapping[str, tuple[str, str]]] = {
     "x5_1_inline": ("x5_inline", "inline_output"),
     "x5_4_inline": ("x5_inline", "inline_output"),
@@ -168,6 +171,7 @@ class Dresser:
 
     @staticmethod
     def _only_seen(geom: mujoco.MjsGeom) -> None:
+        geom.castshadow = geom.material in SHADING
         geom.contype = geom.conaffinity = 0
         geom.mass = 0.0
         geom.group = VISUAL
@@ -209,8 +213,8 @@ class Dresser:
         x, y, t = setup.length / 2.0, setup.width / 2.0, setup.thickness
         rim = 0.012
         for side in (-1.0, 1.0):
-            self._box(body, (2.0 * x + 2.0 * t + rim, rim + t, 0.006), (0.0, side * (y + t / 2.0), setup.wall), "bin")
-            self._box(body, (rim + t, 2.0 * y + 2.0 * t, 0.006), (side * (x + t / 2.0), 0.0, setup.wall), "bin")
+            self._box(body, (2.0 * x + 2.0 * t + rim, rim + t, 0.007), (0.0, side * (y + t / 2.0), setup.wall), "bin")
+            self._box(body, (rim + t, 2.0 * y - rim, 0.006), (side * (x + t / 2.0), 0.0, setup.wall), "bin")
         self._box(body, (0.12, 0.002, 0.03), (0.0, -y - t - 0.001, setup.wall / 2.0 - 0.004), "paint")
         self._stand(setup)
 

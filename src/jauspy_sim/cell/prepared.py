@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Final
 
 import mujoco
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.poses import Transform
+from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import quaternion
 
 if TYPE_CHECKING:
@@ -20,15 +20,19 @@ ATTACH_TIME: Final = 0.008
 """Seconds: two control cycles."""
 
 
-def put_on_each_other(cell: SimulatedCell, connector: str, parts: Sequence[str]) -> None:
+def put_on_each_other(
+    cell: SimulatedCell, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None
+) -> None:
     """Put parts on a connector, each on the last one's first connector, and have them attached.
 
-    Raises `ConfigError` for a part that does not attach.
+    `errors` are poses of parts on their connectors, by part. Raises `ConfigError` for a part that does not attach.
     """
     for name in parts:
         joint = cell.model.joint(name)
         position, dof = int(joint.qposadr[0]), int(joint.dofadr[0])
-        pose = cell.truth.connector(connector) @ Transform(position=(0.0, 0.0, GAP))
+        pose = (
+            cell.truth.connector(connector) @ Transform(position=(0.0, 0.0, GAP)) @ (errors or {}).get(name, IDENTITY)
+        )
         cell.data.qpos[position : position + 7] = (*pose.position, *quaternion(pose.rotation))
         cell.data.qvel[dof : dof + 6] = 0.0
         mujoco.mj_kinematics(cell.model, cell.data)

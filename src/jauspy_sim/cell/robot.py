@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
+import os
 from collections.abc import Iterator, Mapping, Sequence
+from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Any, Final
 
 import mujoco
 import numpy as np
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Transform
 from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
@@ -32,6 +35,9 @@ from jauspy_sim.joints import SimulatedJoints
 
 if TYPE_CHECKING:
     from jauspy.platform.modular.assembled_arm import AssembledArm
+
+DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
+"""Environment variables of which a display sets one."""
 
 ARM_LIBRARIES: Final = ("pinocchio", "ruckig")
 
@@ -79,6 +85,7 @@ class SimulatedCell:
         self._revision = -1
         self._owed = 0.0
         self._next_show = 0
+        self._viewer: Any = None
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
         self._sensor.step(0.0)
@@ -168,10 +175,23 @@ class SimulatedCell:
             if self._steps >= self._next_show:
                 self._cameras.show()
                 self._next_show = self._steps + SHOW_EVERY
+                if self._viewer is not None:
+                    self._viewer.sync()
 
-    def prepare(self, connector: str, parts: Sequence[str]) -> None:
-        """Have an arm there before a task starts: put parts on a connector and on each other, attached."""
-        put_on_each_other(self, connector, parts)
+    def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
+        """Have an arm there before a task starts: put parts on a connector and on each other, attached.
+
+        `errors` are poses of parts on their connectors, by part.
+        """
+        put_on_each_other(self, connector, parts, errors)
+
+    def view(self) -> None:
+        """Open a window that shows the cell while it is advanced. Raises `ConfigError` without a display."""
+        if self._viewer is not None:
+            return
+        if not any(os.environ.get(name) for name in DISPLAYS):
+            raise ConfigError("there is no display to show the cell on: DISPLAY is not set; film it instead")
+        self._viewer = import_module("mujoco.viewer").launch_passive(self._model, self._data)
 
     def close(self) -> None:
         """Stop. What connectors hold stays held. May be called twice."""
@@ -182,6 +202,9 @@ class SimulatedCell:
         if self._conveyor is not None:
             self._conveyor.set_speed(0.0)
         self._cameras.close()
+        if self._viewer is not None:
+            self._viewer.close()
+            self._viewer = None
 
     def _run(self, steps: int) -> None:
         model, data = self._model, self._data

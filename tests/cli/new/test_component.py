@@ -129,3 +129,32 @@ def test_invalid_arguments_are_rejected(arguments: list[str], problem: str):
     assert result.exit_code == 1
     assert problem in " ".join(result.output.split())
     assert not list(Path().iterdir())
+
+
+TYPES = """<?xml version="1.0" encoding="UTF-8"?>
+<declared_type_set xmlns="urn:jaus:jsidl:1.1" name="Own" id="urn:example:Types" version="1.0">
+  <fixed_field name="Charge" field_type="long float" field_units="percent" optional="true"/>
+</declared_type_set>
+"""
+
+
+def test_definitions_with_types_in_files_of_their_own():
+    """As vendors write them: a folder with services, and type sets beside them."""
+    run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"])
+    text = Path("battery.xml").read_text()
+    field = '<fixed_field name="Charge" field_type="long float" field_units="percent" optional="true"/>'
+    reference = '<declared_type_set_ref name="core" id="urn:jauspy:core:Types" version="1.0"/>'
+    assert field in text
+    text = text.replace(field, '<declared_fixed_field name="Charge" declared_type_ref="own.Charge" optional="true"/>')
+    text = text.replace(
+        reference, f'{reference}<declared_type_set_ref name="own" id="urn:example:Types" version="1.0"/>'
+    )
+    Path("vendor/types").mkdir(parents=True)
+    Path("vendor/battery.xml").write_text(text)
+    Path("vendor/types/types.xml").write_text(TYPES)
+    result = new("battery", "--service", "Battery", "--schemas", "vendor")
+    assert result.exit_code == 0, result.output
+    assert Path("battery/definitions/battery.xml").read_text() == text
+    assert Path("battery/definitions/types/types.xml").read_text() == TYPES
+    program = "from battery.services import services; assert services()[0].urn == 'urn:example:Battery'"
+    subprocess.run([sys.executable, "-c", program], check=True)

@@ -11,6 +11,7 @@ pytest.importorskip("pinocchio")
 
 from tests.helpers.cells import ARM, build_arm, open_cell, put_on, small_cell
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.arm import ModularArm
@@ -158,6 +159,7 @@ def test_the_car_drives_once_it_has_wheels() -> None:
     cell.data.qpos[joint.qposadr[0] : joint.qposadr[0] + 7] = (-2.0, 0.0, 0.03, 1.0, 0.0, 0.0, 0.0)
     build_car(cell)
     assert car.state().assembled
+    assert {cell.servos[f"servo_{number}"].state().claimed_by for number in range(6, 10)} == {"car"}
     cell.advance(0.5)
     start = car.pose()
     assert start.z == pytest.approx(0.02, abs=0.003)
@@ -173,3 +175,36 @@ def test_the_car_drives_once_it_has_wheels() -> None:
     cell.advance(0.3)
     assert abs(car.twist().vx) < 0.01
     assert abs(car.twist().wz) < 0.02
+    cell.connectors["servo_6/output"].set(False)
+    cell.advance(0.01)
+    assert not car.state().assembled
+    assert {cell.servos[f"servo_{number}"].state().claimed_by for number in range(6, 10)} == {""}
+
+
+def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
+    for name in ("DISPLAY", "WAYLAND_DISPLAY"):
+        monkeypatch.delenv(name, raising=False)
+    cell = small_cell(["platform_1"])
+    with pytest.raises(ConfigError, match="no display"):
+        cell.view()
+    cell.close()
+    cell.close()
+
+
+def test_what_is_seen_neither_collides_nor_weighs() -> None:
+    cell = open_cell()
+    model = cell.model
+    seen = [geom for geom in range(model.ngeom) if model.geom_dataid[geom] >= 0]
+    assert len(seen) > 100
+    assert not any(model.geom_contype[geom] or model.geom_conaffinity[geom] for geom in seen)
+    mass = sum(model.body_mass[model.body(part.name).id] for part in cell.setup.parts if part.name == "tube_1")
+    assert mass == pytest.approx(0.27)
+
+
+def test_inertia_of_the_model_is_that_of_the_solids() -> None:
+    cell = small_cell(["platform_1", "box_1"])
+    body = cell.model.body("box_1")
+    x, y, z = 0.16, 0.12, 0.1
+    expected = [0.3 * (b * b + c * c) / 12.0 for b, c in ((y, z), (x, z), (x, y))]
+    assert sorted(body.inertia.tolist()) == pytest.approx(sorted(expected))
+    assert body.ipos.tolist() == pytest.approx([0.0, 0.0, 0.05])

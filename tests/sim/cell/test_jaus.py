@@ -13,14 +13,15 @@ import pytest
 pytest.importorskip("mujoco", reason="the simulated cell needs the extra 'sim'")
 pytest.importorskip("pinocchio", reason="models of arms need the extra 'cell'")
 
-from tests.helpers.cells import ARM, build_arm
+from tests.helpers.cells import ARM, build_arm, put_on
 
 from jauspy import OCU
 from jauspy.messages import cell as m
 from jauspy.messages.manipulator import JointVelocityRec, SetJointVelocity
+from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetVelocityCommand
 from jauspy.modules import robot_files
 from jauspy.modules.robot import RobotRunner
-from jauspy.platform.modular.cell import CONVEYOR, ConveyorState
+from jauspy.platform.modular.cell import CONVEYOR, Car, ConveyorState
 from jauspy.services.cell import motion_command
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
@@ -29,6 +30,7 @@ from jauspy_sim.cell.robot import SimulatedCell
 CONFIG = robot_files.load("cell")
 IDS = {module.part: str(CONFIG.id_of(module)) for module in CONFIG.modules if module.node == 2}
 SERVOS = [name for name in ARM if name.startswith("servo")]
+CURRENT = SetVelocityCommand.CommandType(0)
 REST = 0.02
 """rad/s, m/s: slower is standing still."""
 
@@ -121,6 +123,32 @@ async def test_a_module_without_power_disappears_and_ends_the_motion():
             assert IDS["servo_4"] not in {str(each.id) for each in robot.components}
         held = robot.component(IDS["tube_2"]).service("VacuumConnector")
         assert (await held.query(m.QueryConnectorState(0xFFFFFFFF, 1))).attached_to == "servo_4"
+
+
+async def test_the_car_appears_and_is_driven_over_jaus():
+    async with simulated() as cell:
+        joint = cell.robot.model.joint("car")
+        cell.robot.data.qpos[joint.qposadr[0] : joint.qposadr[0] + 7] = (-2.0, 0.0, 0.03, 1.0, 0.0, 0.0, 0.0)
+        for number, side in enumerate(("front_left", "rear_left", "front_right", "rear_right")):
+            assert "201.1.20" not in cell.ids
+            put_on(cell.robot, f"car/{side}", f"servo_{6 + number}")
+            cell.robot.advance(0.008)
+            put_on(cell.robot, f"servo_{6 + number}/output", f"wheel_{1 + number}")
+            cell.robot.advance(0.008)
+        await asyncio.sleep(0.5)
+        assert "201.1.20" in cell.ids
+        car = (await cell.ocu.discover(201)).component("201.1.20")
+        driver, sensor = car.service("VelocityStateDriver"), car.service("LocalPoseSensor")
+        start = await sensor.query(QueryLocalPose(0xFFFF), expects=ReportLocalPose)
+        async with driver.control():
+            await driver.resume()
+            for _ in range(4):
+                await driver.send(SetVelocityCommand(CURRENT, velocity_x=0.15), ack=True)
+                await asyncio.sleep(0.5)
+            moved = await sensor.query(QueryLocalPose(0xFFFF), expects=ReportLocalPose)
+        assert moved.x - start.x == pytest.approx(0.3, abs=0.12)
+        await asyncio.sleep(0.2)
+        assert abs(Car.of(cell.robot).state().twist.vx) < REST
 
 
 def _velocity(speed: float) -> JointVelocityRec:

@@ -35,7 +35,8 @@ def demo(
         typer.Option(
             "--backend",
             metavar="NAME",
-            help="sim: MuJoCo physics (extra 'all'). Other backends, such as kinematic, only drive and move the arm.",
+            help="sim: MuJoCo physics (extra 'all'). can: the same, moved by simulated servo "
+            "drives. Other backends, such as kinematic, only drive and move the arm.",
         ),
     ] = "sim",
     output: Annotated[
@@ -79,6 +80,9 @@ def _size(text: str) -> FrameSize:
     return named[text]
 
 
+PHYSICS: Final[dict[str, tuple[str, ...]]] = {"sim": (), "can": ("--bus", "virtual:sim")}
+"""Backends with a world in which the whole tour takes place, and their options of `jauspy up`."""
+
 TOUR_TIMEOUT: Final = 240.0  # seconds; the tour takes about 40 on an idle machine
 REQUIRED_PACKAGES: Final = {
     "mujoco": "MuJoCo",
@@ -96,7 +100,7 @@ async def play(port: int, backend: str, view: View, folder: Path, size: FrameSiz
     Local sockets are in a temporary directory and UDP uses the loopback address, so that other JAUS systems on this
     machine and network are not affected.
     """
-    whole = backend == "sim"
+    whole = backend in PHYSICS
     make: Callable[..., Tour] = _whole_tour(folder, size) if whole else Tour
     report, output = Report(), RobotOutput()
     async with AsyncExitStack() as stack:
@@ -107,7 +111,9 @@ async def play(port: int, backend: str, view: View, folder: Path, size: FrameSiz
         view.step(f"Start the robot {plan.ROBOT} ({backend})")
         arguments = ["up", plan.ROBOT, "--no-node-manager", "--local-root", str(root), "--own-root"]
         robot = await stack.enter_async_context(
-            ChildProcess("robot", [*arguments, "--backend", backend], on_error_line=output.line)
+            ChildProcess(
+                "robot", [*arguments, "--backend", backend, *PHYSICS.get(backend, ())], on_error_line=output.line
+            )
         )
         ocu = await stack.enter_async_context(OCU(connect=f"udp://127.0.0.1:{port}"))
         view.ocu = ocu

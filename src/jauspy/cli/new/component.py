@@ -22,7 +22,7 @@ from jauspy.ids import JausID, component_id
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.loader import load_beside_builtin
+from jauspy.schema.loader import find_files, load_beside_builtin
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.binding import RequiredMethod, required_methods
 from jauspy.services.core.defaults import INHERITED_DEFAULTS, with_core_services
@@ -41,7 +41,11 @@ def component(
     version: Annotated[str | None, typer.Option("--version", metavar="X.Y", help="Default: the newest.")] = None,
     source: Annotated[
         Path | None,
-        typer.Option("--schemas", metavar="FILE", help="Your own JSIDL file; it is copied into the package."),
+        typer.Option(
+            "--schemas",
+            metavar="FILE|DIR",
+            help="Your own JSIDL file, or a folder with it and the types that it refers to; copied into the package.",
+        ),
     ] = None,
     id: Annotated[str, typer.Option("--id", metavar="ID", help="The component's id.")] = "101.1.120",
 ) -> None:
@@ -52,6 +56,7 @@ def component(
     Examples:
       jauspy new component brake --service ugv:ParkingBrakeDriver
       jauspy new component battery --service urn:example:Battery --schemas battery.xml
+      jauspy new component winch --service Winch --schemas vendor/
     """
     _check(name)
     me = component_id(id)
@@ -78,7 +83,12 @@ def _is_installed(name: str) -> bool:
 
 def _schema(source: Path | None) -> Schema:
 
-    return load_builtin() if source is None else load_beside_builtin([source])
+    return load_builtin() if source is None else load_beside_builtin(_files(source))
+
+
+def _files(source: Path) -> list[Path]:
+    """The JSIDL files of a file or folder."""
+    return find_files([source]) if source.is_dir() else [source]
 
 
 def _find(schema: Schema, name: str, version: str | None, source: Path | None) -> Definition:
@@ -102,6 +112,8 @@ def _find(schema: Schema, name: str, version: str | None, source: Path | None) -
     return schema.service(urn, version)
 
 
+FOLDER: Final = "definitions"
+"""The folder of the package with the definitions of a user's folder."""
 _ENDS: Final = {"action": "", "predicate": "", "report": "; None sends nothing"}
 _RESULTS: Final[dict[str, list[str]]] = {"action": [], "predicate": ["return True"], "report": ["return None"]}
 
@@ -132,7 +144,8 @@ def package(
     if source is not None:
         if source.name in files:
             raise ConfigError(f"{source} has the name of a file of the package; rename it, as in {name}.xml")
-        files[source.name] = source.read_bytes()
+        for each in _files(source):
+            files[f"{FOLDER}/{each.relative_to(source)}" if source.is_dir() else source.name] = each.read_bytes()
     return files
 
 
@@ -171,7 +184,8 @@ class _Writer:
             head += "from typing import Any\n"
         head += "\n" * (self._own is not None or self._any) + "import jauspy\n" + imports
         if self._own is not None:
-            head += f"\nDEFINITIONS = jauspy.load(Path(__file__).with_name({quote(self._own.name)}))\n"
+            beside = FOLDER if self._own.is_dir() else self._own.name
+            head += f"\nDEFINITIONS = jauspy.load(Path(__file__).with_name({quote(beside)}))\n"
         return f"{head}\n\n{classes}{_SERVICES.format(names=names)}"
 
     def _class(self, definition: Definition) -> str:
@@ -236,7 +250,8 @@ class _Writer:
 
     def _is_own(self, definition: Definition) -> bool:
         file = definition.where.file if definition.where else ""
-        return self._own is not None and Path(file).resolve() == self._own.resolve()
+        own, path = self._own, Path(file).resolve()
+        return own is not None and (path == own.resolve() or own.resolve() in path.parents)
 
 
 def _order(name: str) -> tuple[bool, str]:

@@ -378,4 +378,5 @@ PROFILE: Final = Profile(
         Step(f"{number:02}", title, action, points=1.0, moves=action is end_and_drive)
         for number, (title, action) in enumerate(_TABLE, 1)
     ),
+    one_component=True,
 )

@@ -36,7 +36,7 @@ class ServoState:
     acceleration: Vector = (0.0, 0.0, 0.0)
     """Specific force in the housing's frame, m/s^2, by its IMU: at rest 9.81 upward."""
     claimed_by: str = ""
-    """Name of the modular arm that commands it; commands of others are then ignored."""
+    """Name of the modular arm or car that commands it; commands of others are then ignored."""
 
 
 class ServoModule(OptionalPart):

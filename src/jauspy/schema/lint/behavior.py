@@ -4,9 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import Final
 
 from lxml.etree import _Element as Element
 
+from jauspy.errors import SchemaError
+from jauspy.schema.behavior import calls, parse
 from jauspy.schema.document import suggestion
 from jauspy.schema.lint.context import LintContext, Problem
 from jauspy.schema.model import Action, Behavior, Location, State, Transition
@@ -117,6 +120,67 @@ def _sent(action: Action) -> str:
         return ""
     quoted = [text.strip() for text in action.arguments if text.strip()[:1] in ("'", '"')]
     return short(quoted[0].strip("'\"")) if quoted and action.arguments[0].strip() == quoted[0] else ""
+
+
+def guard_parameter(context: LintContext) -> Iterator[Problem]:
+    """Arguments of guards that are no parameters of their transition."""
+    for service in context.services():
+        behavior = context.behavior(service)
+        for transition in transitions_of(behavior) if behavior is not None else ():
+            known = [each.name for each in transition.parameters]
+            for argument in _guard_arguments(transition.guard):
+                if argument not in known:
+                    there = f"the transition has {' and '.join(known) or 'none'}"
+                    reason = f"guard {transition.guard!r} names the parameter {argument}, and {there}"
+                    yield location_of(transition.where), f"{reason}{suggestion(argument, known)}"
+
+
+def _guard_arguments(guard: str) -> Iterator[str]:
+    """The arguments that are names; none of a guard that the loader rejects."""
+    try:
+        found = calls(parse(guard)) if guard.strip() else ()
+    except SchemaError:
+        return
+    for call in found:
+        yield from (each for each in map(str.strip, call.arguments) if each.isidentifier())
+
+
+IS_CONTROLLER: Final = "isControllingClient"
+ACCESS_CONTROL: Final = "urn:jaus:jss:core:AccessControl"
+CORE: Final = "urn:jaus:jss:core:"
+MAX_COMMAND: Final = 0x1FFF
+"""Commands have the ids 0000h to 1FFFh, and those of vendors D000h to DFFFh (AS5710)."""
+VENDOR_COMMANDS: Final = range(0xD000, 0xE000)
+
+
+def uncontrolled_command(context: LintContext) -> Iterator[Problem]:
+    """Commands of services with access control that any client may give while another one is in control."""
+    for service in context.services():
+        behavior = context.behavior(service)
+        line = context.lineage(service)
+        if behavior is None or service.get("id", "").startswith(CORE):
+            continue
+        if not any(each.get("id") == ACCESS_CONTROL for each in line):
+            continue
+        commands = {
+            each.get("name", "") for each in context.messages(service, "input_set") if _is_command(context, each)
+        }
+        for transition in transitions_of(behavior):
+            wanted = next((each.type for each in transition.parameters if each.type in commands), None)
+            if wanted is None or not transition.actions or IS_CONTROLLER in transition.guard:
+                continue
+            reason = f"the command {wanted} is carried out for any client, also while another one is in control"
+            yield location_of(transition.where), f"{reason}; add the guard {IS_CONTROLLER}(transportData)"
+
+
+def _is_command(context: LintContext, message: Element) -> bool:
+    if message.get("name", "").startswith("Query"):
+        return False
+    try:
+        code = int(context.code(message), 16)
+    except ValueError:
+        return False
+    return code <= MAX_COMMAND or code in VENDOR_COMMANDS
 
 
 # --- states ---------------------------------------------------------------------------------------------------------

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator
+from typing import Final
 
 from lxml.etree import _Element as Element
 
 from jauspy.errors import SchemaError
-from jauspy.schema.document import location
+from jauspy.schema.document import location, suggestion
 from jauspy.schema.fields import BITS, SCALARS, UNSIGNED, read_composite, read_count, read_limits, read_value_set
 from jauspy.schema.library import Scope
 from jauspy.schema.lint.context import LintContext, Problem
@@ -158,6 +160,50 @@ def scale_limits(context: LintContext) -> Iterator[Problem]:
         if limits is not None and limits[0] >= limits[1]:
             what = "swap them" if limits[0] > limits[1] else "they need a distance"
             yield location(element), f"scale of {named(element)} goes from {limits[0]:g} to {limits[1]:g}; {what}"
+
+
+_WORDS: Final = (
+    "one ampere becquerel candela coulomb farad gray henry hertz joule katal kelvin kilogram lumen lux meter mole",
+    "newton ohm pascal radian second siemens sievert steradian tesla volt watt weber minute hour day degree liter bar",
+    "percent knot neper bel hectare are curie roentgen rad rem gram",
+)
+UNITS: Final = frozenset(" ".join(_WORDS).split()) | {
+    "degree Celsius",
+    "nautical mile",
+    "metric ton",
+    "square meter",
+    "cubic meter",
+    "rotations per minute",
+}
+"""Units of JSIDL (AS5684) that are not composed of others."""
+_POWER: Final = re.compile(r"(square |cubic |reciprocal )?(.+?)( squared| cubed)?")
+
+
+def unknown_unit(context: LintContext) -> Iterator[Problem]:
+    """Units that JSIDL does not have: tools cannot convert them."""
+    for element, _ in context.elements("fixed_field", "variable_field", "type_and_units_enum"):
+        unit = " ".join(element.get("field_units", "one").split())
+        if not _is_unit(unit):
+            reason = f"{unit!r}, the unit of {named(element)}, is not one of JSIDL"
+            yield location(element), f"{reason}{suggestion(unit, UNITS)}"
+
+
+def _is_unit(text: str) -> bool:
+    """True for a unit, products and quotients of units, as in `newton meter` and `meter per second squared`."""
+    if text in UNITS:
+        return True
+    return all(all(map(_is_factor, _factors(part))) for part in text.split(" per "))
+
+
+def _factors(text: str) -> list[str]:
+    """The factors of a product: words, with the powers that belong to them."""
+    found = re.findall(r"(?:square |cubic |reciprocal )?(?:degree Celsius|\S+)(?: squared| cubed)?", text)
+    return found if " ".join(found) == text else [""]
+
+
+def _is_factor(text: str) -> bool:
+    match = _POWER.fullmatch(text)
+    return match is not None and match[2] in UNITS
 
 
 def scale_types(context: LintContext) -> Iterator[Problem]:

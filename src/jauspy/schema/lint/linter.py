@@ -45,6 +45,7 @@ RULES: tuple[LintRule, ...] = (
     LintRule("tag-limits", "warning", "limits of a variant's tag that are not those of its arms", fields.tag_limits),
     LintRule("scale-limits", "error", "a scale with nothing between its limits", fields.scale_limits),
     LintRule("scale-type", "warning", "a scale that a float cannot follow", fields.scale_types),
+    LintRule("unknown-unit", "warning", "a unit that JSIDL does not have", fields.unknown_unit),
     LintRule("value-range", "error", "a range of values upside down", fields.value_range_limits),
     LintRule("value-set", "error", "values that the type cannot carry", fields.values_beyond_type),
     LintRule("duplicate-value", "warning", "two names for one value", fields.duplicate_value),
@@ -55,6 +56,10 @@ RULES: tuple[LintRule, ...] = (
     LintRule(
         "shadowed-transition", "warning", "a transition that another one always precedes", shadows.shadowed_transition
     ),
+    LintRule(
+        "guard-parameter", "error", "a guard with a parameter that its transition lacks", behavior.guard_parameter
+    ),
+    LintRule("uncontrolled-command", "warning", "a command that any client may give", behavior.uncontrolled_command),
     LintRule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
     LintRule("unknown-state", "error", "a start, initial or end state that does not exist", behavior.unknown_state),
     LintRule("unreachable-state", "warning", "a state that nothing leads to", behavior.unreachable_state),

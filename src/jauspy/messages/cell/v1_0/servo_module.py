@@ -72,7 +72,7 @@ class ReportServoState(jd.Message):
     acceleration_x: in meter per second squared, optional. Specific force along X of the housing's own frame, in m/s^2; at rest 9.81 upward
     acceleration_y: in meter per second squared, optional. Specific force along Y of the housing's own frame, in m/s^2; at rest 9.81 upward
     acceleration_z: in meter per second squared, optional. Specific force along Z of the housing's own frame, in m/s^2; at rest 9.81 upward
-    claimed_by: up to 255 characters, optional. Name of the modular arm that moves the module; empty when clients may
+    claimed_by: up to 255 characters, optional. Name of the modular arm or car that moves the module; empty when clients may
     """
     position: float | None = jd.field("Position", jd.Number("d", jd.ANY, "radian"), default=None)
     velocity: float | None = jd.field("Velocity", jd.Number("f", jd.ANY, "radian per second"), default=None)

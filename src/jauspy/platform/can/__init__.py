@@ -1,0 +1,1 @@
+"""The backend `can`: servo drives with CiA 402 on a CAN bus (CANopen). Importing it needs no extra."""

@@ -1,0 +1,177 @@
+"""Configures a drive over SDO: who it is, its PDOs, what it does when it loses the robot, its limits. Blocks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any, Final
+
+import can
+import canopen
+from canopen.sdo.exceptions import SdoAbortedError, SdoCommunicationError, SdoError
+
+from jauspy.geometry.urdf import JointKind
+from jauspy.logs import get_logger
+from jauspy.platform.can import pdo
+from jauspy.platform.can.cia402 import Control
+from jauspy.platform.can.drive import LIMIT_MARGIN, Drive
+from jauspy.platform.can.setup import CanSetup, DriveFault
+
+_LOG: Final = get_logger("jauspy.can")
+
+PROFILE: Final = 402
+"""The low half of the device type (1000h) of a drive with CiA 402."""
+
+SDO_TIMEOUT: Final = 0.3
+SDO_TRIES: Final = 4
+
+PRODUCED: Final = 0.2
+"""Time between two heartbeats of a drive, as a fraction of the time after which it counts as lost."""
+
+CYCLIC_MODES: Final = 0b111 << 7
+"""Cyclic synchronous position, velocity and torque in the supported modes (6502h)."""
+
+SIZES: Final = {0x1017: 2, 0x605A: 2, 0x605E: 2, 0x6007: 2, 0x6040: 2, 0x6066: 2, 0x6072: 2, 0x60C2: 1}
+"""Bytes of objects; others have 4."""
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """A value that an object of the drive must have."""
+
+    index: int
+    sub: int
+    value: int
+    why: str = ""
+    """What it is for, if the drive may lack it; else it must have it."""
+
+
+class Configurator:
+    """Configures drives, one after the other."""
+
+    def __init__(self, network: canopen.Network, setup: CanSetup) -> None:
+        self._network = network
+        self._setup = setup
+
+    def configure(self, drive: Drive) -> None:
+        """Bring a drive to Pre-operational, check it, and write what it must know. Raises `DriveFault`."""
+        sdo = self._client(drive)
+        self._network.send_message(0, bytes((0x80, drive.setup.node)))  # NMT: Pre-operational
+        try:
+            check_identity(sdo, drive)
+            if _read(sdo, 0x6041, 0) & 0x04:  # enabled by whoever was here before
+                _write(sdo, 0x6040, 0, Control.DISABLE_VOLTAGE, 2)
+            for setting in self._settings(drive):
+                _set(sdo, setting, drive)
+            for wanted in pdo.ALL:
+                _map(sdo, wanted, drive)
+        except SdoCommunicationError:
+            raise DriveFault(
+                f"{drive.name} does not answer on {self._setup.bus}: check its supply, node id, bit rate "
+                f"({self._setup.bit_rate}), wiring and termination"
+            ) from None
+        except SdoAbortedError as error:
+            raise DriveFault(f"{drive.name} refuses its configuration: {error}") from error
+        except can.CanError as error:
+            raise DriveFault(f"{self._setup.bus}: cannot send: {error}") from error
+
+    def _client(self, drive: Drive) -> Any:
+        node: Any = self._network.nodes.get(drive.setup.node)
+        if node is None:
+            node = self._network.add_node(drive.setup.node, canopen.ObjectDictionary())
+        node.sdo.RESPONSE_TIMEOUT, node.sdo.MAX_RETRIES = SDO_TIMEOUT, SDO_TRIES
+        return node.sdo
+
+    def _settings(self, drive: Drive) -> Iterator[Setting]:
+        setup, units, joint = self._setup, drive.units, drive.joint
+        timeout = round(1e3 * setup.heartbeat_timeout)
+        yield Setting(0x1016, 1, setup.node << 16 | timeout)
+        yield Setting(0x1017, 0, round(1e3 * setup.heartbeat_timeout * PRODUCED))
+        yield Setting(0x6007, 0, 1, "a lost heartbeat is a fault")
+        yield Setting(0x605E, 0, 2, "a fault stops by the quick stop ramp")
+        yield Setting(0x605A, 0, 6)  # after a quick stop: stay in Quick Stop Active, and hold
+        yield Setting(0x6085, 0, abs(units.velocity_counts(units.stop_deceleration)))
+        yield Setting(0x60C2, 1, round(1e3 / setup.sync_rate), "interpolation between two SYNCs")
+        if drive.setup.track is None:
+            yield Setting(0x6065, 0, units.distance_counts(drive.setup.following_error), "its own following error")
+            yield Setting(0x6066, 0, round(1e3 * drive.setup.following_time), "its own following error")
+            if joint.kind in {JointKind.REVOLUTE, JointKind.PRISMATIC}:
+                margin = LIMIT_MARGIN * (joint.upper - joint.lower)
+                ends = sorted((units.counts(joint.lower - margin), units.counts(joint.upper + margin)))
+                yield Setting(0x607D, 1, ends[0], "its own position limits")
+                yield Setting(0x607D, 2, ends[1], "its own position limits")
+        yield Setting(0x6072, 0, abs(units.torque(joint.effort)), "its own limit of the torque")
+
+
+def check_identity(sdo: Any, drive: Drive) -> None:
+    """Check that a node is the drive that the robot's file describes. Raises `DriveFault`."""
+    setup = drive.setup
+    device = _read(sdo, 0x1000, 0)
+    if device & 0xFFFF != PROFILE:
+        raise DriveFault(
+            f"{drive.name} is no servo drive: its device type is {device:08X}h, and CiA 402 ends in 0192h; "
+            f"check can.drives.{setup.name}.node"
+        )
+    modes = _read(sdo, 0x6502, 0)
+    if modes & CYCLIC_MODES != CYCLIC_MODES:
+        raise DriveFault(f"{drive.name} lacks a cyclic synchronous mode (6502h is {modes:08X}h): update its firmware")
+    identity = setup.identity
+    for sub, what, wanted in ((1, "vendor", identity.vendor), (2, "product", identity.product)):
+        if wanted is not None and (found := _read(sdo, 0x1018, sub)) != wanted:
+            source = f"the EDS file {setup.eds}" if setup.eds else "the robot's file"
+            raise DriveFault(
+                f"{drive.name} has the {what} code {found:X}h, and {source} is for {wanted:X}h: wrong EDS file, "
+                "or another drive has this node id"
+            )
+    if identity.serial is not None and (found := _read(sdo, 0x1018, 4)) != identity.serial:
+        raise DriveFault(
+            f"{drive.name} has the serial number {found}, and the robot's file says {identity.serial}: "
+            "node ids are swapped, or the drive was replaced"
+        )
+
+
+def _set(sdo: Any, setting: Setting, drive: Drive) -> None:
+    """Write an object that differs."""
+    size = SIZES.get(setting.index, 4)
+    try:
+        if _read(sdo, setting.index, setting.sub) & ((1 << 8 * size) - 1) != setting.value & ((1 << 8 * size) - 1):
+            _write(sdo, setting.index, setting.sub, setting.value, size)
+    except SdoAbortedError as error:
+        if not setting.why:
+            raise DriveFault(
+                f"{drive.name} refuses {setting.index:04X}h = {setting.value}, which is needed to stop safely: {error}"
+            ) from error
+        _LOG.warning("%s has no %04Xh: %s; check its manual", drive.name, setting.index, setting.why)
+
+
+def _map(sdo: Any, wanted: pdo.Pdo, drive: Drive) -> None:
+    """Map a PDO, unless it is mapped so already; then check it."""
+    node = drive.setup.node
+    final = wanted.mapping(node)
+
+    def present() -> dict[tuple[int, int], int]:
+        return {(index, sub): _read(sdo, index, sub) for index, sub in final}
+
+    if wanted.is_mapped_by(present(), node):
+        return
+    for index, sub, value in wanted.parameters(node):
+        is_small = sub == 0 or (index, sub) == (wanted.parameter, 2)
+        _write(sdo, index, sub, value, 1 if is_small else 4)
+    if not wanted.is_mapped_by(present(), node):
+        raise DriveFault(f"{drive.name} does not keep the mapping of PDO {wanted.parameter:04X}h: its mapping is fixed")
+
+
+def _read(sdo: Any, index: int, sub: int) -> int:
+    return int.from_bytes(sdo.upload(index, sub), "little")
+
+
+def _write(sdo: Any, index: int, sub: int, value: int, size: int) -> None:
+    sdo.download(index, sub, (value & ((1 << 8 * size) - 1)).to_bytes(size, "little"))
+
+
+def attempt(action: Callable[[], int]) -> int | None:
+    """The result of an SDO access; None if the drive does not have the object or does not answer."""
+    try:
+        return action()
+    except SdoError:
+        return None

@@ -1,0 +1,223 @@
+"""One drive as the robot sees it: what it reports, what it is to do next, and what is wrong with it."""
+
+from __future__ import annotations
+
+from typing import Final, Protocol
+
+from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.can import pdo
+from jauspy.platform.can.cia402 import (
+    Control,
+    DriveState,
+    Mode,
+    error_text,
+    register_text,
+    state_of,
+    towards_operation,
+)
+from jauspy.platform.can.setup import DriveSetup
+from jauspy.platform.can.units import DriveUnits, unwrapped
+
+TRANSITION_TIME: Final = 0.1
+"""Seconds that a drive may take to enter Operation Enabled again after a quick stop."""
+
+OPERATIONAL: Final = 5
+"""The NMT state in which a drive sends and takes PDOs."""
+NMT_STATES: Final = {0: "has restarted", 4: "is stopped (NMT)", 127: "is in NMT state Pre-operational"}
+
+LIMIT_MARGIN: Final = 0.02
+"""Fraction of a joint's range by which it may be beyond its limits."""
+
+
+class Motion(Protocol):
+    """Computes what a drive is to do at each SYNC."""
+
+    def advance(self, drive: Drive, dt: float) -> tuple[Mode, float] | None:
+        """Mode and value in SI units for the next `dt` seconds; None is a quick stop, after which the drive holds."""
+        ...
+
+    def start(self, drive: Drive) -> None:
+        """The drive is about to be enabled: begin at its present position."""
+        ...
+
+    def hold(self) -> None:
+        """Quick stop."""
+        ...
+
+
+class Drive:
+    """One drive. `receive_*` may be called by another thread than the other methods."""
+
+    def __init__(self, setup: DriveSetup, joint: Joint, motion: Motion, status_timeout: float) -> None:
+        self.setup = setup
+        self.joint = joint
+        self.units = DriveUnits(setup, joint)
+        self.motion = motion
+        self._silent_after = status_timeout
+        self.configured = False
+        """True when it was configured since it last started."""
+        self.statusword = 0
+        self.state = DriveState.NOT_READY
+        self.counts: int | None = None
+        """The encoder, beyond 32 bits; None before the first PDO."""
+        self.position = self.velocity = self.effort = 0.0
+        """Of the joint: radians or metres, rad/s or m/s, newton metres or newtons."""
+        self.mode_display = 0
+        self.error_code = 0
+        self.error_register = 0
+        self.nmt_state: int | None = None
+        self.last_status = self.last_heartbeat = 0.0
+        """Times at which it was heard."""
+        self.received = 0
+        """PDOs with its status."""
+        self._restarted = False
+        self._enabled_at: float | None = None
+        self._target: tuple[Mode, float] | None = None
+        self._following_since: float | None = None
+        self._idle_value = 0.0
+
+    @property
+    def name(self) -> str:
+        """As in `drive 'arm_2' (node 4)`."""
+        return f"drive {self.setup.name!r} (node {self.setup.node})"
+
+    # --- received ---------------------------------------------------------------------------------------------------
+
+    def receive_status(self, data: bytes, now: float) -> None:
+        """Take a PDO with status, position and torque."""
+        if len(data) != pdo.STATUS_LAYOUT.size:
+            return
+        self.statusword, counts, torque = pdo.STATUS_LAYOUT.unpack(data)
+        self.state = state_of(self.statusword)
+        self.counts = counts if self.counts is None else unwrapped(counts, self.counts)
+        self.position = self.units.position(self.counts)
+        self.effort = self.units.effort(torque)
+        self.last_status = now
+        self.received += 1
+
+    def receive_speed(self, data: bytes) -> None:
+        """Take a PDO with velocity, mode and error code."""
+        if len(data) != pdo.SPEED_LAYOUT.size:
+            return
+        velocity, self.mode_display, code = pdo.SPEED_LAYOUT.unpack(data)
+        self.velocity = self.units.velocity(velocity)
+        if code or self.state is not DriveState.FAULT:
+            self.error_code = code
+
+    def receive_emergency(self, data: bytes) -> None:
+        """Take an emergency message."""
+        if len(data) >= 3:
+            self.error_code, self.error_register = int.from_bytes(data[:2], "little"), data[2]
+
+    def receive_heartbeat(self, data: bytes, now: float) -> None:
+        """Take a heartbeat; one with the state 0 tells that the drive has started."""
+        if data:
+            self.nmt_state = data[0] & 0x7F
+            self.last_heartbeat = now
+            if not self.nmt_state:
+                self._restarted = True
+                self.configured = False
+
+    # --- commanded --------------------------------------------------------------------------------------------------
+
+    def begin(self, now: float) -> None:
+        """It was configured: forget what was before, and watch it from now on."""
+        self.counts = None
+        self.received = 0
+        self.error_code = self.error_register = 0
+        self._restarted = False
+        self._enabled_at = self._following_since = self._target = None
+        self.last_status = self.last_heartbeat = now
+        self.configured = True
+
+    def start(self) -> None:
+        """Hold the present position when it is enabled."""
+        self.motion.start(self)
+        self._enabled_at = self._following_since = self._target = None
+
+    def run(self, now: float, dt: float) -> tuple[int, bytes]:
+        """COB-ID and bytes of the next command while the robot works."""
+        wanted = self.motion.advance(self, dt)
+        self._target = wanted
+        if wanted is None:
+            self._enabled_at = None
+            return self.stop()
+        if self._enabled_at is None:
+            self._enabled_at = now
+        return self.command(towards_operation(self.state), *wanted)
+
+    def stop(self) -> tuple[int, bytes]:
+        """COB-ID and bytes of a quick stop; a drive without power stays without."""
+        powered = self.state in {DriveState.OPERATION_ENABLED, DriveState.QUICK_STOP_ACTIVE}
+        return self.idle(Control.QUICK_STOP if powered else Control.SHUTDOWN)
+
+    def idle(self, control: int) -> tuple[int, bytes]:
+        """COB-ID and bytes of a controlword, with the present position as target."""
+        if self.setup.track is not None:
+            return self.command(control, Mode.CYCLIC_VELOCITY, 0.0)
+        return self.command(control, Mode.CYCLIC_POSITION, self.position)
+
+    def command(self, control: int, mode: Mode, value: float) -> tuple[int, bytes]:
+        """COB-ID and bytes of a controlword with a target."""
+        units = self.units
+        match mode:
+            case Mode.CYCLIC_VELOCITY:
+                raw = units.velocity_counts(value)
+            case Mode.CYCLIC_TORQUE:
+                raw = units.torque(value)
+            case _:
+                raw = units.counts(value)
+        return pdo.COMMANDS[mode].cob_id + self.setup.node, pdo.COMMAND_LAYOUTS[mode].pack(control, mode, raw)
+
+    # --- supervised -------------------------------------------------------------------------------------------------
+
+    def silence(self, now: float, heartbeat_timeout: float) -> str:
+        """Why it cannot be reached; empty if it can."""
+        if self._restarted:
+            return "has restarted: it lost its settings; check its supply"
+        if self.nmt_state in NMT_STATES:
+            return f"{NMT_STATES[self.nmt_state]}; another master or its own fault has put it there"
+        quiet, beating = now - self.last_status, now - self.last_heartbeat
+        if quiet > self._silent_after and self.last_heartbeat > self.last_status:
+            return f"sends heartbeats, but has not answered SYNC for {1e3 * quiet:.0f} ms: SYNC or its PDOs are lost"
+        if quiet > self._silent_after or beating > heartbeat_timeout:
+            return f"fell silent for {1e3 * max(quiet, beating):.0f} ms: check its supply, the wiring and termination"
+        return ""
+
+    def fault(self, now: float) -> str:
+        """Why it does not work though it can be reached; empty if it does. To be asked after `run`."""
+        if self.state in {DriveState.FAULT, DriveState.FAULT_REACTION_ACTIVE}:
+            return f"is in {self.state.value}: {self.error()}"
+        if self._enabled_at is None:
+            return ""
+        if self.state is not DriveState.OPERATION_ENABLED and now - self._enabled_at > TRANSITION_TIME:
+            return f"has left {DriveState.OPERATION_ENABLED.value} and is in {self.state.value}: {self.error()}"
+        return self._deviation(now)
+
+    def error(self) -> str:
+        """Its last error in words."""
+        return f"{error_text(self.error_code)}, error register: {register_text(self.error_register)}"
+
+    def _deviation(self, now: float) -> str:
+        if self._target is None or self.setup.track is not None:
+            return ""
+        mode, value = self._target
+        if self.joint.kind in {JointKind.REVOLUTE, JointKind.PRISMATIC}:
+            margin = LIMIT_MARGIN * (self.joint.upper - self.joint.lower)
+            if not self.joint.lower - margin <= self.position <= self.joint.upper + margin:
+                return f"has moved {self.joint.name!r} to {self.position:.3f}, beyond its limits ({self.limits()})"
+        error = abs(value - self.position) if mode is Mode.CYCLIC_POSITION else 0.0
+        if error <= self.setup.following_error:
+            self._following_since = None
+        elif self._following_since is None:
+            self._following_since = now
+        elif now - self._following_since > self.setup.following_time:
+            return (
+                f"does not follow: {self.joint.name!r} is {error:.3f} from its command; it is blocked or too weak, or "
+                "node ids, sign or gear_ratio are wrong"
+            )
+        return ""
+
+    def limits(self) -> str:
+        """The limits of the joint, as in `-2.9..2.9`."""
+        return f"{self.joint.lower:g}..{self.joint.upper:g}"

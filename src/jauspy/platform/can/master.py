@@ -1,0 +1,381 @@
+"""The robot's end of the bus: starts drives, sends their commands and SYNC, supervises them, stops them all.
+
+`cycle` is called at each SYNC: by a thread on a bus, or by the robot's own time with simulated drives in this process.
+"""
+
+from __future__ import annotations
+
+import threading
+from collections import Counter
+from collections.abc import Callable, Mapping
+from enum import Enum
+from typing import Final
+
+import can
+import canopen
+
+from jauspy.geometry.urdf import JointKind
+from jauspy.logs import get_logger
+from jauspy.platform.can import pdo
+from jauspy.platform.can.cia402 import Control, DriveState, towards_operation
+from jauspy.platform.can.configuration import Configurator
+from jauspy.platform.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
+from jauspy.platform.can.setup import CanSetup, DriveFault
+
+_LOG: Final = get_logger("jauspy.can")
+
+LISTENING_TIME: Final = 0.25
+"""Seconds in which another master is listened for before anything is sent."""
+
+START_TIMEOUT: Final = 2.0
+"""Seconds in which drives must reach each step of the start."""
+
+STILL_SYNCS: Final = 10
+"""SYNCs in which no joint may move before the drives are enabled."""
+STILL: Final = 0.005
+"""Radians or metres that a joint may move meanwhile."""
+
+EXPLAIN_TIME: Final = 0.02
+"""Seconds from a fault to the exception, in which the drive's emergency message tells why."""
+
+PAUSE: Final = 0.1
+"""Seconds between two cycles after which drives must not just go on: this process stood still."""
+
+MAX_SEND_ERRORS: Final = 5
+"""Cycles in a row in which nothing could be sent."""
+
+FOREIGN_SYNCS: Final = 3
+"""SYNCs that this process did not send, after which there is another master."""
+
+
+class Phase(Enum):
+    """What the cycle sends to the drives."""
+
+    LISTENING = "nothing at all"
+    IDLE = "SYNC, and nothing that moves"
+    RESETTING = "fault reset"
+    ENABLING = "steps to Operation Enabled"
+    RUNNING = "setpoints"
+    STOPPED = "quick stop, after a failure"
+    CLOSING = "what takes the power"
+
+
+class Master:
+    """All drives of a robot.
+
+    `wait_cycle` lets one SYNC period pass, with its cycle. `echoes`: whether the bus returns what is sent on it.
+    """
+
+    def __init__(
+        self,
+        setup: CanSetup,
+        drives: Mapping[str, Drive],
+        network: canopen.Network,
+        *,
+        clock: Callable[[], float],
+        wait_cycle: Callable[[], None],
+        echoes: bool,
+    ) -> None:
+        self.setup = setup
+        self.drives = drives
+        self.period = 1.0 / setup.sync_rate
+        self.lock = threading.RLock()
+        """Held during a cycle, and while motions are commanded."""
+        self.counters: Counter[str] = Counter(syncs=0, missed=0, unsent=0)
+        self._network = network
+        self._clock = clock
+        self._wait_cycle = wait_cycle
+        self._echoes = echoes
+        self._configurator = Configurator(network, setup)
+        self._phase = Phase.LISTENING
+        self._failure = ""
+        self._culprit: Drive | None = None
+        self._failed_at = 0.0
+        self._next_heartbeat = 0.0
+        self._last_cycle: float | None = None
+        self._send_errors = 0
+        self._foreign = 0
+        self._reset = False
+        self._bus_error = ""
+        self._by_node = {drive.setup.node: drive for drive in drives.values()}
+        for drive in drives.values():
+            self._subscribe(drive)
+        network.subscribe(pdo.SYNC, self._on_sync)
+        network.subscribe(pdo.HEARTBEAT + setup.node, self._on_own_heartbeat)
+
+    # --- the bus ----------------------------------------------------------------------------------------------------
+
+    def _subscribe(self, drive: Drive) -> None:
+        node, clock = drive.setup.node, self._clock
+
+        def on_status(_id: int, data: bytearray, _at: float) -> None:
+            drive.receive_status(bytes(data), clock())
+
+        def on_speed(_id: int, data: bytearray, _at: float) -> None:
+            drive.receive_speed(bytes(data))
+
+        def on_emergency(_id: int, data: bytearray, _at: float) -> None:
+            drive.receive_emergency(bytes(data))
+
+        def on_heartbeat(_id: int, data: bytearray, _at: float) -> None:
+            drive.receive_heartbeat(bytes(data), clock())
+
+        self._network.subscribe(pdo.STATUS.cob_id + node, on_status)
+        self._network.subscribe(pdo.SPEED.cob_id + node, on_speed)
+        self._network.subscribe(pdo.EMCY + node, on_emergency)
+        self._network.subscribe(pdo.HEARTBEAT + node, on_heartbeat)
+
+    def _on_sync(self, _id: int, _data: bytearray, _at: float) -> None:
+        self._foreign += 1
+
+    def _on_own_heartbeat(self, _id: int, _data: bytearray, _at: float) -> None:
+        if not self._echoes:
+            self._foreign += FOREIGN_SYNCS + 1
+
+    def bus_failed(self, why: str) -> None:
+        """The bus itself failed, as by bus-off; any thread may say so."""
+        self._bus_error = why
+
+    def _send(self, cob_id: int, data: bytes) -> None:
+        try:
+            self._network.send_message(cob_id, data)
+        except (can.CanError, OSError) as error:
+            self.counters["unsent"] += 1
+            self._bus_error = self._bus_error or f"{error}"
+            raise
+
+    # --- each SYNC --------------------------------------------------------------------------------------------------
+
+    def cycle(self, now: float) -> None:
+        """Send commands, SYNC and heartbeat, and look at what the drives answered before."""
+        with self.lock:
+            if self._phase is Phase.LISTENING:
+                return
+            self._check_pause(now)
+            try:
+                if now >= self._next_heartbeat:
+                    self._next_heartbeat = now + self.setup.heartbeat
+                    self._send(pdo.HEARTBEAT + self.setup.node, bytes((OPERATIONAL,)))
+                for drive in self.drives.values():
+                    if drive.configured or self._phase in {Phase.STOPPED, Phase.CLOSING}:
+                        self._send(*self._command(drive, now))
+                self._send(pdo.SYNC, b"")
+                self.counters["syncs"] += 1
+                if self._echoes:
+                    self._foreign -= 1
+                self._send_errors = 0
+            except (can.CanError, OSError) as error:
+                self._send_errors += 1
+                if self._send_errors >= MAX_SEND_ERRORS:
+                    self._fail(None, self._bus_sentence(str(error)), now)
+            if self._phase in {Phase.RUNNING, Phase.ENABLING}:
+                self._supervise(now)
+
+    def _command(self, drive: Drive, now: float) -> tuple[int, bytes]:
+        match self._phase:
+            case Phase.RUNNING:
+                return drive.run(now, self.period)
+            case Phase.ENABLING:
+                return drive.idle(towards_operation(drive.state))
+            case Phase.RESETTING:
+                faulty = drive.state is DriveState.FAULT
+                if not faulty:
+                    return drive.stop()
+                return drive.idle(Control.FAULT_RESET if self._reset else Control.DISABLE_VOLTAGE)
+            case Phase.CLOSING:
+                return drive.idle(Control.SHUTDOWN)
+            case _:
+                return drive.stop()
+
+    def _check_pause(self, now: float) -> None:
+        last, self._last_cycle = self._last_cycle, now
+        if last is not None and now - last > PAUSE and self._phase is Phase.RUNNING:
+            self._fail(None, f"the robot's program did not run for {now - last:.2f} s, and drives got no commands", now)
+
+    def _supervise(self, now: float) -> None:
+        if self._bus_error and self._send_errors == 0:
+            self._fail(None, self._bus_sentence(self._bus_error), now)
+        if self._foreign > FOREIGN_SYNCS:
+            self._fail(
+                None, f"another master sends on {self.setup.bus}: end it; two that command drives are dangerous", now
+            )
+        for drive in self.drives.values():
+            if why := drive.silence(now, self.setup.heartbeat_timeout) or drive.fault(now):
+                self._fail(drive, why, now)
+
+    def _bus_sentence(self, error: str) -> str:
+        if "bus-off" in error:
+            return f"{self.setup.bus} is bus-off: check bit rate, wiring and termination; then Reset"
+        return (
+            f"{self.setup.bus} takes no more frames ({error}): the bus is too full or nobody acknowledges; lower "
+            "can.sync_rate, or check bit rate, wiring and termination"
+        )
+
+    def _fail(self, drive: Drive | None, why: str, now: float) -> None:
+        if self._phase is Phase.STOPPED:
+            return
+        self._phase = Phase.STOPPED
+        self._failure, self._culprit, self._failed_at = why, drive, now
+        for each in self.drives.values():
+            each.motion.start(each)
+        try:  # at once, not with the next SYNC only
+            for each in self.drives.values():
+                self._send(*each.stop())
+            self._send(pdo.SYNC, b"")
+            if self._echoes:
+                self._foreign -= 1
+        except (can.CanError, OSError):
+            _LOG.warning("%s: the quick stop could not be sent; the drives stop without heartbeat", self.setup.bus)
+
+    def hold_all(self) -> None:
+        """Stop everything, as the robot's thread would; it may command again."""
+        with self.lock:
+            for drive in self.drives.values():
+                drive.motion.hold()
+
+    @property
+    def running(self) -> bool:
+        """True while drives follow commands."""
+        return self._phase is Phase.RUNNING
+
+    def check(self, now: float) -> None:
+        """Raise `DriveFault` with the reason if the drives have been stopped."""
+        if self._phase is Phase.STOPPED and now - self._failed_at >= EXPLAIN_TIME:
+            raise DriveFault(self.reason())
+
+    def reason(self) -> str:
+        """Why the drives were stopped; empty if they were not."""
+        if not self._failure:
+            return ""
+        drive = self._culprit
+        if drive is None:
+            return f"{self._failure}; all drives were stopped"
+        why = self._failure
+        if drive.state in {DriveState.FAULT, DriveState.FAULT_REACTION_ACTIVE} and "is in" in why:
+            why = f"is in {drive.state.value}: {drive.error()}"  # the emergency message may have come later
+        return f"{drive.name}, which moves {drive.joint.name!r}, {why}; the other drives were stopped"
+
+    # --- start and recovery -----------------------------------------------------------------------------------------
+
+    def start(self) -> None:
+        """Configure the drives, wait until all agree, enable them. Blocks; raises `DriveFault`."""
+        load = pdo.bus_load(len(self.drives), self.setup.sync_rate, self.setup.bit_rate)
+        if load > MAX_BUS_LOAD:
+            raise DriveFault(
+                f"{self.setup.bus} would be {100 * load:.0f} % full with {len(self.drives)} drives at "
+                f"{self.setup.bit_rate} bit/s: lower can.sync_rate to {self.setup.sync_rate * MAX_BUS_LOAD / load:.0f}"
+            )
+        self._listen()
+        self._set_phase(Phase.IDLE)
+        self._bring_up()
+
+    def recover(self) -> None:
+        """Try again after a failure: reset faults, configure drives that restarted. Blocks; raises `DriveFault`."""
+        self._bus_error, self._send_errors, self._foreign = "", 0, 0
+        for drive in self.drives.values():
+            if drive.nmt_state != OPERATIONAL or drive.silence(self._clock(), self.setup.heartbeat_timeout):
+                drive.configured = False
+        self._set_phase(Phase.IDLE)
+        try:
+            self._bring_up()
+        except DriveFault as error:
+            with self.lock:
+                self._phase = Phase.STOPPED
+                self._failure, self._culprit, self._failed_at = str(error), None, self._clock() - EXPLAIN_TIME
+            raise
+
+    def _listen(self) -> None:
+        for _ in range(round(LISTENING_TIME / self.period)):
+            self._wait_cycle()
+        if self._foreign:
+            raise DriveFault(
+                f"another master sends SYNC on {self.setup.bus} already: end it; two that command drives are dangerous"
+            )
+
+    def _bring_up(self) -> None:
+        new = [drive for drive in self.drives.values() if not drive.configured]
+        for drive in new:
+            self._configurator.configure(drive)
+            drive.begin(self._clock())
+        self._wait("enter NMT state Operational", self._operational, START_TIMEOUT)
+        self._set_phase(Phase.RESETTING)
+        for _ in range(4):
+            self._reset = not self._reset
+            self._wait_cycle()
+            self._wait_cycle()
+        self._wait("leave Fault", lambda drive: drive.state is not DriveState.FAULT, START_TIMEOUT)
+        self._set_phase(Phase.IDLE)
+        self._agree()
+        for drive in self.drives.values():
+            drive.start()
+        self._set_phase(Phase.ENABLING)
+        self._wait("enable operation", lambda drive: drive.state is DriveState.OPERATION_ENABLED, START_TIMEOUT)
+        with self.lock:
+            for drive in self.drives.values():
+                drive.start()
+            self._failure = ""
+            self._phase = Phase.RUNNING
+            self._last_cycle = None
+
+    def _operational(self, drive: Drive) -> bool:
+        if drive.nmt_state == OPERATIONAL and drive.received > 2:
+            return True
+        self._network.send_message(0, bytes((1, drive.setup.node)))  # NMT: start; a lost one is sent again
+        return False
+
+    def _agree(self) -> None:
+        """Check that all drives report plausible positions, and that nothing moves."""
+        before = {drive: drive.position for drive in self.drives.values()}
+        for _ in range(STILL_SYNCS):
+            self._wait_cycle()
+        for drive, position in before.items():
+            joint = drive.joint
+            if abs(drive.position - position) > STILL:
+                raise DriveFault(f"{drive.name} moves while nothing is enabled: hold {joint.name!r}, check its brake")
+            margin = LIMIT_MARGIN * (joint.upper - joint.lower)
+            limited = drive.setup.track is None and joint.kind in {JointKind.REVOLUTE, JointKind.PRISMATIC}
+            if limited and not joint.lower - margin <= drive.position <= joint.upper + margin:
+                raise DriveFault(
+                    f"{drive.name} says that {joint.name!r} is at {drive.position:.3f}, beyond its limits "
+                    f"({drive.limits()}): check zero, sign, gear_ratio and encoder_counts of can.drives."
+                    f"{drive.setup.name}, and whether node ids are swapped"
+                )
+
+    def _wait(self, what: str, reached: Callable[[Drive], bool], timeout: float) -> None:
+        """Wait until all drives have reached something; raises `DriveFault` with the first that has not."""
+        for _ in range(round(timeout / self.period)):
+            if self._phase is Phase.STOPPED:
+                raise DriveFault(self.reason())
+            missing = [drive for drive in self.drives.values() if not reached(drive)]
+            if not missing:
+                return
+            self._wait_cycle()
+        drive = missing[0]
+        raise DriveFault(
+            f"{drive.name} does not {what}; it is in {drive.state.value}: {drive.error()}"
+            + (f" (and {len(missing) - 1} more)" if len(missing) > 1 else "")
+        )
+
+    def _set_phase(self, phase: Phase) -> None:
+        with self.lock:
+            self._phase = phase
+
+    def close(self) -> None:
+        """Stop all drives and take their power. May be called twice."""
+        with self.lock:
+            if self._phase is Phase.LISTENING:
+                return
+            self._phase = Phase.STOPPED
+        for _ in range(CLOSING_CYCLES):
+            self._wait_cycle()
+        self._set_phase(Phase.CLOSING)
+        self._wait_cycle()
+        self._wait_cycle()
+        self._set_phase(Phase.LISTENING)
+
+
+MAX_BUS_LOAD: Final = 0.85
+"""The fraction of the bus that cyclic traffic may take; the rest is for SDO, heartbeats and errors."""
+
+CLOSING_CYCLES: Final = 40
+"""SYNCs between the quick stop and the loss of power, when brakes engage."""

@@ -1,0 +1,108 @@
+"""Setpoints for drives at each SYNC: of joints by position, velocity or effort, and of tracks by velocity."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from jauspy.geometry.urdf import Joint
+from jauspy.platform.can.cia402 import DriveState, Mode
+from jauspy.platform.can.drive import Drive
+from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.setpoint import SetpointGenerator
+
+TRACK_ACCELERATION: Final = 4.0
+"""m/s^2, unless the drive has an `acceleration`."""
+
+
+SLOW: Final = 0.01
+"""rad/s or m/s below which a joint at its end is not braked."""
+
+
+class JointMotion:
+    """The setpoint of one joint. JAUS's position, velocity and effort are the three cyclic synchronous modes."""
+
+    def __init__(self, joint: Joint, start: float) -> None:
+        self._joint = joint
+        self._setpoint = SetpointGenerator(joint, start)
+        self._holding = True
+
+    def start(self, drive: Drive) -> None:
+        """Hold the present position, in Operation Enabled."""
+        self._setpoint.hold(drive.position)
+        self._holding = False
+
+    def follow(self, target: Target, drive: Drive) -> None:
+        """Follow a target; after a stop and in another mode it begins at the present position and velocity."""
+        if self._holding or target.mode is not self._setpoint.target.mode:
+            self._setpoint.start(drive.position, 0.0 if self._holding else drive.velocity)
+        self._setpoint.target = target
+        self._holding = False
+
+    def hold(self) -> None:
+        """Quick stop; the drive holds the position that it reaches."""
+        self._holding = True
+
+    def advance(self, drive: Drive, dt: float) -> tuple[Mode, float] | None:
+        """Mode and value for the next `dt` seconds; None to stop."""
+        if self._holding:
+            return None
+        setpoint = self._setpoint
+        mode = setpoint.target.mode
+        if drive.state is not DriveState.OPERATION_ENABLED:  # it does not move yet
+            setpoint.start(drive.position, 0.0)
+            return (Mode.CYCLIC_POSITION, drive.position) if mode is ControlMode.POSITION else _still(mode)
+        if mode is ControlMode.EFFORT:
+            return Mode.CYCLIC_TORQUE, self._effort(setpoint.target.value, drive)
+        if mode is ControlMode.VELOCITY:
+            setpoint.position = drive.position  # the limits apply to the present position
+            setpoint.advance(dt)
+            return Mode.CYCLIC_VELOCITY, setpoint.velocity
+        setpoint.advance(dt)
+        return Mode.CYCLIC_POSITION, setpoint.position
+
+    def _effort(self, value: float, drive: Drive) -> float:
+        """The effort within its limits; none that pushes a joint beyond its end, before which it brakes."""
+        joint, velocity = self._joint, drive.velocity
+        rest = drive.position + velocity * abs(velocity) / (2.0 * drive.units.stop_deceleration)
+        if rest >= joint.upper:
+            value = min(0.0, value) if velocity < SLOW else -joint.effort
+        elif rest <= joint.lower:
+            value = max(0.0, value) if velocity > -SLOW else joint.effort
+        return min(joint.effort, max(-joint.effort, value))
+
+
+def _still(mode: ControlMode) -> tuple[Mode, float]:
+    return (Mode.CYCLIC_VELOCITY if mode is ControlMode.VELOCITY else Mode.CYCLIC_TORQUE), 0.0
+
+
+class TrackMotion:
+    """The velocity of one track, which is ramped."""
+
+    def __init__(self, acceleration: float) -> None:
+        self._acceleration = acceleration
+        self._wanted: float | None = 0.0
+        self._velocity = 0.0
+
+    def start(self, drive: Drive) -> None:  # noqa: ARG002 - a track may be anywhere
+        """Stand."""
+        self._wanted = self._velocity = 0.0
+
+    def drive(self, velocity: float) -> None:
+        """Run at a velocity, in m/s."""
+        self._wanted = velocity
+
+    def hold(self) -> None:
+        """Quick stop; the drive then holds the track."""
+        self._wanted = None
+
+    def advance(self, drive: Drive, dt: float) -> tuple[Mode, float] | None:
+        """Mode and value for the next `dt` seconds; None to stop."""
+        if self._wanted is None:
+            self._velocity = drive.velocity
+            return None
+        if drive.state is DriveState.OPERATION_ENABLED:
+            change = self._acceleration * dt
+            self._velocity += min(change, max(-change, self._wanted - self._velocity))
+        else:
+            self._velocity = 0.0
+        return Mode.CYCLIC_VELOCITY, self._velocity

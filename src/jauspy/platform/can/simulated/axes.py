@@ -1,0 +1,264 @@
+"""What simulated drives move: motors with a load, or the joints and tracks of another backend's robot."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from typing import Final, Protocol
+
+from jauspy.geometry.urdf import Joint
+from jauspy.platform.can.setup import DriveSetup
+from jauspy.platform.contract import Robot
+from jauspy.platform.description import RobotModel
+from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.kinematic import SLIP_FACTOR
+
+DAMPING: Final = 0.5
+"""Effort of friction at full speed, as a fraction of the full effort."""
+SPIN_UP: Final = 0.05
+"""Seconds from standstill to full speed with full effort, without friction."""
+
+
+class Axis(Protocol):
+    """One joint or track. Radians or metres, and their rates; newton metres or newtons."""
+
+    position: float
+    velocity: float
+    effort: float
+
+    def drive(self, mode: ControlMode, value: float) -> None:
+        """Follow a value; a position is reached at the end of the next step."""
+        ...
+
+    def stop(self, deceleration: float) -> None:
+        """Come to rest, and hold the position."""
+        ...
+
+    def release(self) -> None:
+        """No power: the brake engages."""
+        ...
+
+
+class Plant(Protocol):
+    """All axes of a robot."""
+
+    @property
+    def axes(self) -> Mapping[str, Axis]:
+        """By the name of the drive."""
+        ...
+
+    @property
+    def robot(self) -> Robot | None:
+        """The robot whose joints they are, if it is another backend's."""
+        ...
+
+    def advance(self, dt: float) -> None:
+        """Move for `dt` seconds."""
+        ...
+
+    def close(self) -> None:
+        """Release resources."""
+        ...
+
+
+class MotorAxis:
+    """A motor with inertia, friction, a torque limit, a brake and a load; a joint has mechanical ends."""
+
+    def __init__(self, joint: Joint, position: float, *, endless: bool = False) -> None:
+        self.position = position
+        self._ends = (-math.inf, math.inf) if endless else (joint.lower, joint.upper)
+        self.velocity = 0.0
+        self.effort = 0.0
+        self.load = 0.0
+        """Effort that pushes the joint, as a weight does."""
+        self.blocked = False
+        self._limit = joint.effort
+        self._inertia = joint.effort * SPIN_UP / joint.velocity
+        self._damping = DAMPING * joint.effort / joint.velocity
+        self._mode: ControlMode | None = None
+        self._value = 0.0
+        self._deceleration: float | None = None
+
+    def drive(self, mode: ControlMode, value: float) -> None:
+        """Follow a value."""
+        self._mode, self._value, self._deceleration = mode, value, None
+        if mode is ControlMode.EFFORT:
+            self.effort = min(self._limit, max(-self._limit, value))
+
+    def stop(self, deceleration: float) -> None:
+        """Come to rest with a deceleration, and hold the position."""
+        if self._deceleration is None:
+            self._value = math.nan
+        self._mode, self._deceleration = ControlMode.POSITION, deceleration
+
+    def release(self) -> None:
+        """Engage the brake."""
+        self._mode = self._deceleration = None
+
+    def advance(self, dt: float) -> None:
+        """Move for `dt` seconds, by a controller that reaches its target in one step if the torque suffices."""
+        if self._mode is None or self.blocked:
+            self.velocity = self.effort = 0.0
+            return
+        resistance = self._damping * self.velocity + self.load
+        if self._mode is ControlMode.EFFORT:
+            wanted = self._value
+        else:
+            wanted = self._inertia * (self._wanted_velocity(dt) - self.velocity) / dt + resistance
+        self.effort = min(self._limit, max(-self._limit, wanted))
+        self.velocity += (self.effort - resistance) / self._inertia * dt
+        self.position += self.velocity * dt
+        if not self._ends[0] <= self.position <= self._ends[1]:
+            self.position = min(self._ends[1], max(self._ends[0], self.position))
+            self.velocity = 0.0
+
+    def _wanted_velocity(self, dt: float) -> float:
+        if self._deceleration is not None:
+            if math.isnan(self._value):
+                change = self._deceleration * dt
+                if abs(self.velocity) > change:
+                    return self.velocity - math.copysign(change, self.velocity)
+                self._value = self.position
+            return (self._value - self.position) / dt
+        if self._mode is ControlMode.VELOCITY:
+            return self._value
+        return (self._value - self.position) / dt
+
+
+class MotorPlant:
+    """A `Plant` of motors, each with a load of its own."""
+
+    robot: Robot | None = None
+
+    def __init__(self, model: RobotModel, drives: Mapping[str, DriveSetup]) -> None:
+        starts = {
+            joint: start
+            for group in model.groups.values()
+            for joint, start in zip(group.joints, group.start, strict=True)
+        }
+        self.axes: dict[str, MotorAxis] = {
+            name: MotorAxis(
+                model.description.joint(drive.moves), starts.get(drive.moves, 0.0), endless=drive.track is not None
+            )
+            for name, drive in drives.items()
+        }
+
+    def advance(self, dt: float) -> None:
+        """Move for `dt` seconds."""
+        for axis in self.axes.values():
+            axis.advance(dt)
+
+    def close(self) -> None:
+        """There is nothing to release."""
+
+
+QUICK: Final = 1000.0
+"""Acceleration in rad/s^2 or m/s^2 with which the other backend's controllers follow: the master has ramped it."""
+
+TRACK_GAIN: Final = 2.0
+"""Effort of a track, as a fraction of the full one, for a velocity that is wrong by the full speed."""
+
+
+class RobotJoint:
+    """An `Axis`: a joint of another backend's robot."""
+
+    def __init__(self) -> None:
+        self.position = self.velocity = self.effort = 0.0
+        self.target: Target | None = None
+        self.stopped = True
+
+    def drive(self, mode: ControlMode, value: float) -> None:
+        """Follow a value."""
+        self.target, self.stopped = Target(mode, value, acceleration=QUICK, deceleration=QUICK), False
+
+    def stop(self, deceleration: float) -> None:  # noqa: ARG002 - the backend has its own
+        """Hold."""
+        if not self.stopped:
+            self.target, self.stopped = Target(ControlMode.POSITION, self.position), True
+
+    def release(self) -> None:
+        """Hold: the brake."""
+        self.stop(0.0)
+
+
+class RobotTrack:
+    """An `Axis`: a track of another backend's robot; its controller adds effort until the velocity is right."""
+
+    def __init__(self, full_speed: float) -> None:
+        self.position = self.velocity = self.effort = 0.0
+        self.wanted = 0.0
+        self._full_speed = full_speed
+
+    def drive(self, mode: ControlMode, value: float) -> None:
+        """Run at a velocity; other modes stop."""
+        self.wanted = value if mode is ControlMode.VELOCITY else 0.0
+
+    def stop(self, deceleration: float) -> None:  # noqa: ARG002 - the backend has its own
+        """Brake."""
+        self.wanted = 0.0
+
+    def release(self) -> None:
+        """Brake."""
+        self.wanted = 0.0
+
+    def fraction(self) -> float:
+        """The effort, -1..1."""
+        if not self.wanted:
+            return 0.0
+        error = self.wanted - self.velocity
+        return min(1.0, max(-1.0, (self.wanted + TRACK_GAIN * error) / self._full_speed))
+
+
+class RobotPlant:
+    """A `Plant`: the robot of another backend, as of the simulator. Commands go to its joints and tracks."""
+
+    def __init__(self, robot: Robot, model: RobotModel, drives: Mapping[str, DriveSetup]) -> None:
+        self.robot: Robot = robot
+        self.axes: dict[str, RobotJoint | RobotTrack] = {}
+        self._groups: list[tuple[str, list[RobotJoint]]] = []
+        self._tracks: dict[str, RobotTrack] = {}
+        by_joint = {drive.moves: name for name, drive in drives.items() if drive.track is None}
+        for name, group in model.groups.items():
+            joints = [RobotJoint() for _ in group.joints]
+            self._groups.append((name, joints))
+            self.axes |= {by_joint[each]: axis for each, axis in zip(group.joints, joints, strict=True)}
+        for name, drive in drives.items():
+            if drive.track is not None:
+                joint = model.description.joint(drive.moves)
+                self.axes[name] = self._tracks[drive.track] = RobotTrack(joint.velocity)
+        self._half_width = 0.0
+        if model.tracks is not None:
+            left, right = (model.description.joint(names[0]) for names in (model.tracks.left, model.tracks.right))
+            self._half_width = SLIP_FACTOR * abs(left.origin.y - right.origin.y) / 2.0
+        self._measure(0.0)
+
+    def advance(self, dt: float) -> None:
+        """Command the robot, and advance it."""
+        for name, joints in self._groups:
+            self._command(name, joints)
+        if self._tracks:
+            left, right = (self._tracks[side].fraction() for side in ("left", "right"))
+            self.robot.drive.set_effort((left + right) / 2.0, (right - left) / 2.0)
+        self.robot.advance(dt)
+        self._measure(dt)
+
+    def _command(self, name: str, joints: Sequence[RobotJoint]) -> None:
+        if all(joint.stopped for joint in joints):
+            self.robot.groups[name].hold()
+        else:
+            self.robot.groups[name].command([joint.target for joint in joints])
+
+    def _measure(self, dt: float) -> None:
+        for name, joints in self._groups:
+            state = self.robot.groups[name].state()
+            for joint, *values in zip(joints, state.positions, state.velocities, state.efforts, strict=True):
+                joint.position, joint.velocity, joint.effort = values
+        twist = self.robot.drive.twist()
+        for side, sign in (("left", -1.0), ("right", 1.0)):
+            if (track := self._tracks.get(side)) is not None:
+                track.velocity = twist.vx + sign * self._half_width * twist.wz
+                track.position += track.velocity * dt
+
+    def close(self) -> None:
+        """Close the robot."""
+        self.robot.close()

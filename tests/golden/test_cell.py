@@ -1,0 +1,83 @@
+"""Bytes of the messages of the factory cell, written by hand from the definitions in schemas/cell."""
+
+from __future__ import annotations
+
+import math
+import struct
+
+import pytest
+
+from jauspy.codec.message import Message
+from jauspy.messages import cell as m, registry
+from jauspy.services.cell import motion_command
+
+STATE = m.ReportServoState(position=-1000.25, torque=1.5, claimed_by="arm")
+POWER = m.SetModulePower.ModulePowerRec
+
+ROWS = [
+    pytest.param(
+        m.SetServoTarget(m.SetServoTarget.Mode.VELOCITY_MODE, 0.5),
+        "60da0001000000000000e03f",
+        id="a target without a torque that is fed forward",
+    ),
+    pytest.param(
+        m.SetServoTarget(m.SetServoTarget.Mode.POSITION_MODE, -1.0, 0.25),
+        "60da0100000000000000f0bf0000803e",
+        id="a target with one",
+    ),
+    pytest.param(m.QueryServoState(0x10005), "60ea05000100", id="a query for three fields"),
+    pytest.param(
+        STATE,
+        "60fa05000100" + struct.pack("<d", -1000.25).hex() + "0000c03f03" + b"arm".hex(),
+        id="a state of three fields",
+    ),
+    pytest.param(
+        m.SetConnector(3, m.SetConnector.Enabled.ENABLED),
+        "62da0301",
+        id="a connector",
+    ),
+    pytest.param(m.SetConveyorSpeed(-0.25), "63da000080be", id="a conveyor that runs backward"),
+    pytest.param(
+        m.SetModulePower([POWER("servo_1", m.SetModulePower.Power.SWITCHED_OFF)]),
+        "64da0107" + b"servo_1".hex() + "00",
+        id="a supply",
+    ),
+    pytest.param(
+        motion_command([0.5, math.nan, -2.0], 1.5),
+        "65da000000000000f83f0301000000000000e03f000100000000000000c0",
+        id="a motion that leaves the second joint",
+    ),
+    pytest.param(m.HoldModularArm(), "66da", id="a hold"),
+    pytest.param(m.SetModularArmOrder([]), "68da00", id="an order that is to be found"),
+    pytest.param(
+        m.ReportPartObservations(
+            m.ReportPartObservations.ObservationTimeRec(2.0),
+            [m.ReportPartObservations.ObservedPartRec("a", "bc", 1.0, 0.0, -1.0, 1.0, 0.0, 0.0, 0.0)],
+        ),
+        "66fa"
+        "0000000000000040"
+        "0100"
+        "0161"
+        "026263"
+        "000000000000f03f"
+        "0000000000000000"
+        "000000000000f0bf"
+        "0000803f"
+        "00000000"
+        "00000000"
+        "00000000",
+        id="an observation of one part",
+    ),
+]
+
+
+@pytest.mark.parametrize(("message", "data"), ROWS)
+def test_bytes_of_the_cell(message: Message, data: str) -> None:
+    assert message.encode().hex() == data
+    assert registry.decode(bytes.fromhex(data)) == message
+
+
+def test_every_command_of_the_cell_is_here_or_much_like_one() -> None:
+    kinds = {type(row.values[0]) for row in ROWS}
+    commands = {kind for kind in registry if kind.SERVICE.startswith("urn:jauspy:cell:") and kind.IS_COMMAND}
+    assert commands - kinds == {m.SetServoGains, m.SetModularArmController}

@@ -1,0 +1,164 @@
+"""What can be wrong with a bus or what is on it: each is noticed, nothing moves, and a sentence says what to do."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import can
+import pytest
+from tests.platform.can.conftest import OpenCan
+from tests.platform.can.test_failing_drives import CYCLE, advance_until_fault, set_in_motion
+
+from jauspy.errors import ConfigError
+from jauspy.platform.can import pdo
+from jauspy.platform.can.bus import split
+from jauspy.platform.can.cia402 import DriveState
+from jauspy.platform.can.eds import identity_of
+from jauspy.platform.can.robot import CanRobot
+from jauspy.platform.can.setup import Identity
+from jauspy.platform.can.simulated import fleet
+from jauspy.platform.can.simulated.axes import MotorAxis
+from jauspy.platform.can.simulated.drive import SimulatedDrive
+from jauspy.platform.can.units import unwrapped
+
+
+def refuse_frames(robot: CanRobot, error: Exception) -> None:
+    assert robot.wire is not None
+
+    def send(message: can.Message, timeout: float | None = None) -> None:
+        raise error
+
+    robot.wire.near.send = send  # type: ignore[method-assign] - the adapter's driver
+
+
+def test_a_bus_that_takes_no_frames_is_too_full(robot: CanRobot) -> None:
+    set_in_motion(robot)
+    refuse_frames(robot, can.CanOperationError("No buffer space available"))
+    text = advance_until_fault(robot)
+    assert "takes no more frames (No buffer space available): the bus is too full or nobody acknowledges" in text
+
+
+def test_bus_off(robot: CanRobot) -> None:
+    set_in_motion(robot)
+    robot.master.bus_failed("bus-off")
+    text = advance_until_fault(robot)
+    assert "virtual:motors is bus-off: check bit rate, wiring and termination; then Reset" in text
+    robot.advance(CYCLE)  # recovers
+
+
+def test_lost_sync_stops_the_drives_and_is_named(robot: CanRobot) -> None:
+    set_in_motion(robot)
+    assert robot.wire is not None
+    robot.wire.loses = lambda message: message.arbitration_id == pdo.SYNC
+    assert "has not answered SYNC for" in advance_until_fault(robot)
+    for _ in range(60):
+        robot._ticker.wait_cycle()
+    assert {drive.state for drive in robot.fleet.drives.values()} == {DriveState.FAULT}
+    assert robot.drives["left_track"].error_code == 0x8700
+
+
+def test_another_master_stops_the_robot(robot: CanRobot) -> None:
+    set_in_motion(robot)
+    assert robot.wire is not None
+    for _ in range(5):
+        robot.wire.far.send(can.Message(arbitration_id=pdo.SYNC, is_extended_id=False))
+    assert "another master sends on virtual:motors: end it" in advance_until_fault(robot)
+
+
+def test_a_robot_does_not_start_beside_another_master(open_can: OpenCan, monkeypatch: pytest.MonkeyPatch) -> None:
+    step = fleet.Fleet.step
+
+    def step_with_sync(self: fleet.Fleet, dt: float) -> None:
+        self._port.send(can.Message(arbitration_id=pdo.SYNC, is_extended_id=False))
+        step(self, dt)
+
+    monkeypatch.setattr(fleet.Fleet, "step", step_with_sync)
+    with pytest.raises(ConfigError, match="another master sends SYNC on virtual:motors already"):
+        open_can()
+
+
+def test_the_eds_file_of_another_drive_is_refused(open_can: OpenCan) -> None:
+    with pytest.raises(
+        ConfigError, match=r"'arm_1' \(node 4\) has the product code 402h, .* EDS file acme.eds is for 7h"
+    ):
+        open_can(arm_1={"identity": Identity(0xA115, 7), "eds": "acme.eds"})
+
+
+def test_swapped_drives_are_noticed_by_their_serial_numbers(open_can: OpenCan, monkeypatch: pytest.MonkeyPatch) -> None:
+    other = {4: 1005, 5: 1004}
+    read = SimulatedDrive._read
+
+    def swapped(self: SimulatedDrive, *, index: int, subindex: int, **more: object) -> int | None:
+        if (index, subindex) == (0x1018, 4) and self.setup.node in other:
+            return other[self.setup.node]
+        return read(self, index=index, subindex=subindex, **more)
+
+    monkeypatch.setattr(SimulatedDrive, "_read", swapped)
+    with pytest.raises(ConfigError, match=r"'arm_1' \(node 4\) has the serial number 1005, .* node ids are swapped"):
+        open_can(arm_1={"identity": Identity(serial=1004)}, arm_2={"identity": Identity(serial=1005)})
+
+
+def test_a_joint_beyond_its_limits_does_not_start(open_can: OpenCan, monkeypatch: pytest.MonkeyPatch) -> None:
+    made = MotorAxis.__init__
+
+    def elsewhere(self: MotorAxis, joint: object, position: float, *, endless: bool = False) -> None:
+        made(self, joint, position, endless=endless)  # type: ignore[arg-type] - passed through
+        self.position += 0.0 if endless else 4.0
+
+    monkeypatch.setattr(MotorAxis, "__init__", elsewhere)
+    with pytest.raises(ConfigError, match=r"beyond its limits .*check zero, sign, gear_ratio and encoder_counts"):
+        open_can()
+
+
+def test_too_many_drives_for_the_bit_rate(open_can: OpenCan) -> None:
+    with pytest.raises(
+        ConfigError, match=r"would be \d+ % full with 11 drives at 500000 bit/s: lower can.sync_rate to"
+    ):
+        open_can(bit_rate=500_000)
+
+
+def test_an_encoder_that_wraps_drives_on(open_can: OpenCan) -> None:
+    robot = open_can(left_track={"zero": 2**31 - 20_000})
+    robot.drive.set_effort(0.5, 0.0)
+    robot.advance(2.0)
+    counts = robot.drives["left_track"].counts
+    assert counts is not None
+    assert counts > 2**31
+    assert robot.drive.pose().x == pytest.approx(1.4, abs=0.1)
+    assert robot.drive.pose().yaw == pytest.approx(0.0, abs=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("counts", "before", "after"),
+    [(-(2**31), 2**31 - 1, 2**31), (2**31 - 1, -(2**31), -(2**31) - 1), (5, 3, 5), (3, 2**32 + 5, 2**32 + 3)],
+)
+def test_unwrapped(counts: int, before: int, after: int) -> None:
+    assert unwrapped(counts, before) == after
+
+
+@pytest.mark.parametrize(
+    ("bus", "said"),
+    [
+        ("can0", "write INTERFACE:CHANNEL, as in socketcan:can0"),
+        ("morse:key", "interfaces are: .*socketcan"),
+        ("socketcan:can0,fast", "write options as KEY=VALUE"),
+    ],
+)
+def test_names_of_buses(bus: str, said: str) -> None:
+    with pytest.raises(ConfigError, match=said):
+        split(bus)
+
+
+def test_options_of_a_bus() -> None:
+    assert split("udp_multicast:239.0.0.1,port=43200") == ("udp_multicast", "239.0.0.1", {"port": 43200})
+
+
+def test_an_eds_file_must_be_one(tmp_path: Path) -> None:
+    file = tmp_path / "drive.eds"
+    file.write_text("[FileInfo]\n")
+    with pytest.raises(ConfigError, match=r"drive\.eds: is not an EDS file: it has no section \[DeviceInfo\]"):
+        identity_of(file)
+
+
+def test_simulated_drives_have_the_identity_of_their_eds_file() -> None:
+    assert identity_of(Path(fleet.__file__).with_name("drive.eds")) == (0xA115, 0x402)
