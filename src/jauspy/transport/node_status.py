@@ -63,14 +63,18 @@ def read_at_once(root: Path) -> dict[str, Any]:
         return {}
 
 
+def _decoded(text: bytes | bytearray) -> Any:
+    try:
+        return json.loads(text)
+    except RecursionError:
+        raise ValueError("nested too deeply") from None
+
+
 def _parsed(text: bytes | bytearray) -> dict[str, Any]:
     """The status; raises `ValueError` for anything that is none: whoever may write to the root can serve one."""
     if len(text) > MAX_STATUS:
         raise ValueError(f"longer than {MAX_STATUS} bytes")
-    try:
-        status = json.loads(text)
-    except RecursionError:
-        raise ValueError("nested too deeply") from None
+    status = _decoded(text)
     if not isinstance(status, dict):
         raise ValueError("not an object")
     for name, keys in (("components", ("id",)), ("peers", ("id", "address", "heard"))):
