@@ -13,7 +13,7 @@ SECONDS ?= 600
 ATTACK_ARGS ?=
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack format generate clean
+.PHONY: help setup dev demo cell test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
@@ -32,6 +32,9 @@ dev: $(VENV)/.developing
 
 demo: setup
 	@$(BIN)/jauspy demo --port $(PORT)
+
+cell: dev
+	$(BIN)/jauspy cell all --out cell_out $(CELL_ARGS)
 
 test: check wheel-test unit
 

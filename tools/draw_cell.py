@@ -150,7 +150,7 @@ def draw(config: RobotConfig, model: RobotModel, cell: CellSetup) -> Drawing:
     for (x, y), text, kind in labels:
         made.label(x, y, text, kind=kind)
     base = config.id_of(next(module for module in config.modules if module.type == "CM-MAN"))
-    made.label(-0.30, 0.0, f"UR10  {short(str(base))}", kind="over", anchor="end")
+    made.label(0.0, -0.16, f"UR10  {short(str(base))}", kind="over")
     return made
 
 

@@ -154,7 +154,7 @@ def film(camera: Camera, path: Path, ready: Event, stop: Event) -> None:
 def measure_film(seconds: float) -> None:
     """Run on the clock beside a process that films."""
     cell = open_cell()
-    context = multiprocessing.get_context("spawn")
+    context = multiprocessing.get_context("fork")  # a child that inherits the descriptor of the state
     ready, stop = context.Event(), context.Event()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "film.mp4"

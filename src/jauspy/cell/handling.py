@@ -33,6 +33,8 @@ INSERT: Final = 0.06
 """Metres above a connector at which a part is lowered in a straight line."""
 LINE_MARGIN: Final = 0.003
 """Metres to keep from everything but what is touched, on straight lines."""
+MAX_PLANS: Final = 8
+"""Postures for which a whole plan is tried."""
 CONDITION: Final = 0.03
 
 
@@ -201,7 +203,7 @@ class Handling:
 def _first(options: Sequence[Option], plan: Callable[[Option], Plan]) -> Plan:
     """The plan of the first option that has one."""
     reasons = []
-    for option in options:
+    for option in options[:MAX_PLANS]:
         try:
             return plan(option)
         except NoPath as error:

@@ -23,7 +23,7 @@ STEP: Final = 0.04
 """Radians of the fastest joint between two postures that are checked: at most 5 cm at the end of a UR10."""
 REACH: Final = 0.35
 """Radians that a tree grows by at once."""
-MAX_NODES: Final = 2000
+MAX_NODES: Final = 900
 """Of both trees together."""
 SHORTCUTS: Final = 60
 """Random shortcuts that are tried on a detour."""

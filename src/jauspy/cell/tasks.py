@@ -11,6 +11,8 @@ from typing import Any, Final, TypeAlias
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.assembly_run import assemble
 from jauspy.cell.car import MOVED, CarTask
+from jauspy.cell.frames import offset_between
+from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measured import Measured
 from jauspy.cell.modular import FIVE_JOINTS, ArmOperator
@@ -115,9 +117,66 @@ async def car(session: Session, seed: int) -> Measured:
     return found
 
 
+async def kitting(session: Session, seed: int) -> Measured:
+    """Fill one order with the UR10 alone."""
+    ur10 = Assembler(session.cell, session.layout, seed=seed)
+    ur10.at = await session.cell.posture()
+    await ur10.park()
+    return await _kitted(session, seed, "kitting", Kitter(session.cell, session.layout, ur10), 0.0)
+
+
+async def kitting_with_arm(session: Session, seed: int) -> Measured:
+    """Have the UR10 build an arm, and fill one order with both; the time of building is measured apart."""
+    ur10 = Assembler(session.cell, session.layout, seed=seed)
+    built = await ur10.build()
+    if built.failure:
+        return Measured(seed, "kitting-arm", failure=f"the arm was not built: {built.failure}")
+    await ur10.park()
+    parts = [row.part for row in built.parts]
+    arm = await ArmOperator.found(session.cell, session.layout, parts, BASE)
+    await arm.ready()
+    ur10.used -= set(parts)  # the arm moves from now on: the sensor tells where its parts are
+    ur10.rejected |= set(parts)
+    kitter = Kitter(session.cell, session.layout, ur10, arm)
+    return await _kitted(session, seed, "kitting-arm", kitter, built.duration)
+
+
+async def _kitted(session: Session, seed: int, task: str, kitter: Kitter, building: float) -> Measured:
+    order = drawn_order(seed)
+    await kitter.prepare()
+    begun = session.cell.now()
+    kit = await kitter.fill(order)
+    await session.cell.sleep(0.5)
+    judge = session.true
+    placed = {}
+    for product, part in kit.products:
+        off = offset_between(judge.pose(part), kitter.goal(product, part))
+        placed[order.index(product)] = off
+    points = score(placed, len(order))
+    found = Measured(seed, task, success=True, duration=session.cell.now() - begun + building)
+    found.values = {
+        "score": float(points),
+        "most_points": 3.0 * len(order),
+        "placed": float(len(placed)),
+        "order_time": kit.time,
+        "build_time": building,
+        "saved_by_schedule": kit.timeline.saved,
+        "largest_error": max((off[0] for off in placed.values()), default=0.0),
+    }
+    found.rows = [{"event": line} for line in kit.failures]
+    return found
+
+
 Task: TypeAlias = Callable[[Session, int], Coroutine[Any, Any, Measured]]
 
-TASKS: Final[dict[str, Task]] = {"assemble": assemble, "lift": lift, "step": step, "car": car}
+TASKS: Final[dict[str, Task]] = {
+    "assemble": assemble,
+    "lift": lift,
+    "step": step,
+    "car": car,
+    "kitting": kitting,
+    "kitting-arm": kitting_with_arm,
+}
 """The tasks that can be run by name."""
 
 

@@ -102,6 +102,19 @@ CELL_VERBS: Final = {
     ),
     "step": ("jauspy.cli.cell.tasks:step", "Step with the modular arm from platform to platform, and back."),
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
+    "kpi": (
+        "jauspy.cli.cell.measurements:kpi",
+        "Measure how soon the arm is at rest after a release, with both controllers.",
+    ),
+    "iso9283": (
+        "jauspy.cli.cell.measurements:iso9283",
+        "Measure accuracy and repeatability of both arms, before and after a calibration.",
+    ),
+    "kitting": (
+        "jauspy.cli.cell.kitting:kitting",
+        "Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.",
+    ),
+    "all": ("jauspy.cli.cell.all:all_tasks", "Run everything once; write films, plots and a page of results."),
     "trials": ("jauspy.cli.cell.trials:trials", "Run a task with many seeds, and report how often it succeeds."),
 }
 CAN_VERBS: Final = {

@@ -48,7 +48,9 @@ def values_table(found: Measured) -> Table:
     table.add_column()
     table.add_column()
     table.add_row("result", "[green]success[/]" if found.success else "[red]failure[/]")
-    table.add_row("time of the cell", f"{found.duration:.1f} s, {found.duration / found.wall:.1f} times real time")
+    speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
+    if found.duration:
+        table.add_row("time of the cell", f"{found.duration:.1f} s{speed}")
     for name, value in found.values.items():
         table.add_row(name.replace("_", " "), f"{value:.4g}")
     for row in found.rows:

@@ -1,0 +1,305 @@
+"""Kitting orders in the style of ARIAC 2018: products to a tray by pose, scored by its rules.
+
+NIST, "Agile Robotics for Industrial Automation Competition 2018", scoring of a shipment: one point for each product of
+a right type, one more if its pose is within 3 cm and 0.1 rad, and as many points again as there are products when all
+are right and nothing else is there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Awaitable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from typing import Final
+
+import coal
+import numpy as np
+import pinocchio as pin
+
+from jauspy.cell.assembly import PARKED, Assembler, PartResult, Slot
+from jauspy.cell.client import CellClient
+from jauspy.cell.frames import Array, se3, shifted, turned
+from jauspy.cell.interface import GRIPPER
+from jauspy.cell.layout import Layout
+from jauspy.cell.modular import ArmOperator
+from jauspy.cell.motion import NoPath
+from jauspy.cell.scene import Piece
+from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
+from jauspy.errors import JausError
+from jauspy.platform.modular.parts import PartKind, Shape
+
+MAX_DISTANCE: Final = 0.03
+MAX_ANGLE: Final = 0.1
+"""Metres and radians within which a product counts as in its pose."""
+TRAY: Final = (0.97, 0.5)
+"""The middle of the tray on the belt, metres in the world; its axes are those of the world."""
+ARM_ZONE: Final = ((0.5, 1.4), (-0.5, 0.8), (0.25, 1.6))
+"""x, y and z of the space that the modular arm may use while the UR10 is at the bins, metres."""
+DROP: Final = 0.003
+"""Metres above the belt at which products are let go of."""
+ABOVE: Final = 0.07
+REST: Final = np.array([-1.2, 0.9, 1.5, 0.5, 0.0])
+"""Posture of an arm with five joints in which it is out of the UR10's way to the tray, radians."""
+ADVANCE: Final = 0.39
+"""Metres by which the belt brings the boxes nearer before the first order."""
+ADVANCE_SPEED: Final = 0.15
+ARM_TIME: Final = 0.8
+"""Seconds of the modular arm's short straight motions."""
+
+
+@dataclass(frozen=True, slots=True)
+class Product:
+    """One product of an order: its type and its place on the tray: x, y (m) and yaw (rad) in the tray's frame."""
+
+    type: str
+    x: float
+    y: float
+    yaw: float = 0.0
+
+
+@dataclass(slots=True)
+class Kit:
+    """What was put on the tray."""
+
+    products: list[tuple[Product, str]] = field(default_factory=list)
+    """Each product, and the part that was taken for it."""
+    failures: list[str] = field(default_factory=list)
+    timeline: Timeline = field(default_factory=Timeline)
+    time: float = 0.0
+    """Seconds from the start of the order until both arms had done their part."""
+
+
+def drawn_order(seed: int) -> tuple[Product, ...]:
+    """An order of two products from the bins and two boxes from the belt, with places that are drawn with a seed."""
+    random = np.random.default_rng((2018, seed))
+    kinds = list(random.permutation(["bracket_angled", "tube_long", "wheel"]))[:2]
+    places = [(-0.10, 0.16), (0.10, 0.16), (-0.10, -0.12), (0.12, -0.12)]
+    found = []
+    for kind, (x, y) in zip([*kinds, "box", "box"], places, strict=True):
+        dx, dy = random.uniform(-0.015, 0.015, 2)
+        yaw = float(random.uniform(-0.4, 0.4))
+        found.append(Product(str(kind), x + float(dx), y + float(dy), yaw))
+    return tuple(found)
+
+
+def score(placed: Mapping[int, tuple[float, float]], count: int, extra: int = 0) -> int:
+    """The points of a kit of `count` products.
+
+    `placed`: for each product that is on the tray, by number, the distance (m) and angle (rad) from its pose. `extra`:
+    how many other things are on the tray.
+    """
+    right = [number for number, (far, turn) in placed.items() if far <= MAX_DISTANCE and turn <= MAX_ANGLE]
+    whole = len(right) == count and not extra
+    return len(placed) + len(right) + (count if whole else 0)
+
+
+class Kitter:
+    """Carries out orders with the UR10, and with a modular arm if there is one."""
+
+    def __init__(self, cell: CellClient, layout: Layout, ur10: Assembler, arm: ArmOperator | None = None) -> None:
+        if layout.setup.conveyor is None:
+            raise TaskFailed("the cell has no conveyor, on which the tray is")
+        self.cell = cell
+        self.layout = layout
+        self.ur10 = ur10
+        self.arm = arm
+        self.tray = shifted(*TRAY, layout.setup.conveyor.pose.z)
+        self._taken: set[str] = set()
+        self._boxes = [each.name for each in layout.setup.parts if layout.type_of(each.name).kind is PartKind.BOX]
+
+    # --- poses ----------------------------------------------------------------------------------------------------
+
+    def thickness(self, part: str) -> float:
+        """How high a part lies with its grasp upward, in metres."""
+        solid = self.layout.type_of(part).solids[0]
+        if solid.shape is Shape.CYLINDER:
+            return solid.size[2]
+        normal = np.abs(self.layout.grasp(part).rotation[:, 2])
+        return float(normal @ np.array(solid.size))
+
+    def goal(self, product: Product, part: str) -> pin.SE3:
+        """The frame in the world of a part in its place, with its grasp upward."""
+        down = turned("z", product.yaw) * turned("x", math.pi)
+        held = self.tray * shifted(product.x, product.y, self.thickness(part)) * down
+        return held * self.layout.grasp(part).inverse()
+
+    # --- orders ---------------------------------------------------------------------------------------------------
+
+    async def prepare(self) -> None:
+        """Bring the boxes nearer, and the modular arm out of the UR10's way."""
+        await self.cell.run_conveyor(ADVANCE_SPEED)
+        await self.cell.sleep(ADVANCE / ADVANCE_SPEED)
+        await self.cell.run_conveyor(0.0)
+        await self.cell.observe(fresh=True)
+        if self.arm is not None:
+            await self.arm.look(*self._boxes)
+            await self.arm.go(REST)
+
+    async def fill(self, order: Sequence[Product]) -> Kit:
+        """Carry out one order; what fails is left out, and named in the kit."""
+        kit = Kit()
+        schedule = Schedule(self.cell.now)
+        begun = self.cell.now()
+        before: list[str] = []
+        for number, product in enumerate(order):
+            if product.type == "box" and self.arm is not None:
+
+                async def move_box(product: Product = product) -> None:
+                    await self._guarded(self._box_by_arm(product, kit), product, kit)
+
+                schedule.add(f"box {number}", move_box, uses=["arm", "tray"])
+                continue
+            state: dict[str, str] = {}
+
+            async def fetch(product: Product = product, state: dict[str, str] = state) -> None:
+                await self._guarded(self._fetch(product, state), product, kit)
+
+            async def place(product: Product = product, state: dict[str, str] = state) -> None:
+                if state:
+                    await self._guarded(self._place(product, state["part"], kit), product, kit)
+
+            fetched = schedule.add(f"fetch {number}", fetch, after=before, uses=["ur10"])
+            before = [schedule.add(f"place {number}", place, after=[fetched], uses=["ur10", "arm", "tray"])]
+        kit.timeline = await schedule.run()
+        kit.time = self.cell.now() - begun
+        return kit
+
+    async def _guarded(self, work: Awaitable[None], product: Product, kit: Kit) -> None:
+        try:
+            await work
+        except JausError as error:
+            kit.failures.append(f"{product.type}: {error}")
+            if self.ur10.held is not None:
+                await self.cell.enable(GRIPPER, False)
+                self.ur10.held = None
+                self.ur10.scene.release()
+
+    async def _fetch(self, product: Product, state: dict[str, str]) -> None:
+        """The UR10 grasps a product, outside the space of the modular arm if there is one."""
+        ur10 = self.ur10
+        slot = Slot(product.type, (product.type,))
+        await ur10.look()
+        self._fence(on=self.arm is not None)
+        try:
+            row = PartResult(product.type)
+            example = self.layout.of_types((product.type,))[0]
+            ur10.rejected |= self._taken
+            await self._face(product)
+            await ur10.fetch(slot, row, [self.goal(product, example)])
+            state["part"] = row.part
+            self._taken.add(row.part)
+        finally:
+            self._fence(on=False)
+
+    async def _face(self, product: Product) -> None:
+        """Turn the UR10 towards the first part of a type, so that ways are short."""
+        ur10 = self.ur10
+        free = [each for each in self.layout.of_types((product.type,)) if each in ur10.seen and each not in self._taken]
+        if not free:
+            return
+        x, y, _ = ur10.seen[free[0]].pose.translation
+        tool = self.layout.kinematics.forward(self.layout.home).translation
+        facing = np.array(self.layout.home)
+        facing[0] = math.atan2(y, x) - math.atan2(tool[1], tool[0])
+        with suppress(NoPath):
+            await ur10.go(ur10.planner.to_posture(ur10.at, facing))
+
+    async def _place(self, product: Product, part: str, kit: Kit) -> None:
+        ur10 = self.ur10
+        held = ur10.held
+        if held is None:
+            raise TaskFailed(f"{part} is not in the gripper")
+        if self.arm is not None:
+            await ur10.look()  # the modular arm stands still now
+        goal = self.goal(product, part)
+        plan = ur10.handling.place(
+            part, held.grasp, ur10.at, [goal], along=shifted(z=ABOVE), touches=["conveyor"], press=-DROP
+        )
+        await ur10.go(plan.transfer)
+        await ur10.go(plan.insert, speed=0.3, contact=True)
+        await ur10.go(plan.contact, speed=0.1, contact=True)
+        await self.cell.enable(GRIPPER, False)
+        await self.cell.sleep(0.15)
+        ur10.held = None
+        ur10.scene.release()
+        ur10.used.add(part)
+        ur10.scene.put(part, ur10.handling.pieces(part), goal)
+        await ur10.go(ur10.handling.retreat(ur10.at, 0.1), contact=True)
+        await ur10.go(ur10.planner.to_posture(ur10.at, PARKED))
+        kit.products.append((product, part))
+
+    def _fence(self, *, on: bool) -> None:
+        scene = self.ur10.scene
+        if not on:
+            scene.remove("the arm's space")
+            return
+        sizes = [high - low for low, high in ARM_ZONE]
+        middle = [(high + low) / 2.0 for low, high in ARM_ZONE]
+        own = shifted(*middle)
+        scene.put("the arm's space", [Piece(coal.Box(*sizes), pin.SE3.Identity())], own)
+
+    # --- by the modular arm ---------------------------------------------------------------------------------------
+
+    async def _box_by_arm(self, product: Product, kit: Kit) -> None:
+        """Take the nearest box that is not on the tray, and put it into its place."""
+        arm = self.arm
+        assert arm is not None
+        box = self._next_box()
+        self._taken.add(box)
+        pose = (await self.cell.observe())[box].pose
+        top = pose * self.layout.grasp(box)
+        x, y, z = (float(each) for each in top.translation)
+        await arm.look(*self._boxes)
+        over = arm.above((x, y, z + ABOVE), await arm.positions())[0]
+        await arm.go(over)
+        down = arm.chain.solve_down((x, y, z - 0.0015), over)
+        if down is None:
+            raise NoPath(f"the arm cannot reach {box}")
+        await self.cell.enable(arm.tip, True)
+        await self.cell.command_arm(await arm.vector(down), ARM_TIME)  # it presses, and so does not arrive
+        if await arm.wait_attached(arm.tip, 2.0 * ARM_TIME) != box:
+            await self.cell.enable(arm.tip, False)
+            await arm.move(over, ARM_TIME)
+            raise TaskFailed(f"the arm could not attach {box}")
+        await arm.move(over, ARM_TIME)
+        state = await self.cell.connector(arm.tip)
+        goal = self.goal(product, box)
+        held = goal * se3(state.offset).inverse()
+        await self._put_box(arm, held)
+        kit.products.append((product, box))
+
+    async def _put_box(self, arm: ArmOperator, held: pin.SE3) -> None:
+        """Bring the tip above its place, turn the box as ordered, lower it and let go."""
+        place = held.translation
+        above = arm.above((place + np.array([0.0, 0.0, ABOVE])).tolist(), await arm.positions())[0]
+        above = _turned_to(arm, above, held)
+        await arm.go(above)
+        low = arm.chain.solve_down((place + np.array([0.0, 0.0, DROP])).tolist(), above)
+        if low is None:
+            raise NoPath("the arm cannot reach the place on the tray")
+        low = _turned_to(arm, low, held)
+        await arm.move(low, ARM_TIME)
+        await self.cell.enable(arm.tip, False)
+        await self.cell.sleep(0.15)
+        await arm.move(above, ARM_TIME)
+        await arm.go(REST)
+
+    def _next_box(self) -> str:
+        free = []
+        for box in self._boxes:
+            _, pose = self.cell.latest(box)
+            if box not in self._taken:
+                free.append((float(np.linalg.norm(pose.translation[:2] - self.tray.translation[:2])), box))
+        if not free:
+            raise TaskFailed("there is no box left")
+        return min(free)[1]
+
+
+def _turned_to(arm: ArmOperator, posture: Array, held: pin.SE3) -> Array:
+    """The posture with the last joint turned so that the tip has the heading of `held`."""
+    x = arm.chain.forward(posture).rotation.T @ held.rotation[:, 0]
+    angle = math.atan2(x[1], x[0])
+    found = np.array(posture)
+    found[-1] += angle
+    return found

@@ -1,0 +1,159 @@
+"""`jauspy cell all`: everything once, with films, plots and a page of results."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Final
+
+import typer
+
+from jauspy.cli import console
+from jauspy.cli.cell.options import OUTPUT, Jobs, Out, check_extra
+from jauspy.cli.processes import run
+
+if TYPE_CHECKING:
+    from jauspy.cell.measured import Measured
+    from jauspy.cell.page import Promise, Section
+
+FILMED: Final = {
+    "assemble": "The UR10 builds the arm with five joints",
+    "lift": "The arm takes a box off the moving conveyor and throws it",
+    "step": "The arm steps from platform to platform and back",
+    "car": "The UR10 builds the car, puts it and the arm on the conveyor, and it drives off",
+}
+
+
+def all_tasks(
+    *,
+    seeds: Annotated[
+        int, typer.Option("--seeds", min=1, metavar="N", help="Runs of the assembly, and half as many of the lift.")
+    ] = 100,
+    seed: Annotated[int, typer.Option("--seed", min=0, metavar="N", help="Of the runs that are filmed.")] = 7,
+    jobs: Jobs = None,
+    films: Annotated[bool, typer.Option("--films/--no-films", help="Film each task. Needs the extra 'video'.")] = True,
+    out: Out = OUTPUT,
+) -> None:
+    """Run each task of the cell once, and trials of the assembly and the lift; write DIR/index.html.
+
+    The page has all tables, plots and films inside and opens without a network. Exit status 0 only when everything
+    that is promised was measured.
+    """
+    check_extra()
+    from jauspy.cell.page import page
+
+    out.mkdir(parents=True, exist_ok=True)
+    promises: list[Promise] = []
+    sections: list[Section] = []
+    for task, title in FILMED.items():
+        found = _filmed(task, seed, out / f"{task}.mp4" if films else None)
+        (out / f"{task}.json").write_text(json.dumps(asdict(found), indent=1))
+        promise, section = _once(found, title, out / f"{task}.mp4")
+        promises.append(promise)
+        sections.append(section)
+    for task, count, need in (("assemble", seeds, 0.95), ("lift", max(1, seeds // 2), 0.5)):
+        promise, section = _trials(task, count, need, jobs, out)
+        promises.append(promise)
+        sections.append(section)
+    for promise, section in (_swing(seed, out), _accuracy(seed)):
+        promises.append(promise)
+        sections.append(section)
+    promise, section = _kitting(out, min(20, seeds), jobs)
+    promises.append(promise)
+    sections.append(section)
+    text = page("The modular factory cell", "Everything below was measured by `jauspy cell all`.", promises, sections)
+    (out / "index.html").write_text(text, encoding="utf-8")
+    for each in promises:
+        mark = "kept    " if each.kept else "NOT KEPT"
+        console.print_lines(f"{mark}  {each.what}: {each.measured} (promised: {each.wanted})")
+    console.print_lines(str(out / "index.html"))
+    if not all(each.kept for each in promises):
+        raise typer.Exit(1)
+
+
+def _filmed(task: str, seed: int, film: Path | None) -> Measured:
+    from jauspy.cell.measured import Measured
+    from jauspy.cell.tasks import run_one
+
+    console.note(f"{task}, seed {seed}")
+    return run(run_one(task, seed, film=film)) or Measured(seed, task, failure="stopped")
+
+
+def _once(found: Measured, title: str, film: Path) -> tuple[Promise, Section]:
+    from jauspy.cell.page import Promise, Section
+
+    measured = found.failure or f"done in {found.duration:.1f} s of the cell's time"
+    promise = Promise(title, "it succeeds", measured, found.success)
+    table: list[Sequence[str]] = [("figure", "value")]
+    table += [(name.replace("_", " "), f"{value:.4g}") for name, value in found.values.items()]
+    section = Section(title, f"Seed {found.seed}. {measured}.", table, film=film)
+    if found.rows and "slot" in found.rows[0]:
+        section.table += [
+            (f"{row['slot']}: {row['part']}", f"{row['fetch_time'] + row['join_time']:.1f}") for row in found.rows
+        ]
+    return promise, section
+
+
+def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> tuple[Promise, Section]:
+    from jauspy.cell.page import Promise, Section
+    from jauspy.cell.plots import plot_trials
+    from jauspy.cell.trials import run_trials, summarised
+
+    console.note(f"{count} runs of {task}")
+    found = sorted(run_trials(task, range(count), jobs=jobs), key=lambda each: each.seed)
+    (out / f"trials-{task}.json").write_text(json.dumps([asdict(each) for each in found], indent=1))
+    summary = summarised(found)
+    plot = out / f"trials-{task}.svg"
+    plot_trials(found, summary, plot)
+    measured = (
+        f"{summary.successes} of {summary.runs} (95 %: {100 * summary.low:.0f} to {100 * summary.high:.0f} %), "
+        f"median {summary.duration:.1f} s"
+    )
+    promise = Promise(f"trials of {task}", f"at least {100 * need:.0f} %", measured, summary.rate >= need)
+    table: list[Sequence[str]] = [("seed", "reason of the failure"), *((str(a), b) for a, b in summary.failures)]
+    return promise, Section(f"{count} runs of {task}", measured, table if summary.failures else [], [plot])
+
+
+def _swing(seed: int, out: Path) -> tuple[Promise, Section]:
+    from jauspy.cell import swing
+    from jauspy.cell.measured import Measured
+
+    async def measured() -> Measured:
+        comparison = await swing.compare(seed, console.note)
+        swing.plot_swing(comparison, out / "swing.svg")
+        return comparison.measured(seed)
+
+    title = "At rest after the release five times sooner than with single PID controllers, a third of the overshoot"
+    promise, section = _once(run(measured()) or Measured(seed, "swing", failure="stopped"), title, out / "swing.mp4")
+    section.plots.append(out / "swing.svg")
+    return promise, section
+
+
+def _accuracy(seed: int) -> tuple[Promise, Section]:
+    from jauspy.cell import iso9283
+    from jauspy.cell.measured import Measured
+
+    async def measured() -> Measured:
+        return (await iso9283.measure(seed, report=console.note)).measured(seed)
+
+    title = "Accuracy by ISO 9283, five times better after the calibration"
+    return _once(run(measured()) or Measured(seed, "iso9283", failure="stopped"), title, Path("none"))
+
+
+def _kitting(out: Path, seeds: int, jobs: int | None) -> tuple[Promise, Section]:
+    from jauspy.cell.page import Promise, Section
+    from jauspy.cell.trials import mean_of, run_trials
+
+    console.note(f"{seeds} kitting orders, each way")
+    table: list[Sequence[str]] = [("way", "runs", "mean score", "mean time of an order, s", "building, s")]
+    done = True
+    for task in ("kitting", "kitting-arm"):
+        found = list(run_trials(task, range(seeds), jobs=jobs))
+        (out / f"{task}.json").write_text(json.dumps([asdict(each) for each in found], indent=1))
+        done = done and all(each.success for each in found)
+        figures = [f"{mean_of(found, name):.2f}" for name in ("score", "order_time", "build_time")]
+        table.append((task, str(len(found)), *figures))
+    promise = Promise("kitting orders, with and without a modular arm", "measured both ways", f"{seeds} each", done)
+    return promise, Section("Kitting", "Orders in the style of ARIAC 2018, scored by its rules.", table)

@@ -1,0 +1,74 @@
+"""`jauspy cell kpi` and `iso9283`: the swing after a release, and the accuracy of both arms."""
+
+from __future__ import annotations
+
+import json as json_module
+from dataclasses import asdict
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from jauspy.cli import console
+from jauspy.cli.cell.options import OUTPUT, Out, Seed, check_extra
+from jauspy.cli.options import Json
+from jauspy.cli.processes import run
+
+if TYPE_CHECKING:
+    from jauspy.cell.measured import Measured
+
+
+def kpi(*, seed: Seed = 0, out: Out = OUTPUT, json: Json = False) -> None:
+    """Measure how soon the arm is at rest after it has released a box, with both controllers.
+
+    Writes DIR/swing.json and a plot of the last module's angular velocity, DIR/swing.svg. Exit status 1 unless the
+    controller with the arm's model settles five times sooner and overshoots a third at most.
+    """
+    check_extra()
+    from jauspy.cell.swing import compare, plot_swing
+
+    async def measured() -> Measured:
+        comparison = await compare(seed, console.note)
+        out.mkdir(parents=True, exist_ok=True)
+        plot_swing(comparison, out / "swing.svg")
+        return comparison.measured(seed)
+
+    _show(run(measured()), out, "swing", json=json)
+
+
+def iso9283(
+    *,
+    seed: Seed = 0,
+    cycles: Annotated[int, typer.Option("--cycles", min=2, metavar="N", help="ISO 9283 wants 30.")] = 30,
+    samples: Annotated[int, typer.Option("--samples", min=8, metavar="N", help="Postures of the calibration.")] = 60,
+    out: Out = OUTPUT,
+    json: Json = False,
+) -> None:
+    """Measure accuracy and repeatability of the UR10 and of a misassembled arm, before and after its calibration.
+
+    Writes DIR/iso9283.json. Exit status 1 unless the calibration improves the accuracy at least five times.
+    """
+    check_extra()
+    from jauspy.cell.iso9283 import measure
+
+    async def measured() -> Measured:
+        return (await measure(seed, cycles, samples, console.note)).measured(seed)
+
+    _show(run(measured()), out, "iso9283", json=json)
+
+
+def _show(found: Measured | None, out: Path, name: str, *, json: bool) -> None:
+    from jauspy.cli.cell.tables import values_table
+
+    if found is None:
+        return
+    out.mkdir(parents=True, exist_ok=True)
+    (out / f"{name}.json").write_text(json_module.dumps(asdict(found), indent=1))
+    if json:
+        console.print_json(asdict(found))
+    else:
+        console.stdout(140).print(values_table(found))
+    if not found.success:
+        if not json:
+            console.error(f"{name}: {found.failure}")
+        raise typer.Exit(1)

@@ -1,0 +1,47 @@
+"""Tasks over JAUS in the simulated cell, on virtual time."""
+
+from __future__ import annotations
+
+import asyncio
+
+import numpy as np
+import pytest
+
+pytest.importorskip("mujoco", reason="needs the extra `sim`")
+
+from jauspy.cell.assembly import FIVE_JOINTS, Assembler, AssemblyResult
+from jauspy.cell.session import Disturbances, simulated
+from jauspy.cell.tasks import run_one
+
+
+def test_a_client_sees_the_parts_and_moves_the_arm() -> None:
+    async def look() -> None:
+        async with simulated(3, Disturbances()) as session:
+            seen = await session.cell.observe()
+            pose, true = seen["servo_1"].pose, session.true.pose("servo_1")
+            assert len(seen) >= 30
+            assert 0.0 < float(np.linalg.norm(pose.translation - true.translation)) < 0.002, "it is measured with noise"
+            ur10 = Assembler(session.cell, session.layout)
+            await ur10.park()
+            assert await session.cell.posture() == pytest.approx(ur10.at, abs=0.005)
+
+    asyncio.run(look())
+
+
+@pytest.mark.slow
+def test_equal_seeds_build_equally_to_the_last_bit() -> None:
+    async def build() -> AssemblyResult:
+        async with simulated(5) as session:
+            return await Assembler(session.cell, session.layout, seed=5).build(slots=FIVE_JOINTS[:2])
+
+    one, other = asyncio.run(build()), asyncio.run(build())
+    assert one.failure == ""
+    assert repr(one) == repr(other)
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("task", ["assemble", "lift", "step", "car"])
+def test_each_task_succeeds(task: str) -> None:
+    found = asyncio.run(run_one(task, 1))
+    assert found.success, found.failure

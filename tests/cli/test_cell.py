@@ -1,0 +1,115 @@
+"""`jauspy cell`: what the verbs print and write, with results that are given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from typer.testing import CliRunner
+
+pytest.importorskip("pinocchio", reason="needs the extra `cell`")
+pytest.importorskip("coal", reason="needs the extra `cell`")
+pytest.importorskip("matplotlib", reason="needs the extra `plot`")
+
+from jauspy.cell import iso9283, swing, tasks, trials
+from jauspy.cell.measured import Measured
+from jauspy.cli.main import app
+
+FIGURES = {"score": 12.0, "order_time": 30.0, "build_time": 55.0, "largest_error": 0.001, "most_points": 12.0}
+runner = CliRunner()
+
+
+@pytest.fixture
+def given(monkeypatch: pytest.MonkeyPatch) -> dict[str, bool]:
+    """Whether each task succeeds; all do at first."""
+    succeeds: dict[str, bool] = {}
+
+    def result(task: str, seed: int) -> Measured:
+        good = succeeds.get(task, True)
+        faster = {"order_time": 20.0} if task == "kitting-arm" else {}
+        return Measured(seed, task, good, "" if good else "the box is lost", 10.0, 2.0, FIGURES | faster)
+
+    async def run_one(task: str, seed: int, *_: Any, **__: Any) -> Measured:
+        return result(task, seed)
+
+    def run_trials(task: str, seeds: range, *_: Any, **__: Any) -> Iterator[Measured]:
+        yield from (result(task, seed) for seed in seeds)
+
+    class Given:
+        def __init__(self, task: str) -> None:
+            self.task = task
+
+        def measured(self, seed: int) -> Measured:
+            return result(self.task, seed)
+
+    async def compare(*_: Any) -> Given:
+        return Given("swing")
+
+    async def measure(*_: Any, **__: Any) -> Given:
+        return Given("iso9283")
+
+    monkeypatch.setattr(swing, "compare", compare)
+    monkeypatch.setattr(swing, "plot_swing", lambda *_: None)
+    monkeypatch.setattr(iso9283, "measure", measure)
+    monkeypatch.setattr(tasks, "run_one", run_one)
+    monkeypatch.setattr(trials, "run_trials", run_trials)
+    return succeeds
+
+
+def test_a_task_that_succeeds(given: dict[str, bool]) -> None:
+    found = runner.invoke(app, ["cell", "lift", "--seed", "3"])
+    assert found.exit_code == 0
+    assert "lift, seed 3" in found.stdout
+
+
+def test_a_task_that_fails_says_why(given: dict[str, bool]) -> None:
+    given["step"] = False
+    found = runner.invoke(app, ["cell", "step"])
+    assert found.exit_code == 1
+    assert "the box is lost" in found.output
+
+
+def test_trials_need_a_rate(given: dict[str, bool], tmp_path: Path) -> None:
+    arguments = ["cell", "trials", "lift", "--seeds", "4", "--out", str(tmp_path)]
+    found = runner.invoke(app, arguments)
+    assert found.exit_code == 0
+    assert "4 of 4" in found.stdout
+    assert (tmp_path / "trials-lift.json").exists()
+    assert (tmp_path / "trials-lift.svg").exists()
+    given["lift"] = False
+    assert runner.invoke(app, arguments).exit_code == 1
+
+
+def test_an_unknown_task_is_named(given: dict[str, bool]) -> None:
+    found = runner.invoke(app, ["cell", "trials", "sing"])
+    assert found.exit_code == 2
+    assert "is no task" in found.output
+
+
+def test_kitting_says_from_when_on_building_pays(given: dict[str, bool], tmp_path: Path) -> None:
+    found = runner.invoke(app, ["cell", "kitting", "--seeds", "2", "--out", str(tmp_path)])
+    assert found.exit_code == 0
+    assert "worth it from 6 orders on" in found.stdout, "55 s to build, 10 s saved an order"
+
+
+@pytest.mark.parametrize(("verb", "file"), [("kpi", "swing.json"), ("iso9283", "iso9283.json")])
+def test_measurements(given: dict[str, bool], tmp_path: Path, verb: str, file: str) -> None:
+    found = runner.invoke(app, ["cell", verb, "--out", str(tmp_path)])
+    assert found.exit_code == 0, found.output
+    assert (tmp_path / file).exists()
+    given[file.partition(".")[0]] = False
+    assert runner.invoke(app, ["cell", verb, "--out", str(tmp_path)]).exit_code == 1
+
+
+def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
+    arguments = ["cell", "all", "--seeds", "2", "--no-films", "--out", str(tmp_path)]
+    found = runner.invoke(app, arguments)
+    assert found.exit_code == 0, found.output
+    assert "NOT KEPT" not in found.stdout
+    assert "not kept" not in (tmp_path / "index.html").read_text()
+    given["car"] = False
+    found = runner.invoke(app, arguments)
+    assert found.exit_code == 1
+    assert "NOT KEPT" in found.stdout
