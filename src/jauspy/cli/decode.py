@@ -73,10 +73,10 @@ def decode(
         typer.Option("--message", metavar="NAME", help="Which message, if a service has several with one id."),
     ] = None,
 ) -> None:
-    """Print the JAUS messages in a capture file or in hex text, or the CAN frames in a log of candump.
+    """Print the JAUS messages in a capture file or in hex text.
 
     Values are in SI units and radians. Yellow lines describe deviations from the definition. The exit status is 1 if
-    something could not be decoded.
+    something could not be decoded. Of a log of candump, the CAN frames are printed, with the drives of --robot.
 
     A message id is decoded by the newest version of its service; a line names the other definitions of the id.
     --service, --version and --message select one; they do not affect ids that the selected definitions lack.

@@ -149,6 +149,14 @@ def test_names_of_buses(bus: str, said: str) -> None:
         split(bus)
 
 
+def test_scans_of_a_robot_behind_the_drives_have_its_time(open_can: OpenCan) -> None:
+    robot = open_can(bus="virtual:kinematic")
+    robot.advance(0.5)
+    (lidar,) = robot.lidars.values()
+    assert lidar.scan is not None
+    assert robot.time - lidar.scan.time == pytest.approx(lidar.age, abs=1e-6)
+
+
 def test_options_of_a_bus() -> None:
     assert split("udp_multicast:239.0.0.1,port=43200") == ("udp_multicast", "239.0.0.1", {"port": 43200})
 

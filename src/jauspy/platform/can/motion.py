@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 from jauspy.geometry.urdf import Joint
@@ -12,10 +13,6 @@ from jauspy.platform.setpoint import SetpointGenerator
 
 TRACK_ACCELERATION: Final = 4.0
 """m/s^2, unless the drive has an `acceleration`."""
-
-
-SLOW: Final = 0.01
-"""rad/s or m/s below which a joint at its end is not braked."""
 
 
 class JointMotion:
@@ -52,7 +49,7 @@ class JointMotion:
             setpoint.start(drive.position, 0.0)
             return (Mode.CYCLIC_POSITION, drive.position) if mode is ControlMode.POSITION else _still(mode)
         if mode is ControlMode.EFFORT:
-            return Mode.CYCLIC_TORQUE, self._effort(setpoint.target.value, drive)
+            return self._by_effort(setpoint.target.value, drive)
         if mode is ControlMode.VELOCITY:
             setpoint.position = drive.position  # the limits apply to the present position
             setpoint.advance(dt)
@@ -60,15 +57,14 @@ class JointMotion:
         setpoint.advance(dt)
         return Mode.CYCLIC_POSITION, setpoint.position
 
-    def _effort(self, value: float, drive: Drive) -> float:
-        """The effort within its limits; none that pushes a joint beyond its end, before which it brakes."""
-        joint, velocity = self._joint, drive.velocity
-        rest = drive.position + velocity * abs(velocity) / (2.0 * drive.units.stop_deceleration)
-        if rest >= joint.upper:
-            value = min(0.0, value) if velocity < SLOW else -joint.effort
-        elif rest <= joint.lower:
-            value = max(0.0, value) if velocity > -SLOW else joint.effort
-        return min(joint.effort, max(-joint.effort, value))
+    def _by_effort(self, value: float, drive: Drive) -> tuple[Mode, float]:
+        """The effort within its limits; towards an end that it could pass, a velocity that ends there."""
+        joint, velocity, deceleration = self._joint, drive.velocity, drive.units.stop_deceleration
+        way = math.copysign(1.0, value or velocity)
+        room = way * ((joint.upper if way > 0.0 else joint.lower) - drive.position)
+        if room <= 0.0 or (way * velocity > 0.0 and velocity * velocity >= 2.0 * deceleration * room):
+            return Mode.CYCLIC_VELOCITY, way * math.sqrt(2.0 * deceleration * max(0.0, room))
+        return Mode.CYCLIC_TORQUE, min(joint.effort, max(-joint.effort, value))
 
 
 def _still(mode: ControlMode) -> tuple[Mode, float]:

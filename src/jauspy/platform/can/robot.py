@@ -272,8 +272,9 @@ class CanRobot:
 
     @property
     def time(self) -> float:
-        """Seconds since it was opened."""
-        return self._time
+        """Seconds since it was opened; of another backend's robot its own time, which its scans have."""
+        robot = self._ticker.plant_robot
+        return self._time if robot is None else robot.time
 
     def advance(self, dt: float) -> None:
         """Let `dt` seconds pass. Raises `DriveFault` when a drive has failed; the next call tries to recover."""
