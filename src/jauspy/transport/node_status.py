@@ -41,7 +41,7 @@ async def read(root: Path) -> dict[str, Any]:
                     break
             writer.close()
         status = _parsed(text)
-    except (OSError, TimeoutError, ValueError) as error:
+    except (OSError, TimeoutError, TypeError, ValueError) as error:
         raise TransportError(
             f"no node manager serves its status at {path}: {getattr(error, 'strerror', None) or 'no answer'}; "
             "is it running, with `status` on, and is this its --local-root?"
@@ -59,7 +59,7 @@ def read_at_once(root: Path) -> dict[str, Any]:
             while len(text) <= MAX_STATUS and (part := sock.recv(1 << 16)):
                 text += part
             return _parsed(text)
-    except (OSError, ValueError):
+    except (OSError, TypeError, ValueError):
         return {}
 
 
@@ -71,12 +71,12 @@ def _decoded(text: bytes | bytearray) -> Any:
 
 
 def _parsed(text: bytes | bytearray) -> dict[str, Any]:
-    """The status; raises `ValueError` for anything that is none: whoever may write to the root can serve one."""
+    """The status; raises `TypeError` or `ValueError` for anything that is none: whoever may write to the root can serve one."""
     if len(text) > MAX_STATUS:
         raise ValueError(f"longer than {MAX_STATUS} bytes")
     status = _decoded(text)
     if not isinstance(status, dict):
-        raise ValueError("not an object")
+        raise TypeError("not an object")
     for name, keys in (("components", ("id",)), ("peers", ("id", "address", "heard"))):
         rows = status.get(name, [])
         if not isinstance(rows, list) or not all(isinstance(row, dict) and row.keys() >= {*keys} for row in rows):
