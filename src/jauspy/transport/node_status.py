@@ -71,7 +71,7 @@ def _decoded(text: bytes | bytearray) -> Any:
 
 
 def _parsed(text: bytes | bytearray) -> dict[str, Any]:
-    """The status; raises `TypeError` or `ValueError` for anything that is none: whoever may write to the root can serve one."""
+    """The status; `TypeError` or `ValueError` for anything that is none, which whoever may write to the root serves."""
     if len(text) > MAX_STATUS:
         raise ValueError(f"longer than {MAX_STATUS} bytes")
     status = _decoded(text)
