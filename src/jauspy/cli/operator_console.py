@@ -28,7 +28,7 @@ def console_page(
     own_id: OwnId = None,
     operator_key: OperatorKey = None,
 ) -> None:
-    """Serve the operator's console, a web page, and open it in a browser.
+    """Operate robots in the browser: cameras, driving, arm, emergency stop.
 
     It finds every robot that the node manager of this machine reaches, shows its cameras, drives it by keys, stick or
     gamepad, and moves its arm. A robot stops when the key is up, or the page is left. Escape stops all robots.

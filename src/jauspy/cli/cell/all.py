@@ -36,7 +36,7 @@ def all_tasks(
     films: Annotated[bool, typer.Option("--films/--no-films", help="Film each task. Needs the extra 'video'.")] = True,
     out: Out = OUTPUT,
 ) -> None:
-    """Run each task of the cell once, and trials of the assembly and the lift; write DIR/index.html.
+    """Run everything once; write films, plots and a page of results.
 
     The page has all tables, plots and films inside and opens without a network. Exit status 0 only when everything
     that is promised was measured.

@@ -21,7 +21,7 @@ def assemble(
     operator_key: OperatorKey = None,
     json: Json = False,
 ) -> None:
-    """Build an arm with five joints: the UR10 takes modules out of the bins and joins them on platform_1.
+    """Build an arm with five joints: the UR10 takes modules out of the bins and joins them.
 
     Every grasp and every joint is verified by the connectors' state and by force; what fails is tried again another
     way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task is

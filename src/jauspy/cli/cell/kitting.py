@@ -19,7 +19,7 @@ WAYS = {"kitting": "UR10 alone", "kitting-arm": "UR10 with a modular arm"}
 
 
 def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT) -> None:
-    """Fill kitting orders with the UR10 alone, and with the UR10 and a modular arm that it builds first.
+    """Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.
 
     Each order has two products from the bins and two boxes from the belt, at drawn poses on a tray. Prints score and
     time of both ways, and from how many orders on building the arm is worth its time.

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def kpi(*, seed: Seed = 0, out: Out = OUTPUT, json: Json = False) -> None:
-    """Measure how soon the arm is at rest after it has released a box, with both controllers.
+    """Measure how soon the arm is at rest after a release, with both controllers.
 
     Writes DIR/swing.json and a plot of the last module's angular velocity, DIR/swing.svg. Exit status 1 unless the
     controller with the arm's model settles five times sooner and overshoots a third at most.
@@ -44,7 +44,7 @@ def iso9283(
     out: Out = OUTPUT,
     json: Json = False,
 ) -> None:
-    """Measure accuracy and repeatability of the UR10 and of a misassembled arm, before and after its calibration.
+    """Measure accuracy and repeatability of both arms, before and after a calibration.
 
     Writes DIR/iso9283.json. Exit status 1 unless the calibration improves the accuracy at least five times.
     """

@@ -22,7 +22,7 @@ def lift(*, seed: Seed = 0, exact: Exact = False, record: Record = None, json: J
 
 
 def step(*, seed: Seed = 0, exact: Exact = False, record: Record = None, json: Json = False) -> None:
-    """Step with the modular arm from platform_1 to platform_2, stand up there, and step back.
+    """Step with the modular arm from platform to platform, and back.
 
     The connector at one end is released only when that at the other end holds.
     """
@@ -30,7 +30,7 @@ def step(*, seed: Seed = 0, exact: Exact = False, record: Record = None, json: J
 
 
 def car(*, seed: Seed = 0, exact: Exact = False, record: Record = None, json: Json = False) -> None:
-    """Build the car of chassis, four servo modules and wheels, put the arm on top, and drive it off the conveyor.
+    """Build the car, put the arm on top, and drive both off the conveyor.
 
     The UR10 puts the car and then the arm on the conveyor; the car is driven over the JAUS mobility services while the
     arm on it moves.

@@ -30,7 +30,7 @@ def trials(
     ] = 0.95,
     out: Out = OUTPUT,
 ) -> None:
-    """Run a task with many seeds on all cores, or on a Dask cluster, and report how often it succeeds.
+    """Run a task with many seeds, and report how often it succeeds.
 
     Parts' poses are off by up to 10 mm and 5 degrees, 2 % of the grasps fail by themselves, and the part sensor is
     noisy. Writes DIR/trials-TASK.json and a plot, DIR/trials-TASK.svg.
