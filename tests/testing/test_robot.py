@@ -22,10 +22,11 @@ async def _drive(robot, ocu, metres: float) -> None:
     driver = found.service("PrimitiveDriver")
     async with driver.control():
         await driver.resume()
-        await driver.send(FULL, ack=True)
-        async for pose in found.service("LocalPoseSensor").subscribe(QueryLocalPose(0x1FF), rate=10.0):
-            if pose.x >= metres:
-                break
+        async with driver.streaming(rate=10.0) as command:
+            await command.send(FULL)
+            async for pose in found.service("LocalPoseSensor").subscribe(QueryLocalPose(0x1FF), rate=10.0):
+                if pose.x >= metres:
+                    break
     assert await driver.status() == ReportStatus.Status.STANDBY
 
 
