@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
 from jauspy.printable import printable
 
 CANDUMP: Final = re.compile(rb"\(\d+\.\d+\) +\S+ +[0-9A-Fa-f]+#")
@@ -37,6 +36,7 @@ def can_lines(source: str, robot: str) -> Iterator[str]:
         raise ConfigError("CAN logs need python-can: pip install 'jauspy[can]'")
     import can
 
+    from jauspy.modules import robot_files
     from jauspy.platform.can.names import FrameNames
 
     model = robot_files.robot_model(robot_files.load(robot))
