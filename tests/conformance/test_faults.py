@@ -56,8 +56,8 @@ def test_sampled_faults_are_detected(profile):
 
 
 UNTRIPPED = {
-    "igvc-2015": "no fault is late enough for the first answer since the tester asks again until its time-out",
-    "transport": "no fault answers a broadcast with a broadcast since announcements are multicast",
+    "igvc-2015": "no fault trips: 01, ReportIdentification comes in time",
+    "transport": "no fault trips: answer-unicast, the answer to a broadcast is none itself",
 }
 """Profiles with one check that none of the faults trips."""
 
