@@ -27,7 +27,6 @@ LOST_AFTER: Final = 3.0
 """Seconds without an answer after which a component counts as silent."""
 MAX_COMPONENTS: Final = 256
 """Components whose state is queried."""
-OCU_KIND: Final = "OCU"
 
 
 @dataclass(frozen=True, slots=True)

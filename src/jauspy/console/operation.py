@@ -14,9 +14,8 @@ from jauspy.ocu.robot_control import RobotControl
 
 DEAD_MAN_TIME: Final = 0.2
 """Seconds without a message of the operator's browser after which the robot is stopped."""
-MAX_SPEED: Final = 1.5
 MAX_TURN_RATE: Final = 1.2
-"""m/s and rad/s at full deflection of the stick."""
+"""rad/s at full deflection of the stick."""
 
 
 class Operation:
@@ -57,7 +56,7 @@ class Operation:
                     return self.problem
                 self._control = control
                 self._on_event(f"control of robot {self.robot.id} was taken with authority {authority}")
-            await self._stop_driving()
+            self._stop_driving()
             self.operator, self.problem = token, ""
             return ""
 
@@ -116,7 +115,7 @@ class Operation:
         if any(each.find(WRENCH) for each in self.robot.components):
             await self.robot.service(WRENCH).send(SetWrenchEffort(), ack=True)
 
-    async def _stop_driving(self) -> None:
+    def _stop_driving(self) -> None:
         self._cancel_watchdog()
         if any(self.commanded):
             self._want(0.0, 0.0)

@@ -8,7 +8,7 @@ from contextlib import suppress
 from typing import Any, Final
 
 from fastapi import FastAPI
-from nicegui import app as nicegui_app, ui
+from nicegui import ui
 
 from jauspy.console.fleet import NOTHING
 from jauspy.console.server import Console
@@ -41,7 +41,6 @@ def add_page(app: FastAPI, console: Console) -> None:
         ui.context.client.on_delete(lambda: asyncio.ensure_future(console.forget(token)))
         _Page(console, token).build()
 
-    nicegui_app.native.main_window = None
     ui.run_with(app, storage_secret=None, show_welcome_message=False, reconnect_timeout=3.0, tailwind=False)
 
 
