@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.frames import Array, offset_between, se3, se3_of_pose, shifted, tilt_between, turned
+from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, tilt_between, turned
 from jauspy.cell.handling import Handling, PickPlan
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
 from jauspy.cell.layout import Layout
@@ -23,6 +23,7 @@ from jauspy.cell.scene import Clearance, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
 from jauspy.platform.modular.connector import ConnectorState
+from jauspy.platform.modular.inertia import body_inertia, output_inertia
 from jauspy.platform.modular.parts import PartKind
 
 GRAVITY: Final = 9.81
@@ -46,8 +47,6 @@ MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
 WEIGHT_TOLERANCE: Final = 0.5
 """By which fraction of a part's weight the gripper's force may differ while it hangs still."""
-MAX_MOVED: Final = 0.05
-"""Metres that a part may have moved since it was planned for before it is planned anew."""
 CHECK_ANGLE: Final = 0.06
 """Radians that a joint turns to and fro when it is checked."""
 CHECK_TIME: Final = 0.5
@@ -308,7 +307,8 @@ class Assembler:
             return f"it was dropped while it was lifted{_because(state)}"
         self._hold(plan.part, state)
         row.grasp_force = state.force
-        weight = GRAVITY * _mass(self.layout, plan.part)
+        type = self.layout.type_of(plan.part)
+        weight = GRAVITY * (body_inertia(type).mass + output_inertia(type).mass)
         if weigh and abs(state.force - weight) > WEIGHT_TOLERANCE * weight:
             await self._put_back(plan)
             return f"the gripper measures {state.force:.1f} N where {weight:.1f} N should hang; it may be stuck"
@@ -492,17 +492,3 @@ class Tip:
 
 def _because(state: ConnectorState) -> str:
     return f": {state.last_error}" if state.last_error else ""
-
-
-def _mass(layout: Layout, part: str) -> float:
-    type = layout.type_of(part)
-    return sum(each.mass for each in type.solids) + sum(
-        each.mass for each in (type.servo.output if type.servo is not None else ())
-    )
-
-
-def placement_error(base: pin.SE3, connector: pin.SE3, part: pin.SE3) -> tuple[float, float]:
-    """Metres and radians by which a part is off its connector: its place, and the directions of the plates."""
-    found = base * connector
-    distance, _ = offset_between(found, part)
-    return distance, tilt_between(found, part)

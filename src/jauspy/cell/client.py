@@ -23,7 +23,6 @@ from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import rotation_from_quaternion
 from jauspy.ids import JausID
 from jauspy.messages.cell.v1_0 import (
-    HoldModularArm,
     MoveModularArm,
     QueryConnectorState,
     QueryConveyorState,
@@ -307,11 +306,6 @@ class CellClient:
                 off = max(abs(a - b) for a, b in zip(state.targets, state.positions, strict=True))
                 raise MotionFailed(f"the modular arm still moves, {off:.3f} rad off its target; is it blocked?")
             await asyncio.sleep(0.05)
-
-    async def hold_arm(self) -> None:
-        """Have the modular arm brake and hold."""
-        service = await self._control(self._module("CM-ARM"), "ModularArm")
-        await service.send(HoldModularArm(), ack=True)
 
     async def choose_controller(self, controller: ArmController) -> None:
         """Choose how the joints of the modular arm follow."""

@@ -53,7 +53,6 @@ class LiftResult:
     """m/s of the tip at the release, by its encoders."""
     predicted: float = math.nan
     """Metres from the middle of the area at which the box was to come to rest."""
-    belt_speed: float = BELT_SPEED
 
 
 class Lifter:
