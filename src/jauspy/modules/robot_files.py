@@ -8,6 +8,7 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, Final
 
+from lxml import etree
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
@@ -18,6 +19,7 @@ from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, parse_urdf
 from jauspy.geometry.vectors import dot
 from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
+from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
@@ -67,6 +69,10 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     for key in FILES:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])
+    if isinstance(paths := data.get("package_path"), list):
+        data["package_path"] = [
+            str(folder / Path(each).expanduser()) if isinstance(each, str) else each for each in paths
+        ]
     _read_part_types(data.get("cell"), folder)
     _place_eds_files(data.get("can"), folder)
     other = data.pop("extends", None)
@@ -106,7 +112,7 @@ MAX_AXIS_COSINE: Final = 1e-3
 
 def robot_model(config: RobotConfig) -> RobotModel:
     """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
-    description = _read_urdf(config.urdf)
+    description = _read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))))
     if config.tracks is not None:
         _check_tracks(config.tracks, description)
     for name, group in config.groups.items():
@@ -143,12 +149,22 @@ def _can_setup(
         return str(error)
 
 
-def _read_urdf(path: str) -> RobotDescription:
+def _read_urdf(path: str, packages: PackagePaths) -> RobotDescription:
     text = expand(path)
     try:
-        return parse_urdf(text)
+        parse_urdf(text)
+        return parse_urdf(_with_absolute_paths(text, Path(path), packages))
     except ConfigError as error:
         raise ConfigError(f"urdf: {path}: {error}") from error
+
+
+def _with_absolute_paths(text: str, path: Path, packages: PackagePaths) -> str:
+    """The URDF with the paths of its meshes and textures on this machine."""
+    root = etree.fromstring(text.encode())
+    for element in root.iter("mesh", "texture"):
+        if name := element.get("filename"):
+            element.set("filename", str(packages.file(name, path).absolute()))
+    return etree.tostring(root, encoding="unicode")
 
 
 def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
