@@ -6,6 +6,7 @@ import logging
 import warnings
 from dataclasses import dataclass
 from functools import lru_cache
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
 
@@ -56,6 +57,8 @@ class MeshPart:
     """Red, green, blue, alpha, 0..1; None if the file has none."""
     texcoords: NDArray[np.float64] | None = None
     """Shape (n, 2)."""
+    normals: NDArray[np.float64] | None = None
+    """Shape (n, 3), of unit length; None leaves them to MuJoCo."""
     texture: Image | None = None
 
 
@@ -68,17 +71,22 @@ def read_mesh(path: Path) -> tuple[MeshPart, ...]:
     data = read_file(path, MAX_BYTES)
     if not data:
         raise ConfigError(f"{path}: is empty")
-    if kind == "dae" and b"<!ENTITY" in data:
+    if kind == "dae" and any("<!ENTITY".encode(code) in data for code in ("utf-8", "utf-16-le", "utf-16-be")):
         raise ConfigError(f"{path}: has <!ENTITY ...>, which is not read")
-    scene = _scene(path, kind)
-    parts = []
-    for node in scene.graph.nodes_geometry:
-        frame, name = scene.graph[node]
-        if hasattr(mesh := scene.geometry[name], "faces"):  # others are lines and points
-            parts += [part] if (part := _part(path, str(node), mesh, _metres(scene, frame, kind))) else []
-    if not parts:
+    if kind == "stl" or (kind == "obj" and b"mtllib" not in data):
+        try:
+            found = [_of_stl(data) if kind == "stl" else _of_obj(data)]
+        except (ValueError, IndexError) as error:
+            raise ConfigError(f"{path}: is not read as a mesh: {error}") from error
+    else:
+        scene = _scene(path, kind)
+        nodes = [(str(node), *scene.graph[node]) for node in scene.graph.nodes_geometry]
+        meshes = [(node, _metres(scene, frame, kind), scene.geometry[name]) for node, frame, name in nodes]
+        found = [_of_scene(*each) for each in meshes if hasattr(each[2], "faces")]  # others are lines and points
+    parts = [_checked(path, part) for part in found]
+    if not any(len(part.faces) for part in parts):
         raise ConfigError(f"{path}: has no triangles")
-    return tuple(parts)
+    return tuple(part for part in parts if len(part.faces))
 
 
 def joined(parts: tuple[MeshPart, ...]) -> MeshPart:
@@ -124,52 +132,141 @@ def _metres(scene: Any, frame: NDArray[np.float64], kind: str) -> NDArray[np.flo
     return frame
 
 
-def _part(path: Path, name: str, mesh: Any, frame: NDArray[np.float64]) -> MeshPart | None:
+def _of_scene(name: str, frame: NDArray[np.float64], mesh: Any) -> MeshPart:
     texcoords, texture = _texture(mesh)
-    if texture is None:
-        mesh = mesh.copy()
-        mesh.merge_vertices(merge_tex=True, merge_norm=True)
-    if len(mesh.faces) > MAX_FACES:
-        logger.warning("%s: has %d faces; simplified to %d", path, len(mesh.faces), MAX_FACES)
-        mesh, texcoords, texture = _simplified(path, mesh), None, None
     vertices = np.asarray(mesh.vertices, np.float64) @ frame[:3, :3].T + frame[:3, 3]
-    faces = np.asarray(mesh.faces, np.int64)
-    if not np.isfinite(vertices).all():
-        raise ConfigError(f"{path}: has vertices that are not finite numbers")
+    faces = np.asarray(mesh.faces, np.int32)
     if np.linalg.det(frame[:3, :3]) < 0.0:
         faces = faces[:, ::-1]
+    normals = None
+    if "vertex_normals" in mesh._cache:  # noqa: SLF001 - else trimesh computes them
+        normals = np.asarray(mesh.vertex_normals, np.float64) @ np.linalg.inv(frame[:3, :3])
+    return MeshPart(name, vertices, faces, _colour(mesh), texcoords, normals, texture)
+
+
+def _of_stl(data: bytes) -> MeshPart:
+    """Without trimesh, whose import takes two seconds; `ValueError` for what is no STL."""
+    count = int.from_bytes(data[80:84], "little")
+    if len(data) >= 84 + 50 * count and (count or not data.startswith(b"solid")):
+        records = np.frombuffer(data, np.dtype([("numbers", "<f4", 12), ("attribute", "<u2")]), count, 84)
+        corners = records["numbers"][:, 3:].astype(np.float64)
+    elif data.lstrip().startswith(b"solid"):
+        lines = [line.split() for line in data.splitlines()]
+        corners = np.array([line[1:4] for line in lines if line[:1] == [b"vertex"]], np.float64)
+    else:
+        raise ValueError("it is neither a binary STL file of its length nor a text")
+    vertices = corners.reshape(-1, 3)
+    return MeshPart("", vertices, np.arange(len(vertices), dtype=np.int32).reshape(-1, 3))
+
+
+def _of_obj(data: bytes) -> MeshPart:
+    """Without materials, which trimesh reads; `ValueError` or `IndexError` for what is no OBJ."""
+    points: list[list[bytes]] = []
+    coordinates: list[list[bytes]] = []
+    directions: list[list[bytes]] = []
+    corners: dict[bytes, int] = {}
+    rows: list[tuple[int, int, int]] = []
+    faces: list[tuple[int, int, int]] = []
+    for line in data.splitlines():
+        match line.split():
+            case [b"v", *numbers]:
+                points.append(numbers[:3])
+            case [b"vt", *numbers]:
+                coordinates.append(numbers[:2])
+            case [b"vn", *numbers]:
+                directions.append(numbers[:3])
+            case [b"f", *texts]:
+                polygon = []
+                for text in texts:
+                    if text not in corners or b"-" in text:
+                        point, place, normal = [*text.split(b"/"), b"", b""][:3]
+                        rows.append(
+                            (
+                                _index(point, len(points)),
+                                _index(place, len(coordinates)) if place else -1,
+                                _index(normal, len(directions)) if normal else -1,
+                            )
+                        )
+                        corners[text] = len(rows) - 1
+                    polygon.append(corners[text])
+                faces += [(polygon[0], *pair) for pair in pairwise(polygon[1:])]
+    if not rows:
+        raise ValueError("it has no faces")
+    at, texture_at, normal_at = np.array(rows).T
+    vertices = np.array(points, np.float64)[at]
+    if vertices.shape[1] != 3:
+        raise ValueError("a vertex has not three numbers")
+    texcoords = np.array(coordinates, np.float64)[texture_at] if (texture_at >= 0).all() else None
+    normals = np.array(directions, np.float64)[normal_at] if (normal_at >= 0).all() else None
+    return MeshPart("", vertices, np.array(faces, np.int32).reshape(-1, 3), None, texcoords, normals)
+
+
+def _index(text: bytes, count: int) -> int:
+    number = int(text)
+    found = number - 1 if number > 0 else count + number
+    if not 0 <= found < count:
+        raise ValueError(f"a face names the element {number} of {count}")
+    return found
+
+
+def _checked(path: Path, part: MeshPart) -> MeshPart:
+    """The part without double vertices, without triangles that have no area, and with at most `MAX_FACES`."""
+    vertices, faces, texcoords, normals = part.vertices, part.faces, part.texcoords, part.normals
+    if not np.isfinite(vertices).all():
+        raise ConfigError(f"{path}: has vertices that are not finite numbers")
+    if len(faces) and not 0 <= faces.min() <= faces.max() < len(vertices):
+        raise ConfigError(f"{path}: has triangles of vertices that are not there")
+    if normals is not None:
+        lengths = np.linalg.norm(normals, axis=1, keepdims=True)
+        normals = normals / lengths if np.isfinite(lengths).all() and (lengths > 0.0).all() else None
+    if len(faces) > MAX_FACES:
+        normals = None
+    if texcoords is None and len(faces):
+        rows = vertices if normals is None else np.column_stack([vertices, normals])
+        rows, same = np.unique(rows, axis=0, return_inverse=True)
+        vertices, normals = rows[:, :3], None if normals is None else rows[:, 3:]
+        faces = same.reshape(-1)[faces].astype(np.int32)
+        if len(faces) > MAX_FACES:
+            logger.warning("%s: has %d faces; simplified to %d", path, len(faces), MAX_FACES)
+            vertices, faces = _simplified(path, vertices, faces)
+    elif len(faces) > MAX_FACES:
+        raise ConfigError(f"{path}: has {len(faces)} faces; with texture coordinates at most {MAX_FACES}")
     a, b, c = (vertices[faces[:, corner]] for corner in range(3))
     areas = np.linalg.norm(np.cross(b - a, c - a), axis=1)
-    faces = faces[areas > 1e-14]
-    if not len(faces):
-        return None
-    used, inverse = np.unique(faces, return_inverse=True)
+    used, inverse = np.unique(faces[areas > 1e-14], return_inverse=True)
     return MeshPart(
-        name,
+        part.name,
         np.ascontiguousarray(vertices[used]),
         inverse.reshape(-1, 3).astype(np.int32),
-        _colour(mesh),
+        part.colour,
         None if texcoords is None else np.ascontiguousarray(texcoords[used]),
-        texture,
+        None if normals is None else np.ascontiguousarray(normals[used]),
+        part.texture,
     )
 
 
-def _simplified(path: Path, mesh: Any) -> Any:
+def _simplified(
+    path: Path, vertices: NDArray[np.float64], faces: NDArray[np.int32]
+) -> tuple[NDArray[np.float64], NDArray[np.int32]]:
     try:
-        return mesh.simplify_quadric_decimation(face_count=MAX_FACES)
+        import fast_simplification  # noqa: PLC0415 - for large meshes only
     except ImportError:
         raise ConfigError(
-            f"{path}: has {len(mesh.faces)} faces, and at most {MAX_FACES} are drawn: install fast-simplification, "
-            "or simplify the file"
+            f"{path}: has {len(faces)} faces, and at most {MAX_FACES} are read: pip install fast-simplification, or "
+            "simplify the file"
         ) from None
+    points, triangles = fast_simplification.simplify(
+        vertices.astype(np.float32), faces, target_reduction=1.0 - MAX_FACES / len(faces)
+    )
+    return np.asarray(points, np.float64), np.asarray(triangles, np.int32)
 
 
 def _colour(mesh: Any) -> tuple[float, float, float, float] | None:
     visual = mesh.visual
     if visual.kind == "texture":
         material = visual.material
-        found = getattr(material, "main_color", None)
-        if found is None or not getattr(material, "name", "x"):
+        found = material.baseColorFactor if hasattr(material, "baseColorFactor") else material.main_color
+        if found is None:
             return None
     elif visual.kind in ("face", "vertex"):
         found = visual.main_color

@@ -35,8 +35,8 @@ class Look:
     shininess: float = 0.3
     specular: float = 0.2
     emission: float = 0.0
-    flipped: bool = False
-    """Whether the texture's first row is at v = 0."""
+    yields: bool = False
+    """Whether colours and textures of a mesh's file come first, as in ROS."""
 
 
 PLAIN: Final = Look()
@@ -123,7 +123,6 @@ class ShapeBuilder:
         self._make_solid(geom, solid)
         return geom
 
-
     def height_field(
         self, body: mujoco.MjsBody, heights: NDArray[np.float64], size: Sequence[float], pose: Transform, look: Look
     ) -> mujoco.MjsGeom:
@@ -137,7 +136,10 @@ class ShapeBuilder:
         spread = high - low
         flat = (heights[::-1] - low) / spread if spread else np.zeros_like(heights)
         self._spec.add_hfield(
-            name=name, nrow=rows, ncol=columns, size=(x / 2.0, y / 2.0, max(1e-6, z * spread), base),
+            name=name,
+            nrow=rows,
+            ncol=columns,
+            size=(x / 2.0, y / 2.0, max(1e-6, z * spread), base),
             userdata=flat.ravel().tolist(),
         )
         geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_HFIELD, hfieldname=name)
@@ -152,7 +154,10 @@ class ShapeBuilder:
             return self._materials[key]
         name = self._materials[key] = f"{self._prefix}material_{len(self._materials)}"
         material = self._spec.add_material(
-            name=name, rgba=look.colour or (1.0, 1.0, 1.0, 1.0), shininess=look.shininess, specular=look.specular,
+            name=name,
+            rgba=look.colour or (1.0, 1.0, 1.0, 1.0),
+            shininess=look.shininess,
+            specular=look.specular,
             emission=look.emission,
         )
         if image is None and look.texture is not None:
@@ -166,13 +171,11 @@ class ShapeBuilder:
         return name
 
     def _texture(self, image: Image, look: Look, *, cube: bool) -> str:
-        key = (look.texture or id(image), cube, look.flipped)
+        key = (look.texture or id(image), cube)
         if key in self._textures:
             return self._textures[key]
         name = self._textures[key] = f"{self._prefix}texture_{len(self._textures)}"
         pixels = _square(image.pixels) if cube else image.pixels
-        if look.flipped:
-            pixels = pixels[::-1]
         kind = mujoco.mjtTexture.mjTEXTURE_CUBE if cube else mujoco.mjtTexture.mjTEXTURE_2D
         if cube:
             pixels = np.concatenate([pixels] * 6)
@@ -209,6 +212,9 @@ class ShapeBuilder:
             geom.material = self.material(look, cube=cube)
 
     def _paint_part(self, geom: mujoco.MjsGeom, look: Look, part: MeshPart) -> None:
+        own = part.texture is not None or part.colour is not None
+        if look.yields and own:
+            look = PLAIN
         if look.texture is not None and part.texcoords is not None:
             geom.material = self.material(look)
         elif look.colour is None and part.texture is not None:
@@ -240,7 +246,9 @@ class ShapeBuilder:
         vertices = (part.vertices - centre) * factors
         faces = part.faces[:, ::-1] if np.prod(factors) < 0.0 else part.faces
         mesh = self._spec.add_mesh(name=name)
-        mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX if hull else mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        mesh.inertia = (
+            mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX if hull else mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        )
         if hull:
             solid = with_volume(vertices)
             mesh.uservert = solid.ravel()
@@ -248,6 +256,10 @@ class ShapeBuilder:
                 mesh.userface = faces.ravel()
             return name
         mesh.uservert, mesh.userface = vertices.ravel(), faces.ravel()
+        if part.normals is not None:
+            normals = part.normals / factors
+            mesh.usernormal = (normals / np.linalg.norm(normals, axis=1, keepdims=True)).ravel()
+            mesh.userfacenormal = faces.ravel()
         if part.texcoords is not None:
             mesh.usertexcoord = np.column_stack([part.texcoords[:, 0], 1.0 - part.texcoords[:, 1]]).ravel()
             mesh.userfacetexcoord = faces.ravel()
@@ -264,7 +276,8 @@ def _square(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     """The picture with as many rows as columns, by repeating pixels."""
     side = max(pixels.shape[:2])
     rows, columns = (np.arange(side) * count // side for count in pixels.shape[:2])
-    return pixels[rows][:, columns]
+    squared: NDArray[np.uint8] = pixels[rows][:, columns]
+    return squared
 
 
 def _place(geom: mujoco.MjsGeom, pose: Transform) -> None:
