@@ -17,6 +17,7 @@ from jauspy.modules import catalogue
 from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, StrictConfig
+from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
@@ -362,6 +363,7 @@ class RobotConfig(StrictConfig):
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded; a relative path starts at the TOML file."""
     modules: tuple[ModuleConfig, ...]
+    localization: LocalizationConfig = LocalizationConfig()
     tracks: TracksConfig | None = None
     """Without tracks the base is fixed to the world."""
     cell: CellConfig | None = None
@@ -422,6 +424,8 @@ class RobotConfig(StrictConfig):
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
+        if self.origin is None and isinstance(self.localization.gnss, GnssConfig):
+            raise ValueError(f"localization.gnss: needs {catalogue.ORIGIN}, from which its positions are counted")
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError(
                 "modules: none has the service Discovery; without it the robot cannot be discovered; add it to services"
