@@ -5,20 +5,19 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Sequence
-from importlib.resources import as_file, files
 from typing import TYPE_CHECKING, Final, cast
 
 import mujoco
 import numpy as np
-from lxml import etree
 from numpy.typing import NDArray
 
-from jauspy.errors import ConfigError
-from jauspy.geometry.urdf import Joint, JointKind, RobotDescription
+from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
+from jauspy_sim.urdf import urdf_spec
+from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
     Numbers = memoryview[float]
@@ -34,18 +33,6 @@ ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 VISUAL: Final = 1
 COLLISION: Final = 3
 """Geometry groups of a robot: MuJoCo draws the first and hides the second. A world's geometries are in group 0."""
-
-HEIGHT_FIELDS: Final = 2
-"""Geometry group of height fields, which collide and are drawn."""
-
-RAY_MESHES: Final = 4
-"""Geometry group of the meshes that replace height fields in ray casts."""
-
-
-def known_worlds() -> list[str]:
-    """Names of the included worlds, sorted."""
-    folder = files("jauspy_sim") / "worlds"
-    return sorted(entry.name.removesuffix(".xml") for entry in folder.iterdir() if entry.name.endswith(".xml"))
 
 
 def prefix(robot: str) -> str:
@@ -66,7 +53,7 @@ def build(robot: RobotModel, world: str) -> mujoco.MjModel:
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     """The robot alone, with a motor at each joint; free to move if it has tracks, or else fixed to the world."""
-    spec = _from_urdf(robot.description)
+    spec = urdf_spec(robot.description)
     for joint in robot.description.joints.values():
         _dynamics(spec, joint)
     if (tracks := robot.tracks) is not None:
@@ -84,29 +71,6 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     return spec
 
 
-def world_spec(name: str) -> mujoco.MjSpec:
-    """An included world; `ConfigError` lists the worlds there are."""
-    names = known_worlds()
-    if name not in names:
-        raise ConfigError(f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}")
-    with as_file(files("jauspy_sim") / "worlds" / f"{name}.xml") as path:
-        spec = mujoco.MjSpec.from_file(str(path))
-    add_ray_meshes(spec)
-    return spec
-
-
-def _from_urdf(description: RobotDescription) -> mujoco.MjSpec:
-    """Parse the URDF without merging fixed links and without dropping visual shapes, which frames and pictures need."""
-    root = etree.fromstring(description.urdf.encode())
-    options = etree.SubElement(etree.SubElement(root, "mujoco"), "compiler")
-    options.set("discardvisual", "false")
-    options.set("fusestatic", "false")
-    try:
-        return mujoco.MjSpec.from_string(etree.tostring(root, encoding="unicode"))
-    except ValueError as error:
-        raise ConfigError(f"MuJoCo cannot read the URDF of {description.name}: {error}") from error
-
-
 def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
     if joint.kind is JointKind.FIXED:
         return
@@ -114,7 +78,7 @@ def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
     found.damping = _same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
     found.armature = ROTOR_INERTIA * joint.effort
-    if joint.mimics is None:
+    if joint.mimics is None and joint.effort:
         _motor(spec, joint)
 
 
@@ -158,35 +122,6 @@ def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
     spec.body(setup.link).add_site(name=setup.name)
     for kind, type_ in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
         spec.add_sensor(name=f"{setup.name}_{kind}", type=type_, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=setup.name)
-
-
-def add_ray_meshes(world: mujoco.MjSpec) -> None:
-    """Give each height field of a world a mesh with the same surface: a ray through it costs a tenth."""
-    fields = [geom for geom in world.geoms if geom.type == mujoco.mjtGeom.mjGEOM_HFIELD]
-    if not fields:
-        return
-    model = world.compile()
-    for number, geom in enumerate(fields):
-        points, triangles = _surface(model, model.hfield(geom.hfieldname).id)
-        name = f"ray_mesh_{number}"
-        mesh = world.add_mesh(name=name, uservert=points.ravel().tolist(), userface=triangles.ravel().tolist())
-        mesh.inertia = mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
-        ray_mesh = geom.parent.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name, pos=geom.pos, quat=geom.quat)
-        ray_mesh.contype = ray_mesh.conaffinity = 0
-        ray_mesh.rgba, ray_mesh.material = geom.rgba, geom.material
-        geom.group, ray_mesh.group = HEIGHT_FIELDS, RAY_MESHES
-
-
-def _surface(model: mujoco.MjModel, field: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """Vertices and triangles of a height field, with the same triangles as MuJoCo's."""
-    rows, columns, begin = model.hfield_nrow[field], model.hfield_ncol[field], model.hfield_adr[field]
-    width, depth, height, _ = model.hfield_size[field]
-    heights = height * model.hfield_data[begin : begin + rows * columns]
-    x, y = np.meshgrid(np.linspace(-width, width, columns), np.linspace(-depth, depth, rows))
-    corners = np.arange(rows * columns).reshape(rows, columns)
-    a, b, c, d = (part.ravel() for part in (corners[:-1, :-1], corners[:-1, 1:], corners[1:, :-1], corners[1:, 1:]))
-    triangles = np.concatenate([np.stack((a, b, d), axis=1), np.stack((a, d, c), axis=1)])
-    return np.stack((x.ravel(), y.ravel(), heights), axis=1), triangles
 
 
 def redirect_warnings() -> None:

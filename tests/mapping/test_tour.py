@@ -94,7 +94,7 @@ def near(cells: NDArray[np.bool_]) -> NDArray[np.bool_]:
 @pytest.fixture(scope="module")
 def tour() -> tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]:
     """The robot after the tour, maps with and without matching, errors of the matched poses, and that of odometry."""
-    robot = SimulatedRobot.open(robot_model(load("inc1")), "demo")
+    robot = SimulatedRobot.open(robot_model(load("inc1")), "yard")
     odometry, errors = Odometry(seed=1), []
     mappers = {matching: Mapper(OccupancyGrid(16.0), matching=matching) for matching in (True, False)}
     for true in drive(robot):

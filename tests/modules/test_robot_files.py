@@ -43,7 +43,7 @@ def test_inc1_is_included():
         "101.1.106",
         "101.1.107",
     ]
-    assert (config.backend, config.world) == ("sim", "demo")
+    assert (config.backend, config.world) == ("sim", "yard")
 
 
 @pytest.mark.parametrize("name", known())

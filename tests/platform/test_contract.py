@@ -223,7 +223,7 @@ def test_close_may_be_called_twice(robot: Robot) -> None:
 
 
 def test_unknown_world_lists_the_known_ones(backend_name: str) -> None:
-    with pytest.raises(ConfigError, match=r"'moon'.*demo.*empty"):
+    with pytest.raises(ConfigError, match=r"'moon'.*empty.*yard"):
         find(backend_name).open(robot_model(load("inc1")), "moon")
 
 

@@ -278,6 +278,9 @@ class RobotConfig(StrictConfig):
     description: Annotated[str, Field(max_length=200)] = ""
     urdf: Annotated[str, Field(min_length=1)]
     """The file that describes its links and joints, as URDF or xacro; a relative path starts at the TOML file."""
+    package_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
+    """Directories in which the packages of `package://` and `$(find ...)` are searched before those of ROS; relative
+    ones start at the TOML file."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"

@@ -21,7 +21,7 @@ from jauspy.platform.kinematic_camera import KinematicCameras
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
 
-WORLDS: Final = ("demo", "empty")
+WORLDS: Final = ("empty", "rough", "yard")
 """Names of worlds; their obstacles do not exist for a kinematic robot."""
 
 MAX_STEP: Final = 0.005
