@@ -78,7 +78,7 @@ def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
     found.damping = _same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
     found.armature = ROTOR_INERTIA * joint.effort
-    if joint.mimics is None:
+    if joint.mimics is None and joint.effort:
         _motor(spec, joint)
 
 

@@ -36,11 +36,17 @@ class Renderer(Protocol):
         """How it renders, for the log."""
         ...
 
+    def zoom(self, fov: float) -> None:
+        """Take this horizontal field of view, in radians, from the next picture on."""
+        ...
+
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
         """A picture; shape (height, width, 3): red, green, blue. `thoroughly`: may take half a second."""
         ...
 
-    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    def measure(
+        self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False
+    ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """Render a picture of at most that size, and the depths of its pixels along the camera's axis: metres, or inf.
 
         Shapes (rows, columns, 3) and (rows, columns).
@@ -80,6 +86,7 @@ class SimulatedCameraSession:
         self._data = mujoco.MjData(camera.model)
         self._state = StateReader(camera.descriptor)
         self._renderer = _renderer(camera)
+        self._fov = camera.setup.fov
 
     @property
     def description(self) -> str:
@@ -91,14 +98,28 @@ class SimulatedCameraSession:
         """True with ray casting, which uses fewer rays than pixels."""
         return isinstance(self._renderer, RayRenderer)
 
-    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
+    def look(
+        self,
+        width: int,
+        height: int,
+        *,
+        thoroughly: bool = False,
+        fov: float | None = None,
+        distances: bool = False,
+    ) -> Frame:
         """Render the world after the last step of the robot's process."""
         taken = self._update()
+        self._renderer.zoom(self._fov if fov is None else fov)
+        if distances:
+            image, far = self._renderer.measure(self._data, width, height, thoroughly=thoroughly)
+            image, far = _in_size(image, far, width, height)
+            return Frame(image, taken, distances=far)
         return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
         """Render with depths; with ray casting in fewer pixels."""
         taken = self._update()
+        self._renderer.zoom(self._fov)
         return DepthFrame(*self._renderer.measure(self._data, width, height), taken)
 
     def close(self) -> None:
@@ -120,6 +141,17 @@ class SimulatedCameraSession:
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
+
+
+def _in_size(
+    image: NDArray[np.uint8], distances: NDArray[np.float32], width: int, height: int
+) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    """Picture and depths in that size, by repeating pixels; as they are if they have it."""
+    rows, columns = distances.shape
+    if (rows, columns) == (height, width):
+        return image, distances
+    down, across = np.arange(height) * rows // height, np.arange(width) * columns // width
+    return np.ascontiguousarray(image[down][:, across]), np.ascontiguousarray(distances[down][:, across])
 
 
 def _renderer(camera: SimulatedCamera) -> Renderer:

@@ -46,6 +46,10 @@ class GlRenderer:
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
 
+    def zoom(self, fov: float) -> None:
+        """Take this horizontal field of view, in radians."""
+        self._spread = math.tan(fov / 2.0)
+
     def paint(
         self,
         data: mujoco.MjData,
@@ -61,8 +65,11 @@ class GlRenderer:
         mujoco.mjr_readPixels(image, None, self._rect, self._context)
         return np.ascontiguousarray(image[::-1])  # GL's first row is the lowest
 
-    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    def measure(
+        self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False
+    ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """Render a picture, and the depths of its pixels along the camera's axis, in metres."""
+        self._be_thorough(thoroughly and self._samples > 0)
         self._render(data, width, height)
         image, depth = np.empty((height, width, 3), np.uint8), np.empty((height, width), np.float32)
         mujoco.mjr_readPixels(image, depth, self._rect, self._context)
@@ -82,6 +89,8 @@ class GlRenderer:
     def _render(self, data: mujoco.MjData, width: int, height: int) -> None:
         if (width, height) != (self._rect.width, self._rect.height):
             self._resize(width, height)
+        fovy = math.degrees(2.0 * math.atan(self._spread * height / width))
+        self._model.cam_fovy[self._view.fixedcamid] = fovy
         every = mujoco.mjtCatBit.mjCAT_ALL.value
         mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
         mujoco.mjr_render(self._rect, self._scene, self._context)
@@ -106,7 +115,6 @@ class GlRenderer:
         return context
 
     def _resize(self, width: int, height: int) -> None:
-        self._model.cam_fovy[self._view.fixedcamid] = math.degrees(2.0 * math.atan(self._spread * height / width))
         mujoco.mjr_resizeOffscreen(width, height, self._context)
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
         self._rect = mujoco.MjrRect(0, 0, width, height)

@@ -30,6 +30,7 @@ class SimulatedJoints:
         self._positions = [int(joint.qposadr[0]) for joint in found]
         self._dofs = [int(joint.dofadr[0]) for joint in found]
         self._motors = [int(model.actuator(f"{prefix}{joint.name}").id) for joint in self._joints]
+        self._followers = [_followers(model, prefix, description, joint) for joint in self._joints]
         self.every = max(1, round(1.0 / (setup.rate * TIMESTEP)))
         """Physics steps from one `control` to the next."""
         self._dt = self.every * TIMESTEP
@@ -41,7 +42,9 @@ class SimulatedJoints:
         self.load = np.zeros(model.nv)
         """Further efforts that the controllers compensate, by degree of freedom: of a payload."""
         self._load = view(self.load)
-        self._rows = list(zip(self._controllers, self._positions, self._dofs, self._motors, strict=True))
+        self._rows = list(
+            zip(self._controllers, self._positions, self._dofs, self._motors, self._followers, strict=True)
+        )
 
     @property
     def joints(self) -> tuple[Joint, ...]:
@@ -78,8 +81,19 @@ class SimulatedJoints:
         """Set the motors' efforts for the next `every` physics steps; MuJoCo's bias compensates gravity and motion."""
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
         load = self._load
-        for controller, position, dof, motor in self._rows:
-            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, bias[dof] + load[dof])
+        for controller, position, dof, motor, followers in self._rows:
+            needed = bias[dof] + load[dof]
+            for multiplier, follower in followers:
+                needed += multiplier * bias[follower]
+            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, needed)
+
+
+def _followers(
+    model: mujoco.MjModel, prefix: str, description: RobotDescription, joint: Joint
+) -> tuple[tuple[float, int], ...]:
+    """Multipliers and degrees of freedom of the joints that mimic a joint, whose motor carries them, too."""
+    found = (each for each in description.joints.values() if each.mimics == joint.name)
+    return tuple((each.multiplier, int(model.joint(f"{prefix}{each.name}").dofadr[0])) for each in found)
 
 
 def _set_initial_positions(
@@ -87,9 +101,8 @@ def _set_initial_positions(
 ) -> None:
     """Set the initial positions of joints and of those that mimic them."""
     for joint in description.joints.values():
-        position = start.get(joint.name, start.get(joint.mimics or ""))
-        if position is not None:
-            data.qpos[model.joint(f"{prefix}{joint.name}").qposadr[0]] = position
+        if (joint.mimics or joint.name) in start:
+            data.qpos[model.joint(f"{prefix}{joint.name}").qposadr[0]] = joint.position(start)
 
 
 def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from enum import Enum
 from typing import Final, TypeAlias
 
@@ -21,13 +21,17 @@ class JointKind(Enum):
     """The types of joints that are supported; the values are URDF's names."""
 
     REVOLUTE = "revolute"
+    CONTINUOUS = "continuous"
     PRISMATIC = "prismatic"
     FIXED = "fixed"
 
 
 @dataclass(frozen=True, slots=True)
 class Joint:
-    """A joint of a robot. Limits: radians or metres; rad/s or m/s; newton metres or newtons."""
+    """A joint of a robot. Limits: radians or metres; rad/s or m/s; newton metres or newtons.
+
+    A continuous joint turns without end: its limits are infinite, and its position counts full turns.
+    """
 
     name: str
     kind: JointKind
@@ -46,7 +50,25 @@ class Joint:
     friction: float = 0.0
     """Coulomb friction: effort."""
     mimics: str | None = None
-    """The joint whose position this one follows."""
+    """The joint whose position this one follows: `multiplier` times it, plus `offset`."""
+    multiplier: float = 1.0
+    offset: float = 0.0
+
+    @property
+    def turns(self) -> bool:
+        """True for a revolute or continuous joint, whose positions are angles."""
+        return self.kind in (JointKind.REVOLUTE, JointKind.CONTINUOUS)
+
+    @property
+    def is_independent(self) -> bool:
+        """True for a joint that moves, and that does not mimic another one."""
+        return self.kind is not JointKind.FIXED and self.mimics is None
+
+    def position(self, positions: Mapping[str, float]) -> float:
+        """Its position where the independent joints have `positions`, by name; those without one are at zero."""
+        if self.mimics is None:
+            return positions.get(self.name, 0.0)
+        return self.multiplier * positions.get(self.mimics, 0.0) + self.offset
 
 
 @dataclass(frozen=True, slots=True)
@@ -101,7 +123,7 @@ def parse_urdf(text: str) -> RobotDescription:
         raise ConfigError(f"the URDF is not XML: {error}") from error
     if root.tag != "robot":
         raise ConfigError(f"the URDF begins with <{root.tag}>, not with <robot>")
-    joints = [_joint(element) for element in root.findall("joint")]
+    joints = _resolve_mimics([_joint(element) for element in root.findall("joint")])
     description = RobotDescription(
         root.get("name", "robot"), text, {joint.name: joint for joint in joints}, _friction(root)
     )
@@ -128,8 +150,9 @@ def _joint(element: Element) -> Joint:
     if kind is None:
         raise ConfigError(f"joint {name!r} is {element.get('type')!r}; jauspy knows: {', '.join(KINDS)}")
     limit, dynamics, mimic = element.find("limit"), element.find("dynamics"), element.find("mimic")
-    if kind is not JointKind.FIXED and limit is None:
+    if kind in (JointKind.REVOLUTE, JointKind.PRISMATIC) and limit is None:
         raise ConfigError(f"joint {name!r} has no <limit>; it needs lower, upper, effort and velocity")
+    endless = kind is JointKind.CONTINUOUS
     return Joint(
         name,
         kind,
@@ -137,14 +160,40 @@ def _joint(element: Element) -> Joint:
         _link(element, "child", name),
         _origin(element, name),
         _axis(element, name),
-        lower=_number(limit, "lower", name),
-        upper=_number(limit, "upper", name),
+        lower=-math.inf if endless else _number(limit, "lower", name),
+        upper=math.inf if endless else _number(limit, "upper", name),
         effort=_number(limit, "effort", name),
         velocity=_number(limit, "velocity", name),
         damping=_number(dynamics, "damping", name),
         friction=_number(dynamics, "friction", name),
-        mimics=None if mimic is None else mimic.get("joint"),
+        mimics=None if mimic is None else mimic.get("joint", ""),
+        multiplier=_number(mimic, "multiplier", name, 1.0),
+        offset=_number(mimic, "offset", name),
     )
+
+
+def _resolve_mimics(joints: list[Joint]) -> list[Joint]:
+    """The joints, of which those that mimic name an independent joint: a chain of them is shortened."""
+    known = {joint.name: joint for joint in joints}
+    return [_resolved(joint, known) for joint in joints]
+
+
+def _resolved(joint: Joint, known: Mapping[str, Joint]) -> Joint:
+    for _ in known:
+        if joint.mimics is None:
+            return joint
+        followed = known.get(joint.mimics)
+        if followed is None or followed.kind is JointKind.FIXED:
+            raise ConfigError(f"joint {joint.name!r} mimics {joint.mimics!r}, which is not a joint that moves")
+        if followed.mimics is None:
+            return joint
+        joint = replace(
+            joint,
+            mimics=followed.mimics,
+            multiplier=joint.multiplier * followed.multiplier,
+            offset=joint.multiplier * followed.offset + joint.offset,
+        )
+    raise ConfigError(f"joint {joint.name!r} mimics itself")
 
 
 def _link(element: Element, tag: str, joint: str) -> str:
@@ -154,8 +203,9 @@ def _link(element: Element, tag: str, joint: str) -> str:
     return str(found.get("link"))
 
 
-def _number(element: Element | None, key: str, where: str) -> float:
-    return _numbers("0" if element is None else element.get(key, "0"), 1, where)[0]
+def _number(element: Element | None, key: str, where: str, default: float = 0.0) -> float:
+    text = None if element is None else element.get(key)
+    return default if text is None else _numbers(text, 1, where)[0]
 
 
 def _numbers(text: str, count: int, where: str) -> tuple[float, ...]:

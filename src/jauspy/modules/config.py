@@ -2,35 +2,27 @@
 
 from __future__ import annotations
 
-import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, Field, ModelWrapValidatorHandler, model_validator
 
-from jauspy.cloud.depth import DepthSettings
-from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
+from jauspy.modules.camera_config import CameraConfig
 from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
-from jauspy.modules.config_base import GainsConfig, StrictConfig
+from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
 from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
-from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
 from jauspy.transport.age import MAX_AGE
-
-UrdfName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
-
-Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
 
 DEFAULT_GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
 """The group of joints that a type moves, unless its module names another."""
@@ -159,64 +151,6 @@ class ForceTorqueConfig(StrictConfig):
     def setup(self) -> ForceTorqueSetup:
         """Return the setup for the backend."""
         return ForceTorqueSetup(self.name, self.link, self.rate, self.force, self.torque, *self.noise, self.seed)
-
-
-class DepthConfig(StrictConfig):
-    """Point clouds of a depth camera."""
-
-    size: tuple[Annotated[int, Field(ge=16, le=1920)], Annotated[int, Field(ge=16, le=1080)]] = (400, 250)
-    """Points across and down, at most."""
-    rate: Annotated[float, Field(gt=0.0, le=60.0)] = 10.0
-    """Clouds per second."""
-    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.2, 10.0)
-    """Minimal and maximal distance along the camera's axis, in metres."""
-
-    @model_validator(mode="after")
-    def _check_size(self) -> Self:
-        if self.range[0] >= self.range[1]:
-            raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
-        if self.size[0] * self.size[1] > MAX_POINTS:
-            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MAX_POINTS}")
-        return self
-
-    def settings(self) -> DepthSettings:
-        """Return the settings for the process that makes the clouds."""
-        return DepthSettings(*self.size, self.rate, *self.range)
-
-
-class CameraConfig(StrictConfig):
-    """A camera that looks along the x axis of a link of the URDF; z is up."""
-
-    name: UrdfName
-    link: UrdfName
-    fov: Annotated[float, Field(ge=5.0, le=150.0)] = 80.0
-    """From the left edge of the picture to the right one, in degrees."""
-    size: tuple[int, int] = (640, 480)
-    """Width and height of the stream's pictures at first."""
-    rate: int = 15
-    """Pictures per second, at first."""
-    bit_rate: int = 2000
-    """Kilobits per second, at first."""
-    depth: DepthConfig | None = None
-    """Settings of a depth camera; None for other cameras."""
-    stamped: bool = False
-    """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
-
-    @model_validator(mode="after")
-    def _check_encoding(self) -> Self:
-        try:
-            self.settings()
-        except ConfigError as error:
-            raise ValueError(str(error)) from None
-        return self
-
-    def setup(self) -> CameraSetup:
-        """Return the setup for the backend."""
-        return CameraSetup(self.name, self.link, math.radians(self.fov))
-
-    def settings(self) -> VideoSettings:
-        """Return the settings for the encoder; raises `ConfigError` for what cannot be encoded."""
-        return VideoSettings(*self.size, self.rate, 1000 * self.bit_rate)
 
 
 class AccessControlConfig(StrictConfig):

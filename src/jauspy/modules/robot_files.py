@@ -15,7 +15,7 @@ from pydantic_core import ErrorDetails
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import JointKind, RobotDescription, parse_urdf
+from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, parse_urdf
 from jauspy.geometry.vectors import dot
 from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
@@ -187,7 +187,7 @@ def _check_link(key: str, link: str, description: RobotDescription) -> None:
 def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: RobotDescription) -> None:
     """Check that the group has two revolute joints at right angles that carry the camera."""
     moving = [description.joint(joint.name) for joint in group.joints]
-    if [joint.kind for joint in moving] != [JointKind.REVOLUTE] * 2:
+    if [joint.turns for joint in moving] != [True, True]:
         raise ConfigError(f"{key}.joints: a pan-tilt unit has exactly two joints, both revolute")
     if moving[1] not in description.chain(description.root(), camera):
         raise ConfigError(f"{key}: the camera is on {camera!r}, which {moving[1].name!r} does not move")
@@ -209,10 +209,19 @@ def _check_group(key: str, group: GroupConfig, description: RobotDescription) ->
         _check_link(key, link, description)
     for number, joint in enumerate(group.joints):
         _check_joint(f"{key}.joints[{number}]", joint, description)
-    moving = [j.name for j in description.chain(group.base, group.tip) if j.kind is not JointKind.FIXED]
+    moving = [j.name for j in description.chain(group.base, group.tip) if j.is_independent]
     if moving != [joint.name for joint in group.joints]:
         raise ConfigError(
             f"{key}.joints: the joints from {group.base} to {group.tip} that move are, in order: {', '.join(moving)}"
+        )
+
+
+def check_motor(key: str, joint: Joint) -> None:
+    """Check that a joint that is commanded has a speed and an effort; raises `ConfigError`."""
+    if joint.velocity <= 0.0 or joint.effort <= 0.0:
+        raise ConfigError(
+            f'{key}: the joint {joint.name!r} needs <limit effort="..." velocity="..."> above zero in the URDF, '
+            f"and has effort {joint.effort:g} and velocity {joint.velocity:g}"
         )
 
 
@@ -223,5 +232,8 @@ def _check_joint(key: str, config: JointConfig, description: RobotDescription) -
         raise ConfigError(f"{key}.name: {error}") from error
     if joint.kind is JointKind.FIXED:
         raise ConfigError(f"{key}.name: {config.name!r} does not move")
+    if joint.mimics is not None:
+        raise ConfigError(f"{key}.name: {config.name!r} mimics {joint.mimics!r}, and follows it without a command")
+    check_motor(f"{key}.name", joint)
     if not joint.lower <= config.start <= joint.upper:
         raise ConfigError(f"{key}.start = {config.start}: {config.name!r} moves from {joint.lower} to {joint.upper}")
