@@ -259,5 +259,6 @@ class KinematicJoints:
 
 def _to_velocity(joint: Joint, target: Target) -> Target:
     fraction = target.value / joint.effort if joint.effort else 0.0
-    speed = joint.velocity * min(1.0, max(-1.0, fraction)) if math.isfinite(fraction) else 0.0
+    fastest = min(joint.velocity, target.speed or math.inf)
+    speed = fastest * min(1.0, max(-1.0, fraction)) if math.isfinite(fraction) else 0.0
     return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)
