@@ -12,6 +12,7 @@ from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, chassis_of
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
@@ -59,7 +60,8 @@ class SimulatedRobot:
         located = () if self._localizer is None else (self._localizer,)
         self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
         self._update_sensors()
-        self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
+        self._lamps = switched_lamps(robot.lamps)
+        self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
@@ -104,8 +106,9 @@ class SimulatedRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis, and the localisation unless the pose is exact."""
-        return self._drive.optional_parts if self._localizer is None else (*self._drive.optional_parts, self._localizer)
+        """The optional parts of the chassis, the localisation unless the pose is exact, and the lamps."""
+        located = () if self._localizer is None else (self._localizer,)
+        return (*self._drive.optional_parts, *located, *self._lamps)
 
     @property
     def time(self) -> float:

@@ -137,7 +137,22 @@ def robot_model(config: RobotConfig) -> RobotModel:
     setup = cell.setup() if cell else None
     drives = _can_setup(config.can, description, tracks, groups) if config.can else None
     localization = config.localization.setup(has_origin=config.origin is not None)
-    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup, drives, localization)
+    lamps = tuple(light.setup() for light in config.lights)
+    for number, lamp in enumerate(lamps):
+        _check_link(f"lights[{number}].link", lamp.link, description)
+    return RobotModel(
+        description,
+        tracks,
+        groups,
+        lidars,
+        cameras,
+        force_torque,
+        cell=setup,
+        can=drives,
+        lamps=lamps,
+        time_of_day=config.time_of_day,
+        localization=localization,
+    )
 
 
 def _can_setup(

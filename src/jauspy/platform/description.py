@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import EXACT, LocalizationSetup
 from jauspy.platform.ranging import LidarSetup
 
@@ -81,3 +82,6 @@ class RobotModel:
     """The drives on its CAN bus, for the backend `can`; a sentence if they do not match the robot."""
     localization: LocalizationSetup = EXACT
     """How it measures where it is; for robots with a chassis."""
+    lamps: tuple[LampSetup, ...] = ()
+    time_of_day: TimeOfDay = TimeOfDay.DAY
+    """Of the simulated world."""

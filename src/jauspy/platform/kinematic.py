@@ -18,6 +18,7 @@ from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
+from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
@@ -53,11 +54,12 @@ class KinematicRobot:
         tracks = robot.tracks
         self._tracked = KinematicDrive(skid_steer_parameters(robot.description, tracks)) if tracks else None
         self._drive = self._tracked or FixedBase()
-        self._localizer = None
+        self._localizer: Localizer | None = None
         if self._tracked is not None and not robot.localization.is_exact(default=True):
             self._localizer = Localizer(robot.localization, self._tracked)
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
+        self._lamps = switched_lamps(robot.lamps)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
         self._force_torque = {
             setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
@@ -93,8 +95,9 @@ class KinematicRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis, and the localisation unless the pose is exact."""
-        return self._drive.optional_parts if self._localizer is None else (*self._drive.optional_parts, self._localizer)
+        """Those of the chassis, the localisation unless exact, and the lamps, whose light its cameras do not show."""
+        located = () if self._localizer is None else (self._localizer,)
+        return (*self._drive.optional_parts, *located, *self._lamps)
 
     @property
     def time(self) -> float:
