@@ -4,19 +4,21 @@ from __future__ import annotations
 
 import logging
 import math
-from collections.abc import Sequence
 from typing import TYPE_CHECKING, Final, cast
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.mesh_files import read_mesh
+from jauspy_sim.shapes import same_shape
 from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.world_files import world_spec
 
@@ -39,13 +41,22 @@ def prefix(robot: str) -> str:
 
 def build(robot: RobotModel, world: str) -> mujoco.MjModel:
     """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are."""
-    spec = world_spec(world)
+    spec = world_spec(world, robot.model_path)
     spec.attach(robot_spec(robot), prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
-    return spec.compile()
+    return compiled(spec, f"robot {robot.description.name} in world {world}")
+
+
+def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:
+    """The model; what MuJoCo does not accept raises `ConfigError`."""
+    read_mesh.cache_clear()
+    try:
+        return spec.compile()
+    except ValueError as error:
+        raise ConfigError(f"MuJoCo cannot simulate {what}: {' '.join(str(error).split())}") from error
 
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
@@ -72,7 +83,7 @@ def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
     if joint.kind is JointKind.FIXED:
         return
     found = spec.joint(joint.name)
-    found.damping = _same_shape(found.damping, joint.damping)
+    found.damping = same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
     found.armature = ROTOR_INERTIA * joint.effort
     if joint.mimics is None and joint.effort:
@@ -106,12 +117,6 @@ def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     added = spec.body(body_name(camera.link)).add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
     added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
-
-
-def _same_shape(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
-    """The damping in the form of the MuJoCo version: 4 has a polynomial of the speed, 3 a number."""
-    terms = np.size(present)
-    return (value, *[0.0] * (terms - 1)) if terms > 1 else value
 
 
 def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
