@@ -312,6 +312,8 @@ class RobotConfig(StrictConfig):
     package_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
     """Directories in which the packages of `package://` and `$(find ...)` are searched before those of ROS; relative
     ones start at the TOML file."""
+    xacro_arguments: Mapping[Name, str] = Field(default_factory=dict)
+    """The arguments of a xacro file, which `$(arg NAME)` is replaced by."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
