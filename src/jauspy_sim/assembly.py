@@ -16,7 +16,8 @@ from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
-from jauspy_sim.urdf import urdf_spec
+from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
@@ -32,10 +33,6 @@ ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 
 BELT_PRIORITY: Final = 1
 """Contact priority of belts: their friction replaces that of the ground, unless its priority is higher."""
-
-VISUAL: Final = 1
-COLLISION: Final = 3
-"""Geometry groups of a robot: MuJoCo draws the first and hides the second. A world's geometries are in group 0."""
 
 
 def prefix(robot: str) -> str:
@@ -61,10 +58,10 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     belts = tracks.left + tracks.right if tracks else ()
     for joint in robot.description.joints.values():
         _dynamics(spec, joint)
-        if joint.mimics is None and joint.kind is not JointKind.FIXED and joint.name not in belts:
+        if joint.mimics is None and joint.effort and joint.kind is not JointKind.FIXED and joint.name not in belts:
             _motor(spec, joint)
     if tracks is not None:
-        spec.body(robot.description.root()).add_freejoint(name="base")
+        spec.body(body_name(robot.description.root())).add_freejoint(name="base")
         for side in (tracks.left, tracks.right):
             _track(spec, [robot.description.joint(belt) for belt in side], tracks.inertia)
     for link, coefficient in robot.description.friction.items():
@@ -102,9 +99,9 @@ def _track(spec: mujoco.MjSpec, belts: Sequence[Joint], inertia: float) -> None:
         found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
         found.solref_friction = (2.0 * TIMESTEP, 1.0)
         found.solimp_friction = (0.999, 0.999, 0.001, 0.5, 2.0)  # a brake that holds does not creep
-        for geom in spec.body(joint.child).geoms:
+        for geom in spec.body(body_name(joint.child)).geoms:
             geom.priority = BELT_PRIORITY
-        spec.add_exclude(bodyname1=joint.parent, bodyname2=joint.child)
+        spec.add_exclude(bodyname1=body_name(joint.parent), bodyname2=body_name(joint.child))
     first, *others = belts
     spec.joint(first.name).armature = inertia
     _belt_motor(spec, first)
@@ -128,13 +125,13 @@ def _belt_motor(spec: mujoco.MjSpec, joint: Joint) -> None:
 
 
 def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
-    for geom in spec.body(link).geoms:
+    for geom in spec.body(body_name(link)).geoms:
         geom.friction = (coefficient, *geom.friction[1:])
 
 
 def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     """MuJoCo's cameras look along -z with y up; the frame of a link looks along x with z up."""
-    added = spec.body(camera.link).add_camera(name=camera.name)
+    added = spec.body(body_name(camera.link)).add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
     added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
 
@@ -147,7 +144,7 @@ def _same_shape(present: float | Sequence[float], value: float) -> float | tuple
 
 def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
     """Add a sensor between a link and the link that carries it."""
-    spec.body(setup.link).add_site(name=setup.name)
+    spec.body(body_name(setup.link)).add_site(name=setup.name)
     for kind, type_ in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
         spec.add_sensor(name=f"{setup.name}_{kind}", type=type_, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=setup.name)
 

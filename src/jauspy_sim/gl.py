@@ -15,6 +15,9 @@ from jauspy_sim.rays import MAX_DISTANCE
 MIN_DISTANCE: Final = 0.02
 """Near plane in metres: the gripper is close to the arm's camera."""
 
+LAMP_PLANES: Final = (0.04, 60.0)
+"""Near and far plane of what a lamp sees, in metres."""
+
 FILM_SAMPLES: Final = "film_samples"
 """A world with this number has thorough pictures made with so many samples of a pixel, and with shadows."""
 
@@ -46,6 +49,10 @@ class GlRenderer:
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
 
+    def zoom(self, fov: float) -> None:
+        """Take this horizontal field of view, in radians."""
+        self._spread = math.tan(fov / 2.0)
+
     def paint(
         self,
         data: mujoco.MjData,
@@ -61,8 +68,11 @@ class GlRenderer:
         mujoco.mjr_readPixels(image, None, self._rect, self._context)
         return np.ascontiguousarray(image[::-1])  # GL's first row is the lowest
 
-    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    def measure(
+        self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False
+    ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """Render a picture, and the depths of its pixels along the camera's axis, in metres."""
+        self._be_thorough(thoroughly and self._samples > 0)
         self._render(data, width, height)
         image, depth = np.empty((height, width, 3), np.uint8), np.empty((height, width), np.float32)
         mujoco.mjr_readPixels(image, depth, self._rect, self._context)
@@ -71,6 +81,31 @@ class GlRenderer:
         upright = depth[::-1]  # 1 at the near plane, 0 at the far one
         along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
         return np.ascontiguousarray(image[::-1]), np.where(along < MAX_DISTANCE, along, np.float32(math.inf))
+
+    def depths_from(
+        self,
+        data: mujoco.MjData,  # noqa: ARG002 - the scene was made of it
+        position: NDArray[np.float64],
+        rotation: NDArray[np.float64],
+        spread: float,
+        size: int,
+    ) -> NDArray[np.float32] | None:
+        """As `Renderer.depths_from`, of the scene of the last picture."""
+        size = min(size, self._rect.width, self._rect.height)
+        near, far = LAMP_PLANES
+        for camera in self._scene.camera:
+            camera.pos, camera.forward, camera.up = position, rotation[:, 0], rotation[:, 2]
+            camera.frustum_center, camera.frustum_width = 0.0, near * spread
+            camera.frustum_bottom, camera.frustum_top = -near * spread, near * spread
+            camera.frustum_near, camera.frustum_far = near, far
+        skybox, self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX], 0
+        square, depth = mujoco.MjrRect(0, 0, size, size), np.empty((size, size), np.float32)
+        mujoco.mjr_render(square, self._scene, self._context)
+        mujoco.mjr_readPixels(None, depth, square, self._context)
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = skybox
+        upright = depth[::-1]
+        along: NDArray[np.float32] = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
+        return along
 
     def close(self) -> None:
         """Release the GL context. May be called twice."""
@@ -82,6 +117,8 @@ class GlRenderer:
     def _render(self, data: mujoco.MjData, width: int, height: int) -> None:
         if (width, height) != (self._rect.width, self._rect.height):
             self._resize(width, height)
+        fovy = math.degrees(2.0 * math.atan(self._spread * height / width))
+        self._model.cam_fovy[self._view.fixedcamid] = fovy
         every = mujoco.mjtCatBit.mjCAT_ALL.value
         mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
         mujoco.mjr_render(self._rect, self._scene, self._context)
@@ -106,7 +143,6 @@ class GlRenderer:
         return context
 
     def _resize(self, width: int, height: int) -> None:
-        self._model.cam_fovy[self._view.fixedcamid] = math.degrees(2.0 * math.atan(self._spread * height / width))
         mujoco.mjr_resizeOffscreen(width, height, self._context)
         mujoco.mjr_setBuffer(mujoco.mjtFramebuffer.mjFB_OFFSCREEN.value, self._context)
         self._rect = mujoco.MjrRect(0, 0, width, height)

@@ -31,6 +31,7 @@ class SimulatedJoints:
         self._positions = [int(joint.qposadr[0]) for joint in found]
         self._dofs = [int(joint.dofadr[0]) for joint in found]
         self._motors = [int(model.actuator(f"{prefix}{joint.name}").id) for joint in self._joints]
+        self._followers = [_followers(model, prefix, description, joint) for joint in self._joints]
         self.every = max(1, round(1.0 / (setup.rate * TIMESTEP)))
         """Physics steps from one `control` to the next."""
         self._dt = self.every * TIMESTEP
@@ -42,7 +43,9 @@ class SimulatedJoints:
         self.load = np.zeros(model.nv)
         """Further efforts that the controllers compensate, by degree of freedom: of a payload."""
         self._load = view(self.load)
-        self._rows = list(zip(self._controllers, self._positions, self._dofs, self._motors, strict=True))
+        self._rows = list(
+            zip(self._controllers, self._positions, self._dofs, self._motors, self._followers, strict=True)
+        )
 
     @property
     def joints(self) -> tuple[Joint, ...]:
@@ -79,8 +82,19 @@ class SimulatedJoints:
         """Set the motors' efforts for the next `every` physics steps; MuJoCo's bias compensates gravity and motion."""
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
         load = self._load
-        for controller, position, dof, motor in self._rows:
-            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, bias[dof] + load[dof])
+        for controller, position, dof, motor, followers in self._rows:
+            needed = bias[dof] + load[dof]
+            for multiplier, follower in followers:
+                needed += multiplier * bias[follower]
+            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, needed)
+
+
+def _followers(
+    model: mujoco.MjModel, prefix: str, description: RobotDescription, joint: Joint
+) -> tuple[tuple[float, int], ...]:
+    """Multipliers and degrees of freedom of the joints that mimic a joint, whose motor carries them, too."""
+    found = (each for each in description.joints.values() if each.mimics == joint.name)
+    return tuple((each.multiplier, int(model.joint(f"{prefix}{each.name}").dofadr[0])) for each in found)
 
 
 def _set_initial_positions(
@@ -88,9 +102,8 @@ def _set_initial_positions(
 ) -> None:
     """Set the initial positions of joints and of those that mimic them."""
     for joint in description.joints.values():
-        position = start.get(joint.name, start.get(joint.mimics or ""))
-        if position is not None:
-            data.qpos[model.joint(f"{prefix}{joint.name}").qposadr[0]] = position
+        if (joint.mimics or joint.name) in start:
+            data.qpos[model.joint(f"{prefix}{joint.name}").qposadr[0]] = joint.position(start)
 
 
 def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
@@ -108,7 +121,7 @@ class TrackedDrive(SkidSteerDrive):
         super().__init__()
         self._model = model
         self._data = data
-        self._qpos = view(data.qpos)
+        self._qpos, self._qvel = view(data.qpos), view(data.qvel)
         base = model.joint(f"{prefix}base")
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
@@ -151,3 +164,8 @@ class TrackedDrive(SkidSteerDrive):
         mujoco.mju_quat2Mat(rotation, self._data.qpos[self._base_position][3:])
         linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
         return Twist(*linear.tolist(), *velocity[3:].tolist())
+
+    def track_speeds(self) -> tuple[float, float]:
+        """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""
+        left, right = self._dofs
+        return -self._qvel[left], -self._qvel[right]

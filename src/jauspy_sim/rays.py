@@ -9,8 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.assembly import VISUAL
-from jauspy_sim.world_files import RAY_MESHES
+from jauspy_sim.groups import RAY_MESHES, VISUAL
 
 DEFAULT_SKY_COLOUR: Final = (150, 190, 230)
 """Red, green, blue of the sky of a world without a sky box."""
@@ -50,6 +49,10 @@ class RayRenderer:
         self._spread = math.tan(fov / 2.0)
         self._sky, self._shading = SkyBox(model), Shading(model)
 
+    def zoom(self, fov: float) -> None:
+        """Take this horizontal field of view, in radians."""
+        self._spread = math.tan(fov / 2.0)
+
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
         """Return an image of shape (height, width, 3), enlarged from fewer rays; `thoroughly` casts more."""
         columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
@@ -59,13 +62,26 @@ class RayRenderer:
         across = np.arange(width) * columns // width
         return np.ascontiguousarray(dots[down][:, across])
 
-    def measure(self, data: mujoco.MjData, width: int, height: int) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
+    def measure(
+        self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False
+    ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """Return an image of shape (rows, columns, 3) and the depths along the camera's axis, in metres."""
-        columns, rows = _grid_size(width, height, MAX_RAYS)
+        columns, rows = _grid_size(width, height, MAX_RAYS_OF_STILL if thoroughly else MAX_RAYS)
         rays = self._rays(columns, rows)
         dots, far = self._cast(data, rays, self._dot(columns))
         along = (far * -rays[:, 2]).astype(np.float32)
         return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
+
+    def depths_from(
+        self,
+        data: mujoco.MjData,  # noqa: ARG002
+        position: NDArray[np.float64],  # noqa: ARG002
+        rotation: NDArray[np.float64],  # noqa: ARG002
+        spread: float,  # noqa: ARG002
+        size: int,  # noqa: ARG002
+    ) -> NDArray[np.float32] | None:
+        """Return None: lamps cast no shadows here, since rays for them would take as long as those for the picture."""
+        return None
 
     def close(self) -> None:
         """Does nothing: it holds no resources."""

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
+from jauspy.platform.imaging import IDEAL, ImagingSetup
+
 if TYPE_CHECKING:
     import numpy as np
     from numpy.typing import NDArray
@@ -22,7 +24,9 @@ class CameraSetup:
     name: str
     link: str
     fov: float
-    """Horizontal field of view, in radians."""
+    """Horizontal field of view, in radians; the widest of a camera that zooms."""
+    imaging: ImagingSetup = IDEAL
+    """Limits and faults of its lens and sensor."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,6 +35,11 @@ class Frame:
 
     image: Image
     taken: float
+    light: NDArray[np.float32] | float = 1.0
+    """The light on what each pixel shows, of shape (height, width), or on everything: 1 is that in which it was
+    rendered, so that the picture is to be darker where it is less."""
+    distances: Distances | None = None
+    """Depths of the pixels, if they were asked for."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,8 +65,19 @@ class CameraSession(Protocol):
         """True if pictures are of lower quality than on other machines; the description says why."""
         ...
 
-    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:
-        """Render the robot's newest state; with `thoroughly` at better quality, in up to half a second."""
+    def look(
+        self,
+        width: int,
+        height: int,
+        *,
+        thoroughly: bool = False,
+        fov: float | None = None,
+        distances: bool = False,
+    ) -> Frame:
+        """Render the robot's newest state; with `thoroughly` at better quality, in up to half a second.
+
+        `fov` is the horizontal field of view in radians, that of the setup by default; `distances` asks for depths.
+        """
         ...
 
     def measure(self, width: int, height: int) -> DepthFrame:

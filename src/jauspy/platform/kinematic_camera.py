@@ -70,14 +70,22 @@ class FloorCameraSession:
         import numpy  # noqa: PLC0415 - an extra
 
         self._np = numpy
-        self._spread = math.tan(camera.setup.fov / 2.0)
+        self._fov = camera.setup.fov
         self._palette = numpy.array(_palette(), numpy.uint8)
         self._state = StateReader(camera.descriptor)
 
-    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:  # noqa: ARG002 - it always does
+    def look(
+        self,
+        width: int,
+        height: int,
+        *,
+        thoroughly: bool = False,  # noqa: ARG002 - it always does
+        fov: float | None = None,
+        distances: bool = False,
+    ) -> Frame:
         """Return an image of shape (height, width, 3)."""
-        taken, image, _ = self._see(width, height)
-        return Frame(image, taken)
+        taken, image, far = self._see(width, height, fov)
+        return Frame(image, taken, distances=far if distances else None)
 
     def measure(self, width: int, height: int) -> DepthFrame:
         """Return an image of shape (height, width, 3) and distances of shape (height, width), in metres."""
@@ -88,16 +96,17 @@ class FloorCameraSession:
         """Release the shared state."""
         self._state.close()
 
-    def _see(self, width: int, height: int) -> tuple[float, Image, Distances]:
+    def _see(self, width: int, height: int, fov: float | None = None) -> tuple[float, Image, Distances]:
         taken, data = self._state.read()
         numbers = struct.unpack(f"={STATE_LENGTH}d", data)
-        return taken, *self._picture(numbers[:9], numbers[9:], width, height)
+        spread = math.tan((self._fov if fov is None else fov) / 2.0)
+        return taken, *self._picture(numbers[:9], numbers[9:], spread, width, height)
 
     def _picture(
-        self, rotation: Sequence[float], origin: Sequence[float], width: int, height: int
+        self, rotation: Sequence[float], origin: Sequence[float], spread: float, width: int, height: int
     ) -> tuple[Image, Distances]:
         np = self._np
-        pixel = np.float32(2.0 * self._spread / width)
+        pixel = np.float32(2.0 * spread / width)
         left = -pixel * (np.arange(width, dtype=np.float32) - np.float32((width - 1) / 2.0))[None, :]
         up = -pixel * (np.arange(height, dtype=np.float32) - np.float32((height - 1) / 2.0))[:, None]
         rows = np.array(rotation, np.float32).reshape(3, 3)

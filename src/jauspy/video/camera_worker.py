@@ -7,12 +7,12 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Final
 
 import cv2
-import numpy as np
 
 from jauspy.errors import JausError
 from jauspy.video import stamp
 from jauspy.video.camera_protocol import (
     AddReceiver,
+    ChangeImaging,
     ChangeSettings,
     RemoveReceiver,
     StartCamera,
@@ -20,6 +20,7 @@ from jauspy.video.camera_protocol import (
     TakeStill,
 )
 from jauspy.video.h264 import H264Encoder
+from jauspy.video.imaging import Imaging
 from jauspy.video.sender import RtpSender
 from jauspy.worker_process import CountersReport, Parent, WorkerReady
 
@@ -58,6 +59,8 @@ class CameraWorker:
         self._report, self._clock = report, clock
         self._stamped = start.stamped
         self._camera = start.camera.open()
+        self._imaging = Imaging(start.camera.setup)
+        self._imaging.settings = start.imaging
         self._encoder = H264Encoder(start.settings)
         self._sender = RtpSender(start.camera.setup.name)
         self._number = 0
@@ -74,6 +77,8 @@ class CameraWorker:
         match command:
             case ChangeSettings(settings):
                 self._encoder.settings = settings
+            case ChangeImaging(imaging):
+                self._imaging.settings = imaging
             case AddReceiver(address, playing):
                 self._add_receiver(address, playing=playing)
             case RemoveReceiver(address):
@@ -113,7 +118,7 @@ class CameraWorker:
 
     def _send_frame(self, now: float) -> None:
         settings, utc = self._encoder.settings, time.time()
-        frame = self._camera.look(settings.width, settings.height)
+        frame = self._imaging.take(self._camera, settings.width, settings.height)
         if self._stamped:
             stamp.draw(frame.image, self._number, round(frame.taken * 1e6))
         self._number += 1
@@ -123,9 +128,8 @@ class CameraWorker:
     def _take_still(self, command: TakeStill) -> None:
         width, height = command.settings.width, command.settings.height
         factor = SUPERSAMPLING if width * height <= MAX_SUPERSAMPLED else 1
-        frame = self._camera.look(factor * width, factor * height, thoroughly=True)
-        image = np.asarray(cv2.resize(frame.image, (width, height), interpolation=cv2.INTER_AREA), np.uint8)
-        content = _file_content(image, command.settings.format.value)
+        frame = self._imaging.take(self._camera, width, height, supersampling=factor, thoroughly=True)
+        content = _file_content(frame.image, command.settings.format.value)
         self._report(StillTaken(command.number, content, frame.taken))
 
 
