@@ -2,30 +2,38 @@
 
 from __future__ import annotations
 
+import math
+import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Protocol
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
+from jauspy.platform.description import RobotModel
+from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
 from jauspy.platform.shared_state import StateReader, StateWriter
 from jauspy_sim.assembly import logger, redirect_warnings
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
 
-
-def state_of(data: mujoco.MjData) -> bytes:
-    """Positions of joints and of mocap bodies (qpos, mocap_pos, mocap_quat), as doubles."""
-    return b"".join(part.tobytes() for part in (data.qpos, data.mocap_pos, data.mocap_quat))
+if TYPE_CHECKING:
+    from jauspy_sim.lamps import Darkness
 
 
-def state_size(model: mujoco.MjModel) -> int:
+def state_of(data: mujoco.MjData, lamps: Sequence[Lamp] = ()) -> bytes:
+    """Positions of joints and of mocap bodies (qpos, mocap_pos, mocap_quat), and levels of lamps, as doubles."""
+    levels = struct.pack(f"={len(lamps)}d", *(lamp.level for lamp in lamps))
+    return b"".join([data.qpos.tobytes(), data.mocap_pos.tobytes(), data.mocap_quat.tobytes(), levels])
+
+
+def state_size(model: mujoco.MjModel, lamps: int = 0) -> int:
     """The number of doubles in `state_of`."""
-    return int(model.nq + 7 * model.nmocap)
+    return int(model.nq + 7 * model.nmocap + lamps)
 
 
 class Renderer(Protocol):
@@ -53,6 +61,21 @@ class Renderer(Protocol):
         """
         ...
 
+    def depths_from(
+        self,
+        data: mujoco.MjData,
+        position: NDArray[np.float64],
+        rotation: NDArray[np.float64],
+        spread: float,
+        size: int,
+    ) -> NDArray[np.float32] | None:
+        """What a lamp sees: depths along the x axis of a frame (x ahead, y left, z up), in metres; None if it cannot.
+
+        The picture is square, of at most `size` pixels across; `spread` is half its width at a distance of one. To be
+        called after `measure`.
+        """
+        ...
+
     def close(self) -> None:
         """Release all resources."""
         ...
@@ -60,12 +83,15 @@ class Renderer(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class SimulatedCamera:
-    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it."""
+    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it, `prefix` that of the robot's names."""
 
     setup: CameraSetup
     model: mujoco.MjModel
     number: int
     descriptor: int
+    prefix: str = ""
+    lamps: tuple[LampSetup, ...] = ()
+    time_of_day: TimeOfDay = TimeOfDay.DAY
 
     @property
     def descriptors(self) -> tuple[int, ...]:
@@ -85,6 +111,14 @@ class SimulatedCameraSession:
         self._model = camera.model
         self._data = mujoco.MjData(camera.model)
         self._state = StateReader(camera.descriptor)
+        self._number = camera.number
+        self._darkness: Darkness | None = None
+        if camera.time_of_day is not TimeOfDay.DAY:
+            from jauspy_sim.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
+
+            self._darkness = Darkness(camera.model, camera.prefix, camera.lamps, camera.time_of_day)
+            light_evenly(camera.model)
+        self._levels: list[float] = []
         self._renderer = _renderer(camera)
         self._fov = camera.setup.fov
 
@@ -109,11 +143,13 @@ class SimulatedCameraSession:
     ) -> Frame:
         """Render the world after the last step of the robot's process."""
         taken = self._update()
-        self._renderer.zoom(self._fov if fov is None else fov)
-        if distances:
+        fov = self._fov if fov is None else fov
+        self._renderer.zoom(fov)
+        if distances or self._darkness is not None:
             image, far = self._renderer.measure(self._data, width, height, thoroughly=thoroughly)
             image, far = _in_size(image, far, width, height)
-            return Frame(image, taken, distances=far)
+            light = 1.0 if self._darkness is None else self._light(self._darkness, far, fov, coarse=not thoroughly)
+            return Frame(image, taken, light, far if distances else None)
         return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
@@ -127,6 +163,19 @@ class SimulatedCameraSession:
         self._renderer.close()
         self._state.close()
 
+    def _light(
+        self, darkness: Darkness, distances: NDArray[np.float32], fov: float, *, coarse: bool
+    ) -> NDArray[np.float32]:
+        return darkness.light(
+            self._data,
+            self._number,
+            distances,
+            math.tan(fov / 2.0),
+            levels=self._levels,
+            source=self._renderer,
+            coarse=coarse,
+        )
+
     def _update(self) -> float:
         taken, numbers = self._state.read()
         self._place(np.frombuffer(numbers))
@@ -137,7 +186,9 @@ class SimulatedCameraSession:
         joints, bodies = model.nq, model.nq + 3 * model.nmocap
         data.qpos[:] = numbers[:joints]
         data.mocap_pos[:] = numbers[joints:bodies].reshape(-1, 3)
-        data.mocap_quat[:] = numbers[bodies:].reshape(-1, 4)
+        lamps = bodies + 4 * model.nmocap
+        data.mocap_quat[:] = numbers[bodies:lamps].reshape(-1, 4)
+        self._levels = numbers[lamps:].tolist()
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
@@ -167,20 +218,36 @@ def _renderer(camera: SimulatedCamera) -> Renderer:
 class SimulatedCameras:
     """The cameras of a robot with one shared memory; `prefix` is that of their names in the model."""
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, setups: Sequence[CameraSetup]) -> None:
-        self._data = data
-        self._shared = StateWriter(state_size(model)) if setups else None
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        prefix: str,
+        robot: RobotModel,
+        lamps: Sequence[Lamp] = (),
+    ) -> None:
+        self._data, self._lamps = data, lamps
+        self._shared = StateWriter(state_size(model, len(lamps))) if robot.cameras else None
         state = -1 if self._shared is None else self._shared.descriptor
+        shining = tuple(lamp.setup for lamp in lamps)
         self.cameras: Mapping[str, SimulatedCamera] = {
-            setup.name: SimulatedCamera(setup, model, int(model.camera(f"{prefix}{setup.name}").id), state)
-            for setup in setups
+            setup.name: SimulatedCamera(
+                setup,
+                model,
+                int(model.camera(f"{prefix}{setup.name}").id),
+                state,
+                prefix,
+                shining,
+                robot.time_of_day,
+            )
+            for setup in robot.cameras
         }
         self.show()
 
     def show(self) -> None:
         """Write the robot's state to the shared memory."""
         if self._shared is not None:
-            self._shared.write(state_of(self._data))
+            self._shared.write(state_of(self._data, self._lamps))
 
     def close(self) -> None:
         """Release the shared memory. May be called twice."""

@@ -15,6 +15,9 @@ from jauspy_sim.rays import MAX_DISTANCE
 MIN_DISTANCE: Final = 0.02
 """Near plane in metres: the gripper is close to the arm's camera."""
 
+LAMP_PLANES: Final = (0.04, 60.0)
+"""Near and far plane of what a lamp sees, in metres."""
+
 FILM_SAMPLES: Final = "film_samples"
 """A world with this number has thorough pictures made with so many samples of a pixel, and with shadows."""
 
@@ -78,6 +81,31 @@ class GlRenderer:
         upright = depth[::-1]  # 1 at the near plane, 0 at the far one
         along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
         return np.ascontiguousarray(image[::-1]), np.where(along < MAX_DISTANCE, along, np.float32(math.inf))
+
+    def depths_from(
+        self,
+        data: mujoco.MjData,  # noqa: ARG002 - the scene was made of it
+        position: NDArray[np.float64],
+        rotation: NDArray[np.float64],
+        spread: float,
+        size: int,
+    ) -> NDArray[np.float32] | None:
+        """As `Renderer.depths_from`, of the scene of the last picture."""
+        size = min(size, self._rect.width, self._rect.height)
+        near, far = LAMP_PLANES
+        for camera in self._scene.camera:
+            camera.pos, camera.forward, camera.up = position, rotation[:, 0], rotation[:, 2]
+            camera.frustum_center, camera.frustum_width = 0.0, near * spread
+            camera.frustum_bottom, camera.frustum_top = -near * spread, near * spread
+            camera.frustum_near, camera.frustum_far = near, far
+        skybox, self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX], 0
+        square, depth = mujoco.MjrRect(0, 0, size, size), np.empty((size, size), np.float32)
+        mujoco.mjr_render(square, self._scene, self._context)
+        mujoco.mjr_readPixels(None, depth, square, self._context)
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = skybox
+        upright = depth[::-1]
+        along: NDArray[np.float32] = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
+        return along
 
     def close(self) -> None:
         """Release the GL context. May be called twice."""

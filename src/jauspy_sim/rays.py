@@ -73,6 +73,17 @@ class RayRenderer:
         along = (far * -rays[:, 2]).astype(np.float32)
         return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
 
+    def depths_from(
+        self,
+        data: mujoco.MjData,  # noqa: ARG002
+        position: NDArray[np.float64],  # noqa: ARG002
+        rotation: NDArray[np.float64],  # noqa: ARG002
+        spread: float,  # noqa: ARG002
+        size: int,  # noqa: ARG002
+    ) -> NDArray[np.float32] | None:
+        """Return None: lamps cast no shadows here, since rays for them would take as long as those for the picture."""
+        return None
+
     def close(self) -> None:
         """Does nothing: it holds no resources."""
 

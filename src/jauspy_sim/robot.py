@@ -12,6 +12,7 @@ from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.lights import switched_lamps
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
@@ -53,7 +54,8 @@ class SimulatedRobot:
         }
         self._sensors = (*self._lidars.values(), *self._force_torque.values())
         self._update_sensors()
-        self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
+        self._lamps = switched_lamps(robot.lamps)
+        self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
@@ -98,8 +100,8 @@ class SimulatedRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis."""
-        return self._drive.optional_parts
+        """The optional parts of the chassis, and the lamps."""
+        return (*self._drive.optional_parts, *self._lamps)
 
     @property
     def time(self) -> float:

@@ -15,8 +15,10 @@ from jauspy.modules.camera_config import CameraConfig
 from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
+from jauspy.modules.light_config import LightConfig
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.lights import TimeOfDay
 from jauspy.platform.ranging import LidarSetup
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
@@ -285,6 +287,8 @@ class RobotConfig(StrictConfig):
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
+    time_of_day: TimeOfDay = TimeOfDay.DAY
+    """Of the world, as cameras see it: "day", "dusk" or "night"."""
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
     """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
@@ -307,6 +311,8 @@ class RobotConfig(StrictConfig):
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
+    lights: Annotated[tuple[LightConfig, ...], Field(max_length=8)] = ()
+    """Lamps of the robot."""
     video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
     """Networks and addresses into which any client may have video sent, beside its own machine."""
 
@@ -356,6 +362,7 @@ class RobotConfig(StrictConfig):
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
+        self._check_lights()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError(
                 "modules: none has the service Discovery; without it the robot cannot be discovered; add it to services"
@@ -438,6 +445,11 @@ class RobotConfig(StrictConfig):
                 raise ValueError(f"modules: a CM-VIS names the camera {name!r}, which is not there; there are: {known}")
             if taken.count(name) > 1:
                 raise ValueError(f"modules: the camera {name!r} has two CM-VIS; one controls its stream")
+
+    def _check_lights(self) -> None:
+        names = [light.name for light in self.lights]
+        if len(set(names)) < len(names):
+            raise ValueError(f"lights: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
 
     @property
     def movers(self) -> Mapping[int, str]:

@@ -136,7 +136,12 @@ def robot_model(config: RobotConfig) -> RobotModel:
     tracks = config.tracks.setup() if config.tracks else None
     setup = cell.setup() if cell else None
     drives = _can_setup(config.can, description, tracks, groups) if config.can else None
-    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup, drives)
+    lamps = tuple(light.setup() for light in config.lights)
+    for number, lamp in enumerate(lamps):
+        _check_link(f"lights[{number}].link", lamp.link, description)
+    return RobotModel(
+        description, tracks, groups, lidars, cameras, force_torque, setup, drives, lamps, config.time_of_day
+    )
 
 
 def _can_setup(

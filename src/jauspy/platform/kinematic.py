@@ -18,6 +18,7 @@ from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
+from jauspy.platform.lights import switched_lamps
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
 
@@ -57,6 +58,7 @@ class KinematicRobot:
         self._drive = self._tracked or FixedBase()
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
+        self._lamps = switched_lamps(robot.lamps)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
         self._force_torque = {
             setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
@@ -92,8 +94,8 @@ class KinematicRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis."""
-        return self._drive.optional_parts
+        """The optional parts of the chassis, and the lamps, whose light its cameras do not show."""
+        return (*self._drive.optional_parts, *self._lamps)
 
     @property
     def time(self) -> float:
