@@ -96,9 +96,9 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, default=URDF, metavar="FOLDER")
     folder = parser.parse_args().output
     (folder / "meshes").mkdir(parents=True, exist_ok=True)
+    made = looks(read())
     for old in (folder / "meshes").glob("*.obj"):
         old.unlink()
-    made = looks(read())
     sizes = []
     for link, look in made.items():
         for material, mesh in look.items():

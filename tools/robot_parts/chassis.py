@@ -290,12 +290,12 @@ def front(size: Dimensions) -> Look:
 def camera_bracket(size: Dimensions) -> Look:
     """What carries the pan axis."""
     x, _, z = size.camera
-    post = box((0.022, 0.040, z - 0.018 - (size.deck - 0.075)), 0.004).at(
-        x - 0.016, 0.0, (z - 0.018 + size.deck - 0.075) / 2.0
-    )
+    low, high = size.idler_z + 0.030, z - 0.018
+    foot = box((0.050, 0.060, 0.020), 0.004).at(x - 0.028, 0.0, low + 0.006)
+    post = box((0.022, 0.040, high - low), 0.004).at(x - 0.016, 0.0, (low + high) / 2.0)
     table = extruded(round_rectangle(0.056, 0.056, 0.012), z - 0.022, z - 0.017, 0.0012).at(x)
     ring = pin(z - 0.030, z - 0.021, 0.020).at(x)
-    return {"dark": joined([post, table, ring])}
+    return {"dark": joined([foot, post, table, ring])}
 
 
 def lidar_mast(size: Dimensions) -> Look:

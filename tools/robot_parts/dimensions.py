@@ -8,8 +8,8 @@ from typing import TypeAlias
 
 from lxml import etree
 
-from jauspy.geometry.urdf import RobotDescription
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.geometry.urdf import RobotDescription, parse_urdf
+from jauspy.modules.xacro_files import expand
 from mesh_shapes import Mesh, Vector
 
 Look: TypeAlias = dict[str, Mesh]
@@ -42,7 +42,7 @@ class Dimensions:
 
 def read() -> Dimensions:
     """Those of the robot as it is: its belts run around the cylinders that collide."""
-    robot = robot_model(load("inc1")).description
+    robot = parse_urdf(expand(str(URDF / "inc1.urdf.xacro")))
     idler, flipper = _cylinder(robot, "left_track"), _cylinder(robot, "left_flipper")
     return Dimensions(
         idler_radius=idler[0],
