@@ -9,7 +9,8 @@ import pytest
 
 from jauspy.modules.robot_files import load, robot_model
 from jauspy_sim import rays
-from jauspy_sim.assembly import VISUAL, build
+from jauspy_sim.assembly import build
+from jauspy_sim.groups import VISUAL
 
 ASSETS = files("jauspy_sim") / "worlds" / "assets"
 

@@ -16,6 +16,7 @@ from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
 from jauspy.modules.light_config import LightConfig
+from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.lights import TimeOfDay
@@ -283,6 +284,8 @@ class RobotConfig(StrictConfig):
     package_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
     """Directories in which the packages of `package://` and `$(find ...)` are searched before those of ROS; relative
     ones start at the TOML file."""
+    xacro_arguments: Mapping[Name, str] = Field(default_factory=dict)
+    """The arguments of a xacro file, which `$(arg NAME)` is replaced by."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
@@ -300,6 +303,7 @@ class RobotConfig(StrictConfig):
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded; a relative path starts at the TOML file."""
     modules: tuple[ModuleConfig, ...]
+    localization: LocalizationConfig = LocalizationConfig()
     tracks: TracksConfig | None = None
     """Without tracks the base is fixed to the world."""
     cell: CellConfig | None = None
@@ -362,6 +366,8 @@ class RobotConfig(StrictConfig):
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
+        if self.origin is None and isinstance(self.localization.gnss, GnssConfig):
+            raise ValueError(f"localization.gnss: needs {catalogue.ORIGIN}, from which its positions are counted")
         self._check_lights()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError(
