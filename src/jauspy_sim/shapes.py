@@ -257,8 +257,6 @@ class ShapeBuilder:
             return name
         mesh.uservert, mesh.userface = vertices.ravel(), faces.ravel()
         if part.normals is not None:
-            mesh.usernormal, mesh.userfacenormal = (part.normals / factors).ravel(), faces.ravel()
-        if part.normals is not None:
             normals = part.normals / factors
             mesh.usernormal = (normals / np.linalg.norm(normals, axis=1, keepdims=True)).ravel()
             mesh.userfacenormal = faces.ravel()
