@@ -18,6 +18,7 @@ from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
+from jauspy_sim.layered_lidar import LayeredLidar
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
 
 SETTLING_STEPS: Final = 250
@@ -50,7 +51,12 @@ class SimulatedRobot:
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
-        self._lidars = {setup.name: simulated_lidar(model, data, name_prefix, setup) for setup in robot.lidars}
+        self._lidars = {
+            setup.name: LayeredLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
+            if setup.layers > 1
+            else simulated_lidar(model, data, name_prefix, setup)
+            for setup in robot.lidars
+        }
         self._force_torque = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
