@@ -12,7 +12,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, Quality
 from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
 from jauspy.platform.shared_state import StateReader, StateWriter
@@ -42,6 +42,10 @@ class Renderer(Protocol):
     @property
     def description(self) -> str:
         """How it renders, for the log."""
+        ...
+
+    def simplify(self) -> bool:
+        """Render at the next lower quality; False at the lowest."""
         ...
 
     def zoom(self, fov: float) -> None:
@@ -92,6 +96,7 @@ class SimulatedCamera:
     prefix: str = ""
     lamps: tuple[LampSetup, ...] = ()
     time_of_day: TimeOfDay = TimeOfDay.DAY
+    quality: Quality = Quality.LOW
 
     @property
     def descriptors(self) -> tuple[int, ...]:
@@ -129,8 +134,12 @@ class SimulatedCameraSession:
 
     @property
     def reduced(self) -> bool:
-        """True with ray casting, which uses fewer rays than pixels."""
-        return isinstance(self._renderer, RayRenderer)
+        """True with ray casting, which uses fewer rays than pixels, and after `simplify`."""
+        return not isinstance(self._renderer, GlRenderer) or self._renderer.is_simplified
+
+    def simplify(self) -> bool:
+        """Leave out smooth edges, and then shadows; False without either."""
+        return self._renderer.simplify()
 
     def look(
         self,
@@ -209,7 +218,7 @@ def _renderer(camera: SimulatedCamera) -> Renderer:
     way = choose_gl()
     if way is not None:
         try:
-            return GlRenderer(camera.model, camera.number, camera.setup.fov, way)
+            return GlRenderer(camera.model, camera.number, camera.setup.fov, way, camera.quality)
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
             logger.warning("%s does not work here: %s", way, error)
     return RayRenderer(camera.model, camera.number, camera.setup.fov)
@@ -239,6 +248,7 @@ class SimulatedCameras:
                 prefix,
                 shining,
                 robot.time_of_day,
+                robot.quality,
             )
             for setup in robot.cameras
         }

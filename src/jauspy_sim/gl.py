@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.platform.camera import Quality
 from jauspy_sim.rays import MAX_DISTANCE
 
 MIN_DISTANCE: Final = 0.02
@@ -17,6 +18,9 @@ MIN_DISTANCE: Final = 0.02
 
 LAMP_PLANES: Final = (0.04, 60.0)
 """Near and far plane of what a lamp sees, in metres."""
+
+QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1024), Quality.HIGH: (4, 2048)}
+"""Samples for each pixel, and pixels across the picture that the sun sees."""
 
 FILM_SAMPLES: Final = "film_samples"
 """A world with this number has thorough pictures made with so many samples of a pixel, and with shadows."""
@@ -26,28 +30,55 @@ MAX_GEOMS: Final = 10_000
 
 
 class GlRenderer:
-    """A `Renderer` without shadows and anti-aliasing, which would halve its speed; worlds may ask for thorough ones.
+    """A `Renderer`. Worlds may ask for thorough pictures at a quality of their own.
 
     Raises when GL does not work after all, and then as any of several exceptions.
     """
 
-    def __init__(self, model: mujoco.MjModel, camera: int, fov: float, gl_backend: str) -> None:
-        self.description = f"renders with {gl_backend.upper()}"
+    def __init__(
+        self, model: mujoco.MjModel, camera: int, fov: float, gl_backend: str, quality: Quality = Quality.LOW
+    ) -> None:
+        self._name, self._quality, self._too_slow = gl_backend.upper(), quality, False
         self._model = model
         self._spread = math.tan(fov / 2.0)
         self._view = mujoco.MjvCamera()
         self._view.type, self._view.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, camera
         self._options = mujoco.MjvOption()
         self._scene = mujoco.MjvScene(model, maxgeom=MAX_GEOMS)
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
+        self._film_shadows = int(model.vis.quality.shadowsize)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
         model.vis.map.znear = MIN_DISTANCE / model.stat.extent
         self._gl = import_module(f"mujoco.{gl_backend}").GLContext(64, 64)
         self._gl.make_current()
         self._samples = _film_samples(model)
-        self._context = self._make_context(0)
+        self._context = self._make_context(*QUALITIES[quality])
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
+        self._cast_shadows(quality is not Quality.LOW)
+
+    @property
+    def description(self) -> str:
+        """The GL library, and the quality if it was lowered."""
+        how = "without shadows" if self._quality is Quality.LOW else "with coarser shadows and without smooth edges"
+        return f"renders with {self._name}" + (f", {how}: better pictures take too long here" if self._too_slow else "")
+
+    @property
+    def is_simplified(self) -> bool:
+        """True after `simplify`."""
+        return self._too_slow
+
+    def simplify(self) -> bool:
+        """Render at the next lower quality; False at the lowest."""
+        if self._quality is Quality.LOW:
+            return False
+        self._be_thorough(thoroughly=False)
+        self._quality = Quality.LOW if self._quality is Quality.MEDIUM else Quality.MEDIUM
+        self._too_slow = True
+        self._context.free()
+        self._context = self._make_context(*QUALITIES[self._quality])
+        self._rect = mujoco.MjrRect(0, 0, 0, 0)
+        self._cast_shadows(self._quality is not Quality.LOW)
+        return True
 
     def zoom(self, fov: float) -> None:
         """Take this horizontal field of view, in radians."""
@@ -124,20 +155,20 @@ class GlRenderer:
         mujoco.mjr_render(self._rect, self._scene, self._context)
 
     def _be_thorough(self, thoroughly: bool) -> None:
-        """Change to shadows and smooth edges, or back; the context for these is made when it is needed first."""
+        """Change to the quality of films, or back; the context for it is made when it is needed first."""
         if thoroughly is self._thorough:
             return
-        if self._samples == 1:
-            self._thorough = thoroughly
-            self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(thoroughly)
-            return
-        other = self._other or self._make_context(self._samples if thoroughly else 0)
+        other = self._other or self._make_context(self._samples if self._samples > 1 else 0, self._film_shadows)
         self._context, self._other, self._thorough = other, self._context, thoroughly
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(thoroughly)
+        self._cast_shadows(thoroughly or self._quality is not Quality.LOW)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
 
-    def _make_context(self, samples: int) -> mujoco.MjrContext:
+    def _cast_shadows(self, wanted: bool) -> None:
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(wanted)
+
+    def _make_context(self, samples: int, shadows: int) -> mujoco.MjrContext:
         self._model.vis.quality.offsamples = samples
+        self._model.vis.quality.shadowsize = shadows
         context = mujoco.MjrContext(self._model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
         context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
         return context

@@ -16,6 +16,7 @@ from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
 from jauspy.modules.light_config import LightConfig
+from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.lights import TimeOfDay
@@ -289,6 +290,8 @@ class RobotConfig(StrictConfig):
     world: Name = "empty"
     time_of_day: TimeOfDay = TimeOfDay.DAY
     """Of the world, as cameras see it: "day", "dusk" or "night"."""
+    quality: Quality = Quality.MEDIUM
+    """Of simulated pictures: "low" (no shadows), "medium", "high" (also smooth edges)."""
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
     """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None

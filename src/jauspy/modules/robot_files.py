@@ -140,7 +140,17 @@ def robot_model(config: RobotConfig) -> RobotModel:
     for number, lamp in enumerate(lamps):
         _check_link(f"lights[{number}].link", lamp.link, description)
     return RobotModel(
-        description, tracks, groups, lidars, cameras, force_torque, setup, drives, lamps, config.time_of_day
+        description,
+        tracks,
+        groups,
+        lidars,
+        cameras,
+        force_torque,
+        setup,
+        drives,
+        lamps,
+        config.time_of_day,
+        config.quality,
     )
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from jauspy.platform.imaging import IDEAL, ImagingSetup
@@ -15,6 +16,14 @@ if TYPE_CHECKING:
     """Rows of pixels from top to bottom: red, green, blue; shape (height, width, 3)."""
     Distances: TypeAlias = NDArray[np.float32]
     """Depth of each pixel along the camera's x axis, in metres; inf where nothing is; shape (height, width)."""
+
+
+class Quality(Enum):
+    """How pictures are rendered: without shadows, with shadows, or with finer shadows and smooth edges."""
+
+    LOW = "low"
+    MEDIUM = "medium"
+    HIGH = "high"
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +72,10 @@ class CameraSession(Protocol):
     @property
     def reduced(self) -> bool:
         """True if pictures are of lower quality than on other machines; the description says why."""
+        ...
+
+    def simplify(self) -> bool:
+        """Render at the next lower quality, because pictures take too long; False if there is none."""
         ...
 
     def look(

@@ -74,6 +74,10 @@ class FloorCameraSession:
         self._palette = numpy.array(_palette(), numpy.uint8)
         self._state = StateReader(camera.descriptor)
 
+    def simplify(self) -> bool:
+        """Return False: there is one quality."""
+        return False
+
     def look(
         self,
         width: int,
