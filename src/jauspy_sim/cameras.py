@@ -6,20 +6,32 @@ import math
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector
 from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, Quality
 from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
+from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
 from jauspy_sim.assembly import logger, redirect_warnings
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
+from jauspy_sim.sensors import cast_rays
+
+_MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+"""Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""
+
+WALL_MARGIN: Final = 0.15
+"""Metres that an outside camera keeps from what would hide the robot."""
+MIN_AWAY: Final = 0.6
+"""Metres that it keeps from the robot."""
 
 if TYPE_CHECKING:
     from jauspy_sim.lamps import Darkness
@@ -97,6 +109,8 @@ class SimulatedCamera:
     lamps: tuple[LampSetup, ...] = ()
     time_of_day: TimeOfDay = TimeOfDay.DAY
     quality: Quality = Quality.LOW
+    base: int = 0
+    """The robot's root body, for cameras outside of it."""
 
     @property
     def descriptors(self) -> tuple[int, ...]:
@@ -124,6 +138,8 @@ class SimulatedCameraSession:
             self._darkness = Darkness(camera.model, camera.prefix, camera.lamps, camera.time_of_day)
             light_evenly(camera.model)
         self._levels: list[float] = []
+        self._base = camera.base
+        self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
         self._renderer = _renderer(camera)
         self._fov = camera.setup.fov
 
@@ -188,7 +204,30 @@ class SimulatedCameraSession:
     def _update(self) -> float:
         taken, numbers = self._state.read()
         self._place(np.frombuffer(numbers))
+        if self._outside is not None:
+            self._look_from_outside(self._outside, taken)
         return taken
+
+    def _look_from_outside(self, view: OutsideView, now: float) -> None:
+        """Put the camera in its place, or nearer to the robot if something hides the robot from there."""
+        data = self._data
+        x, y, z = data.xpos[self._base].tolist()
+        first, second, third = ((a, b, c) for a, b, c in data.xmat[self._base].reshape(3, 3).tolist())
+        position, target = view.ends(now, Transform((first, second, third), (x, y, z)))
+        if view.follows:
+            position = self._unhidden(position, target)
+        frame = looking(position, target)
+        data.cam_xpos[self._number] = frame.position
+        # The columns are right, up and back.
+        data.cam_xmat[self._number] = (np.array(frame.rotation) @ _MUJOCO_AXES).ravel()
+
+    def _unhidden(self, position: Vector, target: Vector) -> Vector:
+        start, way = np.array(target), np.array(position) - np.array(target)
+        far = float(np.linalg.norm(way))
+        found = float(cast_rays(self._model, self._data, start, way[None, :] / far)[0])
+        near = max(min(far, found - WALL_MARGIN), MIN_AWAY)
+        x, y, z = (start + way * (near / far)).tolist()
+        return x, y, z
 
     def _place(self, numbers: NDArray[np.float64]) -> None:
         model, data = self._model, self._data
@@ -249,6 +288,7 @@ class SimulatedCameras:
                 shining,
                 robot.time_of_day,
                 robot.quality,
+                int(model.body(f"{prefix}{robot.description.root()}").id),
             )
             for setup in robot.cameras
         }

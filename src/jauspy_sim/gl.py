@@ -19,8 +19,13 @@ MIN_DISTANCE: Final = 0.02
 LAMP_PLANES: Final = (0.04, 60.0)
 """Near and far plane of what a lamp sees, in metres."""
 
-QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1024), Quality.HIGH: (4, 2048)}
+QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1536), Quality.HIGH: (4, 2048)}
 """Samples for each pixel, and pixels across the picture that the sun sees."""
+
+SHADOW_RADIUS: Final = 4.0
+"""Metres around a point before the camera in which things cast shadows, except in films."""
+SHADOW_AHEAD: Final = 2.2
+"""Metres from the camera to that point."""
 
 FILM_SAMPLES: Final = "film_samples"
 """A world with this number has thorough pictures made with so many samples of a pixel, and with shadows."""
@@ -45,7 +50,8 @@ class GlRenderer:
         self._view.type, self._view.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, camera
         self._options = mujoco.MjvOption()
         self._scene = mujoco.MjvScene(model, maxgeom=MAX_GEOMS)
-        self._film_shadows = int(model.vis.quality.shadowsize)
+        self._suns = np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL)
+        self._film_shadows = int(model.vis.quality.shadowsize), float(model.vis.map.shadowclip)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
         model.vis.map.znear = MIN_DISTANCE / model.stat.extent
         self._gl = import_module(f"mujoco.{gl_backend}").GLContext(64, 64)
@@ -146,6 +152,8 @@ class GlRenderer:
         self._gl.free()
 
     def _render(self, data: mujoco.MjData, width: int, height: int) -> None:
+        if not self._thorough:
+            self._aim_suns(data)
         if (width, height) != (self._rect.width, self._rect.height):
             self._resize(width, height)
         fovy = math.degrees(2.0 * math.atan(self._spread * height / width))
@@ -154,11 +162,21 @@ class GlRenderer:
         mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
         mujoco.mjr_render(self._rect, self._scene, self._context)
 
+    def _aim_suns(self, data: mujoco.MjData) -> None:
+        """Have what directional lights see, of `SHADOW_RADIUS`, lie around what the camera sees nearby.
+
+        Else the shadows of the whole world would share the pixels, and be coarse.
+        """
+        axes = data.cam_xmat[self._view.fixedcamid].reshape(3, 3)
+        centre = data.cam_xpos[self._view.fixedcamid] - SHADOW_AHEAD * axes[:, 2]
+        for sun in self._suns:
+            data.light_xpos[sun] = centre - 2.0 * SHADOW_RADIUS * data.light_xdir[sun]
+
     def _be_thorough(self, thoroughly: bool) -> None:
         """Change to the quality of films, or back; the context for it is made when it is needed first."""
         if thoroughly is self._thorough:
             return
-        other = self._other or self._make_context(self._samples if self._samples > 1 else 0, self._film_shadows)
+        other = self._other or self._make_context(self._samples if self._samples > 1 else 0, *self._film_shadows)
         self._context, self._other, self._thorough = other, self._context, thoroughly
         self._cast_shadows(thoroughly or self._quality is not Quality.LOW)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
@@ -166,9 +184,10 @@ class GlRenderer:
     def _cast_shadows(self, wanted: bool) -> None:
         self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(wanted)
 
-    def _make_context(self, samples: int, shadows: int) -> mujoco.MjrContext:
+    def _make_context(self, samples: int, shadows: int, clip: float | None = None) -> mujoco.MjrContext:
         self._model.vis.quality.offsamples = samples
         self._model.vis.quality.shadowsize = shadows
+        self._model.vis.map.shadowclip = SHADOW_RADIUS / self._model.stat.extent if clip is None else clip
         context = mujoco.MjrContext(self._model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
         context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
         return context

@@ -7,6 +7,7 @@ from enum import Enum
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from jauspy.platform.imaging import IDEAL, ImagingSetup
+from jauspy.platform.outside_view import OutsideSetup
 
 if TYPE_CHECKING:
     import numpy as np
@@ -28,14 +29,17 @@ class Quality(Enum):
 
 @dataclass(frozen=True, slots=True)
 class CameraSetup:
-    """A camera of a robot: it looks along its link's x axis, z is up."""
+    """A camera of a robot: it looks along its link's x axis, z is up; or one outside of it."""
 
     name: str
     link: str
+    """Empty for a camera outside of the robot."""
     fov: float
     """Horizontal field of view, in radians; the widest of a camera that zooms."""
     imaging: ImagingSetup = IDEAL
     """Limits and faults of its lens and sensor."""
+    outside: OutsideSetup | None = None
+    """Where a camera outside of the robot is."""
 
 
 @dataclass(frozen=True, slots=True)
