@@ -16,7 +16,8 @@ from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
-from jauspy_sim.urdf import urdf_spec
+from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
@@ -29,10 +30,6 @@ TIMESTEP: Final = 0.002
 
 ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 """Armature of a joint as a fraction of its maximal effort: the reflected inertia of geared rotors."""
-
-VISUAL: Final = 1
-COLLISION: Final = 3
-"""Geometry groups of a robot: MuJoCo draws the first and hides the second. A world's geometries are in group 0."""
 
 
 def prefix(robot: str) -> str:
@@ -57,7 +54,7 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     for joint in robot.description.joints.values():
         _dynamics(spec, joint)
     if (tracks := robot.tracks) is not None:
-        spec.body(robot.description.root()).add_freejoint(name="base")
+        spec.body(body_name(robot.description.root())).add_freejoint(name="base")
         for belt in tracks.left + tracks.right:
             _belt(spec, robot.description.joint(belt), tracks)
     for link, coefficient in robot.description.friction.items():
@@ -100,13 +97,14 @@ def _belt(spec: mujoco.MjSpec, joint: Joint, tracks: TrackSetup) -> None:
 
 
 def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
-    for geom in spec.body(link).geoms:
+    for geom in spec.body(body_name(link)).geoms:
         geom.friction = (coefficient, *geom.friction[1:])
 
 
 def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     """MuJoCo's cameras look along -z with y up; the frame of a link looks along x with z up."""
-    carrier = spec.worldbody if camera.outside else spec.body(camera.link)  # one outside is placed for each picture
+    # one outside of the robot is placed for each picture
+    carrier = spec.worldbody if camera.outside else spec.body(body_name(camera.link))
     added = carrier.add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
     added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
@@ -120,7 +118,7 @@ def _same_shape(present: float | Sequence[float], value: float) -> float | tuple
 
 def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
     """Add a sensor between a link and the link that carries it."""
-    spec.body(setup.link).add_site(name=setup.name)
+    spec.body(body_name(setup.link)).add_site(name=setup.name)
     for kind, type_ in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
         spec.add_sensor(name=f"{setup.name}_{kind}", type=type_, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=setup.name)
 

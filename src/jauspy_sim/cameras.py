@@ -24,6 +24,7 @@ from jauspy_sim.backend import choose_gl
 from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
 from jauspy_sim.sensors import cast_rays
+from jauspy_sim.urdf import body_name
 
 _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""
@@ -288,7 +289,7 @@ class SimulatedCameras:
                 shining,
                 robot.time_of_day,
                 robot.quality,
-                int(model.body(f"{prefix}{robot.description.root()}").id),
+                int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
             )
             for setup in robot.cameras
         }

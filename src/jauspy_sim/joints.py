@@ -120,7 +120,7 @@ class TrackedDrive(SkidSteerDrive):
         super().__init__()
         self._model = model
         self._data = data
-        self._qpos = view(data.qpos)
+        self._qpos, self._qvel = view(data.qpos), view(data.qvel)
         base = model.joint(f"{prefix}base")
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
@@ -155,6 +155,10 @@ class TrackedDrive(SkidSteerDrive):
         mujoco.mju_quat2Mat(rotation, self._data.qpos[self._base_position][3:])
         linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
         return Twist(*linear.tolist(), *velocity[3:].tolist())
+
+    def track_speeds(self) -> tuple[float, float]:
+        """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""
+        return -self._qvel[self._belt_dofs[0]], -self._qvel[self._belt_dofs[self._lefts]]
 
     def reset_belts(self) -> None:
         """Reset the belts to position zero, so that only their surface speed acts."""

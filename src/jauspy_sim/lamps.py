@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.lights import DAYLIGHT, LampSetup, TimeOfDay
+from jauspy_sim.urdf import body_name
 
 if TYPE_CHECKING:
     from jauspy_sim.cameras import Renderer
@@ -185,7 +186,7 @@ def _seen(ahead: Floats, left: Floats, up: Floats, facing: Floats, shadow: tuple
 def _beam(model: mujoco.MjModel, prefix: str, lamp: LampSetup) -> _Beam:
     down = lamp.tilt
     turn = np.array([[math.cos(down), 0.0, math.sin(down)], [0.0, 1.0, 0.0], [-math.sin(down), 0.0, math.cos(down)]])
-    body = int(model.body(f"{prefix}{lamp.link}").id)
+    body = int(model.body(f"{prefix}{body_name(lamp.link)}").id)
     return _Beam(body, np.array(lamp.position), turn, lamp.intensity, lamp.cone / 2.0, casts_shadow=True)
 
 

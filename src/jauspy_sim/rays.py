@@ -9,8 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.assembly import VISUAL
-from jauspy_sim.world_files import RAY_MESHES
+from jauspy_sim.groups import RAY_MESHES, VISUAL
 
 DEFAULT_SKY_COLOUR: Final = (150, 190, 230)
 """Red, green, blue of the sky of a world without a sky box."""

@@ -8,15 +8,17 @@ from typing import Final
 
 import mujoco
 
-from jauspy.platform.chassis import FixedBase
+from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, chassis_of
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.lights import switched_lamps
+from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
+from jauspy_sim.layered_lidar import LayeredLidar
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
 
 SETTLING_STEPS: Final = 250
@@ -38,21 +40,31 @@ class SimulatedRobot:
         name_prefix = prefix(robot.description.name)
         self._tracked = TrackedDrive(model, data, name_prefix, robot.tracks) if robot.tracks else None
         self._drive = self._tracked or FixedBase()
+        self._localizer: Localizer | None = None
         self._groups = {
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
         }
         self._every = math.gcd(MAX_STEPS_AT_ONCE, *(group.every for group in self._groups.values()))
-        self._sensors: tuple[Scanner | SampledForceTorque, ...] = ()
+        self._sensors: tuple[Scanner | SampledForceTorque | Localizer, ...] = ()
         mujoco.mj_forward(model, data)
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
-        self._lidars = {setup.name: simulated_lidar(model, data, name_prefix, setup) for setup in robot.lidars}
+        self._lidars = {
+            setup.name: LayeredLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
+            if setup.layers > 1
+            else simulated_lidar(model, data, name_prefix, setup)
+            for setup in robot.lidars
+        }
         self._force_torque = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
-        self._sensors = (*self._lidars.values(), *self._force_torque.values())
+        if self._tracked is not None and not robot.localization.is_exact(default=False):
+            self._tracked.slip_width = SLIP_FACTOR * chassis_of(robot).track_separation
+            self._localizer = Localizer(robot.localization, self._tracked)
+        located = () if self._localizer is None else (self._localizer,)
+        self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
         self._update_sensors()
         self._lamps = switched_lamps(robot.lamps)
         self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps)
@@ -100,8 +112,9 @@ class SimulatedRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis, and the lamps."""
-        return (*self._drive.optional_parts, *self._lamps)
+        """The optional parts of the chassis, the localisation unless the pose is exact, and the lamps."""
+        located = () if self._localizer is None else (self._localizer,)
+        return (*self._drive.optional_parts, *located, *self._lamps)
 
     @property
     def time(self) -> float:

@@ -21,7 +21,7 @@ from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
 from jauspy.modules.robot_files import load, robot_model
-from jauspy_sim.assembly import COLLISION, VISUAL
+from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 
 TOUR = ((2.2, 0.0), (2.4, -2.2), (0.0, -2.0), (-2.0, -1.8), (-2.0, 1.8), (0.0, 2.5), (2.2, 2.5), (1.0, 1.0), (0.0, 0.0))

@@ -53,7 +53,7 @@ def test_measures_use_start_positions() -> None:
 
 def test_invalid_mass_error_names_the_link() -> None:
     broken = RobotDescription("x", URDF.replace('value="3"', 'value="heavy"'), parse_urdf(URDF).joints)
-    with pytest.raises(ConfigError, match="'base': 'heavy' is not 1 finite number"):
+    with pytest.raises(ConfigError, match="line 4: <mass value='heavy'>: 'heavy' is not 1 finite number"):
         measure(RobotModel(broken, TrackSetup((), (), 0.0)))
 
 

@@ -100,8 +100,8 @@ def up(
         list[str] | None,
         typer.Option(
             "--cloud",
-            metavar="[CAMERA=]ADDRESS",
-            help="Publish the point clouds of the lidars, or of a depth camera, at an address such as "
+            metavar="[SOURCE=]ADDRESS",
+            help="Publish the point clouds of all lidars, or of one lidar or depth camera, at an address such as "
             "tcp://127.0.0.1:5565; "
             "may be repeated.",
         ),

@@ -15,7 +15,7 @@ from pydantic_core import ErrorDetails
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, parse_urdf
+from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
 from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
@@ -112,7 +112,7 @@ MAX_AXIS_COSINE: Final = 1e-3
 
 def robot_model(config: RobotConfig) -> RobotModel:
     """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
-    description = _read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))))
+    description = read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))), config.xacro_arguments)
     if config.tracks is not None:
         _check_tracks(config.tracks, description)
     for name, group in config.groups.items():
@@ -139,6 +139,7 @@ def robot_model(config: RobotConfig) -> RobotModel:
     tracks = config.tracks.setup() if config.tracks else None
     setup = cell.setup() if cell else None
     drives = _can_setup(config.can, description, tracks, groups) if config.can else None
+    localization = config.localization.setup(has_origin=config.origin is not None)
     lamps = tuple(light.setup() for light in config.lights)
     for number, lamp in enumerate(lamps):
         _check_link(f"lights[{number}].link", lamp.link, description)
@@ -149,11 +150,12 @@ def robot_model(config: RobotConfig) -> RobotModel:
         lidars,
         cameras,
         force_torque,
-        setup,
-        drives,
-        lamps,
-        config.time_of_day,
-        config.quality,
+        cell=setup,
+        can=drives,
+        lamps=lamps,
+        time_of_day=config.time_of_day,
+        localization=localization,
+        quality=config.quality,
     )
 
 
@@ -167,22 +169,29 @@ def _can_setup(
         return str(error)
 
 
-def _read_urdf(path: str, packages: PackagePaths) -> RobotDescription:
-    text = expand(path)
+def read_urdf(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None) -> RobotDescription:
+    """The robot of a URDF or xacro file, with the paths of its meshes on this machine.
+
+    Raises `ConfigError` with file and line.
+    """
+    text = expand(path, packages, arguments, with_places=True)
     try:
-        parse_urdf(text)
-        return parse_urdf(_with_absolute_paths(text, Path(path), packages))
+        root = parse_tree(text)
+        for element in root.iter("mesh", "texture"):
+            if name := element.get("filename"):
+                element.set("filename", str(_found(element, name, Path(path), packages)))
+        return parse_urdf(etree.tostring(root, encoding="unicode"))
     except ConfigError as error:
-        raise ConfigError(f"urdf: {path}: {error}") from error
+        text = str(error)
+        own = f"{Path(path).name}:"
+        raise ConfigError(f"urdf: {path}" + (text[len(own) - 1 :] if text.startswith(own) else f": {text}")) from error
 
 
-def _with_absolute_paths(text: str, path: Path, packages: PackagePaths) -> str:
-    """The URDF with the paths of its meshes and textures on this machine."""
-    root = etree.fromstring(text.encode())
-    for element in root.iter("mesh", "texture"):
-        if name := element.get("filename"):
-            element.set("filename", str(packages.file(name, path).absolute()))
-    return etree.tostring(root, encoding="unicode")
+def _found(element: Element, name: str, path: Path, packages: PackagePaths) -> Path:
+    try:
+        return packages.file(name, path).absolute()
+    except ConfigError as error:
+        raise ConfigError(f"{place(element)}: <{element.tag}>: {error}") from error
 
 
 def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
@@ -239,6 +248,8 @@ def check_motor(key: str, joint: Joint) -> None:
         raise ConfigError(
             f'{key}: the joint {joint.name!r} needs <limit effort="..." velocity="..."> above zero in the URDF, '
             f"and has effort {joint.effort:g} and velocity {joint.velocity:g}"
+            + (f" at {joint.place}" if joint.place else "")
+            + "; or give effort and velocity of that joint in the TOML file"
         )
 
 
