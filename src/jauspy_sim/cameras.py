@@ -19,7 +19,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
 from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
-from jauspy_sim.assembly import logger, redirect_warnings
+from jauspy_sim.assembly import DrawnModel, logger, redirect_warnings
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
@@ -100,7 +100,10 @@ class Renderer(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class SimulatedCamera:
-    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it, `prefix` that of the robot's names."""
+    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it, `prefix` that of the robot's names.
+
+    GL shows `drawn` in its place, if there is one; rays are cast at the simple shapes of `model`.
+    """
 
     setup: CameraSetup
     model: mujoco.MjModel
@@ -112,6 +115,7 @@ class SimulatedCamera:
     quality: Quality = Quality.LOW
     base: int = 0
     """The robot's root body, for cameras outside of it."""
+    drawn: DrawnModel | None = None
 
     @property
     def descriptors(self) -> tuple[int, ...]:
@@ -128,20 +132,19 @@ class SimulatedCameraSession:
     """A `CameraSession`."""
 
     def __init__(self, camera: SimulatedCamera) -> None:
-        self._model = camera.model
-        self._data = mujoco.MjData(camera.model)
         self._state = StateReader(camera.descriptor)
         self._number = camera.number
+        self._levels: list[float] = []
+        self._renderer, self._model = _renderer(camera)
+        self._data = mujoco.MjData(self._model)
         self._darkness: Darkness | None = None
         if camera.time_of_day is not TimeOfDay.DAY:
             from jauspy_sim.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
 
-            self._darkness = Darkness(camera.model, camera.prefix, camera.lamps, camera.time_of_day)
-            light_evenly(camera.model)
-        self._levels: list[float] = []
+            self._darkness = Darkness(self._model, camera.prefix, camera.lamps, camera.time_of_day)
+            light_evenly(self._model)
         self._base = camera.base
         self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
-        self._renderer = _renderer(camera)
         self._fov = camera.setup.fov
 
     @property
@@ -254,14 +257,16 @@ def _in_size(
     return np.ascontiguousarray(image[down][:, across]), np.ascontiguousarray(distances[down][:, across])
 
 
-def _renderer(camera: SimulatedCamera) -> Renderer:
+def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
+    """The best renderer that works here, and the model that it shows."""
     way = choose_gl()
     if way is not None:
+        model = camera.model if camera.drawn is None else camera.drawn.build()
         try:
-            return GlRenderer(camera.model, camera.number, camera.setup.fov, way, camera.quality)
+            return GlRenderer(model, camera.number, camera.setup.fov, way, camera.quality), model
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
             logger.warning("%s does not work here: %s", way, error)
-    return RayRenderer(camera.model, camera.number, camera.setup.fov)
+    return RayRenderer(camera.model, camera.number, camera.setup.fov), camera.model
 
 
 class SimulatedCameras:
@@ -274,6 +279,8 @@ class SimulatedCameras:
         prefix: str,
         robot: RobotModel,
         lamps: Sequence[Lamp] = (),
+        *,
+        drawn: DrawnModel | None = None,
     ) -> None:
         self._data, self._lamps = data, lamps
         self._shared = StateWriter(state_size(model, len(lamps))) if robot.cameras else None
@@ -290,6 +297,7 @@ class SimulatedCameras:
                 robot.time_of_day,
                 robot.quality,
                 int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
+                drawn,
             )
             for setup in robot.cameras
         }

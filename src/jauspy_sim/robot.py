@@ -15,7 +15,7 @@ from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
-from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
+from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
 from jauspy_sim.layered_lidar import LayeredLidar
@@ -34,7 +34,7 @@ ROUNDING: Final = 1e-9
 class SimulatedRobot:
     """One robot and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
-    def __init__(self, model: mujoco.MjModel, robot: RobotModel) -> None:
+    def __init__(self, model: mujoco.MjModel, robot: RobotModel, drawn: DrawnModel | None = None) -> None:
         self._model = model
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
@@ -67,17 +67,17 @@ class SimulatedRobot:
         self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
         self._update_sensors()
         self._lamps = switched_lamps(robot.lamps)
-        self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps)
+        self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps, drawn=drawn)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
         """Build a robot in a world, and let it settle. Raises `ConfigError` with the known worlds."""
         redirect_warnings()
-        return cls(build(robot, world), robot)
+        return cls(build(robot, world, drawn=False), robot, DrawnModel(robot, world))
 
     @property
     def model(self) -> mujoco.MjModel:
-        """MuJoCo's model of the robot and its world."""
+        """MuJoCo's model of the robot and its world, without what is only seen of the robot."""
         return self._model
 
     @property
