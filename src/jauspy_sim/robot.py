@@ -15,16 +15,17 @@ from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
-from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
+from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
+from jauspy_sim.layered_lidar import LayeredLidar
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
 
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot settles on the ground."""
 
 MAX_STEPS_AT_ONCE: Final = 2
-"""Maximal number of physics steps in one call of MuJoCo; the belts travel 6 mm in it before they are reset."""
+"""Maximal number of physics steps in one call of MuJoCo."""
 
 ROUNDING: Final = 1e-9
 """Tolerance for rounding errors of times, as a fraction of a step."""
@@ -33,7 +34,7 @@ ROUNDING: Final = 1e-9
 class SimulatedRobot:
     """One robot and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
-    def __init__(self, model: mujoco.MjModel, robot: RobotModel) -> None:
+    def __init__(self, model: mujoco.MjModel, robot: RobotModel, drawn: DrawnModel | None = None) -> None:
         self._model = model
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
@@ -50,7 +51,12 @@ class SimulatedRobot:
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
-        self._lidars = {setup.name: simulated_lidar(model, data, name_prefix, setup) for setup in robot.lidars}
+        self._lidars = {
+            setup.name: LayeredLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
+            if setup.layers > 1
+            else simulated_lidar(model, data, name_prefix, setup)
+            for setup in robot.lidars
+        }
         self._force_torque = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
@@ -61,17 +67,17 @@ class SimulatedRobot:
         self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
         self._update_sensors()
         self._lamps = switched_lamps(robot.lamps)
-        self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps)
+        self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps, drawn=drawn)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
         """Build a robot in a world, and let it settle. Raises `ConfigError` with the known worlds."""
         redirect_warnings()
-        return cls(build(robot, world), robot)
+        return cls(build(robot, world, drawn=False), robot, DrawnModel(robot, world))
 
     @property
     def model(self) -> mujoco.MjModel:
-        """MuJoCo's model of the robot and its world."""
+        """MuJoCo's model of the robot and its world, without what is only seen of the robot."""
         return self._model
 
     @property
@@ -147,11 +153,13 @@ class SimulatedRobot:
             if not phase:
                 self._control()
             count = min(every - phase, end - self._steps)
-            mujoco.mj_step(self._model, self._data, count)
+            if self._tracked is None:
+                mujoco.mj_step(self._model, self._data, count)
+            else:
+                for _ in range(count):
+                    self._tracked.step()
             self._steps += count
             if phase + count == every:
-                if self._tracked is not None:
-                    self._tracked.reset_belts()
                 self._update_sensors()
 
     def _control(self) -> None:

@@ -162,7 +162,7 @@ class _Reader:
         if placement in model.links:
             frame = frame @ model.links[placement].pose.inverse()
         if fixed or (static and fixed is None):
-            body = self._body(self._spec.worldbody, model.name, frame)
+            body = self._spec.worldbody.add_body(name=model.name, pos=frame.position, quat=quaternion(frame.rotation))
             for link in model.links.values():
                 self._links.add(link, body, link.pose, moves=False)
         else:

@@ -25,11 +25,12 @@ def convex_pieces(vertices: Points, faces: NDArray[np.int32], most: int) -> list
 
     None if there would be more than `most`.
     """
-    _, welded = np.unique(np.round(vertices, 6), axis=0, return_inverse=True)
-    labels = _components(welded.reshape(-1)[faces])
+    _, first, welded = np.unique(np.round(vertices, 6), axis=0, return_index=True, return_inverse=True)
+    welded_faces = first[welded.reshape(-1)[faces]]
+    labels = _components(welded_faces)
     pieces: list[Points] = []
     for label in np.unique(labels):
-        part = faces[labels == label]
+        part = welded_faces[labels == label]
         corners = vertices[np.unique(part)]
         if _is_convex(vertices, part, corners):
             pieces.append(corners)
@@ -61,7 +62,14 @@ def _is_convex(vertices: Points, faces: NDArray[np.int32], corners: Points) -> b
         return False
     a, normals = vertices[faces[:, 0]], _normals(vertices, faces)
     heights = corners @ normals.T - np.sum(a * normals, axis=1)
-    return bool(heights.max() < CONVEX or heights.min() > -CONVEX)
+    inside_out = heights.min() > -CONVEX and _is_closed(faces)  # an open one is a room, seen from inside
+    return bool(heights.max() < CONVEX or inside_out)
+
+
+def _is_closed(faces: NDArray[np.int32]) -> bool:
+    edges = np.concatenate([faces[:, (0, 1)], faces[:, (1, 2)], faces[:, (2, 0)]])
+    _, counts = np.unique(np.sort(edges, axis=1), axis=0, return_counts=True)
+    return bool((counts > 1).all())
 
 
 def _normals(vertices: Points, faces: NDArray[np.int32]) -> Points:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
@@ -17,6 +18,7 @@ from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
 from jauspy.modules.light_config import LightConfig
 from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
+from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.lights import TimeOfDay
@@ -108,12 +110,23 @@ class GroupConfig(StrictConfig):
 Groups: TypeAlias = Mapping[UrdfName, GroupConfig]
 
 
+MAX_RAYS: Final = 100_000
+"""Rays of one scan."""
+
+
 class LidarConfig(StrictConfig):
-    """A lidar that scans the x-y plane of a link of the URDF, all around."""
+    """A lidar that scans the x-y plane of a link of the URDF, all around; with several layers also above and below."""
 
     name: UrdfName
     link: UrdfName
     rays: Annotated[int, Field(ge=1, le=3600)] = 360
+    """Of a layer."""
+    layers: Annotated[int, Field(ge=1, le=128)] = 1
+    vertical: tuple[Annotated[float, Field(ge=-89.0, le=89.0)], Annotated[float, Field(ge=-89.0, le=89.0)]] = (
+        -15.0,
+        15.0,
+    )
+    """Inclinations of the lowest and the highest of several layers, in degrees, positive upwards."""
     rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
     """Scans per second."""
     range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
@@ -127,11 +140,27 @@ class LidarConfig(StrictConfig):
     def _check_range(self) -> Self:
         if self.range[0] >= self.range[1]:
             raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
+        if self.vertical[0] >= self.vertical[1]:
+            raise ValueError(f"vertical: {list(self.vertical)} is empty; give the lowest and then the highest angle")
+        if self.layers * self.rays > MAX_RAYS:
+            raise ValueError(f"layers: {self.layers} of {self.rays} rays are too many; a scan may have {MAX_RAYS}")
         return self
 
     def setup(self) -> LidarSetup:
         """Return the setup for the backend."""
-        return LidarSetup(self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed)
+        low, high = (math.radians(each) for each in self.vertical)
+        return LidarSetup(
+            self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed, self.layers, (low, high)
+        )
+
+
+class CloudConfig(StrictConfig):
+    """A stream of point clouds."""
+
+    source: UrdfName
+    """The name of a lidar, or of a camera with `depth`."""
+    address: Annotated[str, Field(min_length=1, max_length=200)]
+    """Where it is published, as in tcp://127.0.0.1:5565."""
 
 
 class ForceTorqueConfig(StrictConfig):
@@ -289,9 +318,14 @@ class RobotConfig(StrictConfig):
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
-    world: Name = "empty"
+    world: Annotated[str, Field(min_length=1, max_length=4096)] = "empty"
+    """A world of the backend, or the path of a file: MJCF (.xml), SDF (.sdf, .world) or a list of objects (.toml)."""
+    model_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
+    """Directories with models, in which an SDF world's `model://` is searched before those of the environment."""
     time_of_day: TimeOfDay = TimeOfDay.DAY
     """Of the world, as cameras see it: "day", "dusk" or "night"."""
+    quality: Quality = Quality.MEDIUM
+    """Of simulated pictures: "low" (no shadows), "medium", "high" (also smooth edges)."""
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
     """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
@@ -317,6 +351,8 @@ class RobotConfig(StrictConfig):
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
     lights: Annotated[tuple[LightConfig, ...], Field(max_length=8)] = ()
     """Lamps of the robot."""
+    clouds: Annotated[tuple[CloudConfig, ...], Field(max_length=32)] = ()
+    """Point clouds that are published whenever the robot runs."""
     video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
     """Networks and addresses into which any client may have video sent, beside its own machine."""
 

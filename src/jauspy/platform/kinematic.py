@@ -40,7 +40,9 @@ class KinematicBackend:
         if robot.cell is not None:
             raise ConfigError("the kinematic backend has no factory cells: parts need physics; choose the backend sim")
         if world not in WORLDS:
-            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
+            raise ConfigError(
+                f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}, each a flat floor"
+            )
         return KinematicRobot(robot)
 
 
@@ -144,7 +146,7 @@ class KinematicRobot:
 class SkidSteerParameters:
     """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
 
-    free_speed: float = 1.55
+    free_speed: float = 1.9
     """Track speed at full effort without resistance."""
     response: float = 0.15
     """Time constant with which a track follows its effort (drag against drive force)."""
