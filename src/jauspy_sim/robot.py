@@ -8,7 +8,7 @@ from typing import Final
 
 import mujoco
 
-from jauspy.platform.chassis import FixedBase
+from jauspy.platform.chassis import FixedBase, GroundDrive
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
@@ -17,6 +17,7 @@ from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
+from jauspy_sim.wheels import SimulatedWheels
 
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot settles on the ground."""
@@ -36,7 +37,8 @@ class SimulatedRobot:
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
         self._tracked = TrackedDrive(model, data, name_prefix, robot.tracks) if robot.tracks else None
-        self._drive = self._tracked or FixedBase()
+        self._wheels = SimulatedWheels(model, data, name_prefix, robot.wheels) if robot.wheels else None
+        self._drive = self._tracked or self._wheels or FixedBase()
         self._groups = {
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
@@ -72,8 +74,8 @@ class SimulatedRobot:
         return self._data
 
     @property
-    def drive(self) -> TrackedDrive | FixedBase:
-        """The tracked chassis, or a base that does not move."""
+    def drive(self) -> TrackedDrive | SimulatedWheels | FixedBase:
+        """The chassis on tracks or wheels, or a base that does not move."""
         return self._drive
 
     @property
@@ -117,8 +119,8 @@ class SimulatedRobot:
         self._owed -= steps
         before = self._drive.twist()
         self._run(steps)
-        if self._tracked is not None:
-            self._tracked.update_acceleration(before, steps * TIMESTEP)
+        if isinstance(self._drive, GroundDrive):
+            self._drive.update_acceleration(before, steps * TIMESTEP)
         for lidar in self._lidars.values():
             lidar.wait(self.time)
         self._cameras.show()
@@ -143,6 +145,8 @@ class SimulatedRobot:
             if phase + count == every:
                 if self._tracked is not None:
                     self._tracked.reset_belts()
+                if self._wheels is not None:
+                    self._wheels.step(every * TIMESTEP)
                 self._update_sensors()
 
     def _control(self) -> None:

@@ -12,6 +12,11 @@ from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
 
 
+@pytest.fixture(params=["inc1", "rover"])
+def robot_name(request: pytest.FixtureRequest) -> str:
+    return str(request.param)
+
+
 def speed(twist: Twist) -> float:
     return math.hypot(twist.vx, twist.vy, twist.vz)
 

@@ -136,7 +136,8 @@ def robot_model(config: RobotConfig) -> RobotModel:
     tracks = config.tracks.setup() if config.tracks else None
     setup = cell.setup() if cell else None
     drives = _can_setup(config.can, description, tracks, groups) if config.can else None
-    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup, drives)
+    wheels = config.wheels.setup(description) if config.wheels else None
+    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup, drives, wheels)
 
 
 def _can_setup(

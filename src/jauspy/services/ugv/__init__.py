@@ -1,5 +1,5 @@
 """Services of unmanned ground vehicles (AS6091) over the contracts of `jauspy.platform`."""
 
-from jauspy.services.ugv.chassis import PlatformSpecifications, SkidSteerDriver
+from jauspy.services.ugv.chassis import AckermannDriver, PlatformSpecifications, SkidSteerDriver
 
-__all__ = ["PlatformSpecifications", "SkidSteerDriver"]
+__all__ = ["AckermannDriver", "PlatformSpecifications", "SkidSteerDriver"]
