@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import mujoco
 import numpy as np
 
@@ -41,6 +43,16 @@ class SimulatedWheels(WheelDrive):
             self._data.ctrl[motor] = wheel.sign * wheel.joint.effort * effort
             self._model.dof_frictionloss[dof] = wheel.joint.effort if braking else wheel.joint.friction
         self._wanted_angle = self._wanted_angle if steering is None else steering
+
+    def rim_speeds(self) -> Sequence[float]:
+        """m/s, positive forward."""
+        rows = zip(self.wheels.wheels, self._dofs, strict=True)
+        return [wheel.sign * wheel.radius * float(self._data.qvel[dof]) for wheel, dof in rows]
+
+    @property
+    def steering(self) -> float:
+        """To the left."""
+        return self._angle
 
     def pose(self) -> Pose:
         """Pose of the root link in the world."""

@@ -18,6 +18,8 @@ from jauspy.platform.description import RobotModel
 
 if TYPE_CHECKING:
     from jauspy.platform.wheels import WheelSetup
+SLIP_FACTOR: Final = 2.4
+"""Distance of two wheels that turn as the tracks do, as a multiple of the tracks' distance; slip makes it larger."""
 
 SPEED_ON_GROUND: Final = 0.95
 """Speed on the ground as a fraction of the tracks' speed without resistance."""
@@ -285,6 +287,24 @@ class GroundDrive(ABC):
 
 class SkidSteerDrive(GroundDrive):
     """A `DriveBase` with two tracks."""
+
+    def __init__(self, slip_width: float = 1.0) -> None:
+        super().__init__()
+        self.slip_width = slip_width
+        """Distance of two wheels, in metres, that turn as the tracks do; larger than theirs because of slip."""
+
+    def track_speeds(self) -> tuple[float, float]:
+        """Speeds of the left and right track, as encoders in their drives measure them: m/s, positive forward.
+
+        By default, those of tracks that do not slip.
+        """
+        twist = self.twist()
+        return twist.vx - twist.wz * self.slip_width / 2.0, twist.vx + twist.wz * self.slip_width / 2.0
+
+    def odometry(self) -> tuple[float, float, float]:
+        """Velocity by the tracks, as if they did not slip: m/s forward and to the left, rad/s to the left."""
+        left, right = self.track_speeds()
+        return (left + right) / 2.0, 0.0, (right - left) / self.slip_width
 
     @abstractmethod
     def set_track_efforts(self, left: float, right: float) -> None:

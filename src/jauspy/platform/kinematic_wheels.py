@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Final
 
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.platform.wheels import WheelDrive, WheelKind, WheelSetup
+from jauspy.platform.wheels import WheelDrive, WheelSetup
 
 RESPONSE: Final = 0.15
 """Seconds, the time constant with which a wheel follows its effort."""
@@ -14,8 +15,6 @@ FRICTION: Final = 0.2
 """m/s^2, the deceleration by friction in the drive."""
 BRAKE: Final = 4.0
 """m/s^2 that the brake adds at zero effort."""
-SKID_FACTOR: Final = 2.4
-"""Distance of two wheels that turn as the skidding ones do, as a multiple of their distance."""
 
 
 class KinematicWheels(WheelDrive):
@@ -39,18 +38,17 @@ class KinematicWheels(WheelDrive):
 
     def twist(self) -> Twist:
         """As the wheels roll."""
-        setup, speeds = self.wheels, self._speeds
-        forward = sum(speeds) / len(speeds)
-        if setup.kind is WheelKind.ACKERMANN:
-            rate = forward * math.tan(self._angle) / setup.wheel_base
-            return Twist(vx=forward, vy=-rate * setup.axle, wz=rate)
-        rows = list(zip(setup.wheels, speeds, strict=True))
-        turning = sum(-math.copysign(speed, speed * wheel.y) for wheel, speed in rows) / len(rows)
-        if setup.kind is WheelKind.SKID_STEER:
-            return Twist(vx=forward, wz=2.0 * turning / (SKID_FACTOR * setup.track))
-        sideways = sum(-wheel.rollers * speed for wheel, speed in rows) / len(rows)
-        lever = sum(abs(wheel.x) + abs(wheel.y) for wheel in setup.wheels) / len(rows)
-        return Twist(vx=forward, vy=sideways, wz=turning / lever)
+        vx, vy, wz = self.odometry()
+        return Twist(vx=vx, vy=vy, wz=wz)
+
+    def rim_speeds(self) -> Sequence[float]:
+        """m/s, positive forward."""
+        return self._speeds
+
+    @property
+    def steering(self) -> float:
+        """To the left."""
+        return self._angle
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds."""

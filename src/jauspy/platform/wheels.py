@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
 from typing import Final
@@ -18,6 +19,8 @@ from jauspy.platform.chassis import GroundDrive, clamp, mix
 
 LEVEL: Final = 0.9
 """Least cosine between the axle of a wheel and the y axis."""
+SKID_FACTOR: Final = 2.4
+"""Distance of two wheels that turn as the skidding ones do, as a multiple of their distance."""
 MAX_STEERING: Final = 1.4
 """Radians that a wheel steers at most, whatever its joint can do."""
 MIN_TRACK: Final = 0.01
@@ -126,6 +129,23 @@ class WheelSetup:
         scale = max(1.0, *map(abs, wanted))
         return tuple(effort / scale for effort in wanted)
 
+    def velocity(self, speeds: Sequence[float], steering: float) -> tuple[float, float, float]:
+        """Velocity of the root link if no wheel slips: m/s forward and to the left, rad/s to the left.
+
+        `speeds`: of the rims, m/s, positive forward; `steering`: the angle of the middle of the steered axle.
+        """
+        forward = sum(speeds) / len(speeds)
+        if self.kind is WheelKind.ACKERMANN:
+            rate = forward * math.tan(steering) / self.wheel_base
+            return forward, -rate * self.axle, rate
+        rows = list(zip(self.wheels, speeds, strict=True))
+        turning = -sum(math.copysign(1.0, wheel.y) * speed for wheel, speed in rows) / len(rows)
+        if self.kind is WheelKind.SKID_STEER:
+            return forward, 0.0, 2.0 * turning / (SKID_FACTOR * self.track)
+        sideways = -sum(wheel.rollers * speed for wheel, speed in rows) / len(rows)
+        lever = sum(abs(wheel.x) + abs(wheel.y) for wheel in self.wheels) / len(rows)
+        return forward, sideways, turning / lever
+
     def steering_angles(self, angle: float) -> tuple[float, ...]:
         """Positions of the steering joints at which all wheels roll about one point; `angle`: of the axle's middle."""
         if abs(angle) < 1e-6:
@@ -143,6 +163,19 @@ class WheelDrive(GroundDrive):
     def __init__(self, wheels: WheelSetup) -> None:
         super().__init__()
         self.wheels = wheels
+
+    @abstractmethod
+    def rim_speeds(self) -> Sequence[float]:
+        """Speeds of the wheels' rims, as encoders measure them, m/s, positive forward."""
+
+    @property
+    @abstractmethod
+    def steering(self) -> float:
+        """The present angle of the middle of the steered axle, to the left."""
+
+    def odometry(self) -> tuple[float, float, float]:
+        """Velocity by the wheels, as if they did not slip: m/s forward and to the left, rad/s to the left."""
+        return self.wheels.velocity(self.rim_speeds(), self.steering)
 
     @abstractmethod
     def set_wheel_efforts(self, efforts: tuple[float, ...], steering: float | None) -> None:

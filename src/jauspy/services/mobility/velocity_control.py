@@ -75,6 +75,9 @@ SPEED_GAINS = AxisGains(forward=0.64, breakaway=0.01, proportional=0.15, integra
 TURN_RATE_GAINS = AxisGains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
 """Between the best gains for inc1 with and without physics; the integral compensates the difference."""
 
+SKIDDING_GAINS = AxisGains(forward=0.25, breakaway=0.12, proportional=0.15, integral=0.8)
+"""Turn rate of wheels that skid, which rub more than tracks do."""
+
 BREAKAWAY_BAND = 0.1
 """Velocity (m/s, rad/s) below which the breakaway effort is proportional, so that it does not jump at zero."""
 
@@ -116,8 +119,8 @@ class VelocityControl:
     def __init__(self, chassis: Chassis) -> None:
         self._chassis = chassis
         speed, turn = SPEED_GAINS, TURN_RATE_GAINS
-        if chassis.wheel_radius:  # wheels have less static friction, and other speeds
-            speed = replace(speed, forward=SPEED_ON_GROUND / chassis.max_speed)
+        if chassis.wheel_radius:
+            speed, turn = replace(speed, forward=SPEED_ON_GROUND / chassis.max_speed), SKIDDING_GAINS
         if chassis.moves_sideways:
             lever = (chassis.wheel_base + chassis.track_separation) / 2.0
             turn = replace(turn, forward=lever / chassis.max_speed, breakaway=0.01)
