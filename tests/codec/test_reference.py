@@ -14,6 +14,8 @@ from jauspy.messages.core import RegisterServices
 from jauspy.messages.mobility import ReportVelocityState
 from jauspy.schema import load_builtin, model as m
 
+LONGITUDE = "needs 4 bytes (u32, -180 to 180 degree), 1 left"
+
 
 @pytest.fixture(scope="module")
 def models() -> dict[str, m.Message]:
@@ -48,7 +50,7 @@ def test_explain_covers_every_byte(models: dict[str, m.Message]) -> None:
         (
             "ReportGlobalPose",
             "0244030000000000ff",
-            (8, 1, "longitude", "needs 4 bytes (u32, -180 to 180 degree), 1 left"),
+            (8, 1, "longitude", LONGITUDE),
         ),
         ("ReportGlobalPose", "0244", (2, 0, "presence_vector", "needs 2 bytes, 0 left")),
         ("ReportStatus", "0240010000000000", (7, 1, "", "1 byte more than the definition has")),

@@ -31,7 +31,7 @@ from jauspy.cli.render import field_lines
 from jauspy.codec import reference
 from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
-from jauspy.errors import ConfigError, DecodeError
+from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
@@ -56,9 +56,7 @@ def decode(
     as_json: Annotated[bool, typer.Option("--json", help="One JSON object per datagram per line.")] = False,
     explain: Annotated[
         bool,
-        typer.Option(
-            "--explain", help="Show every field's offset, bytes and raw value, up to the damage if there is any."
-        ),
+        typer.Option("--explain", help="Show every field's offset, bytes and raw value, up to the damage."),
     ] = False,
     port: Annotated[
         str, typer.Option("--port", metavar="N|any", help="Only datagrams from or to this UDP port.")

@@ -1,8 +1,8 @@
 """The reference codec: a construct tree made from the schema model, slow and simple, with the offset of every field.
 
 It explains bytes field by field, up to the damage if there is any, and differential tests compare the other codec with
-it. Neither encoding nor decoding uses it. Values have the form of `Message.to_dict`, except that messages inside messages
-stay bytes.
+it. Neither encoding nor decoding uses it. Values have the form of `Message.to_dict`, except that messages inside
+messages stay bytes.
 """
 
 from __future__ import annotations
@@ -99,7 +99,7 @@ def _leaf(kind: m.Scalar) -> Tree:
 def _count(this: Any) -> int:
     """A count as it is sent; of a padded message no more than can be there, and one, which is then the missing one."""
     count = int(this.count.value)
-    stream = this._io
+    stream = this["_io"]
     return min(count, stream.left + 1) if isinstance(stream, _Padded) else count
 
 
