@@ -15,6 +15,7 @@ from jauspy.platform.description import GroupSetup, TrackSetup
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
+from jauspy_sim.belts import Belts
 
 
 class SimulatedJoints:
@@ -30,6 +31,7 @@ class SimulatedJoints:
         self._positions = [int(joint.qposadr[0]) for joint in found]
         self._dofs = [int(joint.dofadr[0]) for joint in found]
         self._motors = [int(model.actuator(f"{prefix}{joint.name}").id) for joint in self._joints]
+        self._followers = [_followers(model, prefix, description, joint) for joint in self._joints]
         self.every = max(1, round(1.0 / (setup.rate * TIMESTEP)))
         """Physics steps from one `control` to the next."""
         self._dt = self.every * TIMESTEP
@@ -41,7 +43,9 @@ class SimulatedJoints:
         self.load = np.zeros(model.nv)
         """Further efforts that the controllers compensate, by degree of freedom: of a payload."""
         self._load = view(self.load)
-        self._rows = list(zip(self._controllers, self._positions, self._dofs, self._motors, strict=True))
+        self._rows = list(
+            zip(self._controllers, self._positions, self._dofs, self._motors, self._followers, strict=True)
+        )
 
     @property
     def joints(self) -> tuple[Joint, ...]:
@@ -78,8 +82,19 @@ class SimulatedJoints:
         """Set the motors' efforts for the next `every` physics steps; MuJoCo's bias compensates gravity and motion."""
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
         load = self._load
-        for controller, position, dof, motor in self._rows:
-            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, bias[dof] + load[dof])
+        for controller, position, dof, motor, followers in self._rows:
+            needed = bias[dof] + load[dof]
+            for multiplier, follower in followers:
+                needed += multiplier * bias[follower]
+            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, needed)
+
+
+def _followers(
+    model: mujoco.MjModel, prefix: str, description: RobotDescription, joint: Joint
+) -> tuple[tuple[float, int], ...]:
+    """Multipliers and degrees of freedom of the joints that mimic a joint, whose motor carries them, too."""
+    found = (each for each in description.joints.values() if each.mimics == joint.name)
+    return tuple((each.multiplier, int(model.joint(f"{prefix}{each.name}").dofadr[0])) for each in found)
 
 
 def _set_initial_positions(
@@ -87,9 +102,8 @@ def _set_initial_positions(
 ) -> None:
     """Set the initial positions of joints and of those that mimic them."""
     for joint in description.joints.values():
-        position = start.get(joint.name, start.get(joint.mimics or ""))
-        if position is not None:
-            data.qpos[model.joint(f"{prefix}{joint.name}").qposadr[0]] = position
+        if (joint.mimics or joint.name) in start:
+            data.qpos[model.joint(f"{prefix}{joint.name}").qposadr[0]] = joint.position(start)
 
 
 def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
@@ -107,28 +121,36 @@ class TrackedDrive(SkidSteerDrive):
         super().__init__()
         self._model = model
         self._data = data
-        self._qpos = view(data.qpos)
+        self._qpos, self._qvel = view(data.qpos), view(data.qvel)
         base = model.joint(f"{prefix}base")
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
         names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
-        self._lefts, self._rights = len(tracks.left), len(tracks.right)
-        belts = [model.joint(name) for name in names]
-        self._belt_positions = [int(belt.qposadr[0]) for belt in belts]
-        self._belt_dofs = [int(belt.dofadr[0]) for belt in belts]
-        self._motors = [int(model.actuator(name).id) for name in names]
-        self._forces = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
-        self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._belt_dofs]
+        self._belts = Belts(model, data, names)
+        self._belt_positions = [int(model.joint(name).qposadr[0]) for name in names]
+        driven = [f"{prefix}{side[0]}" for side in (tracks.left, tracks.right)]
+        self._dofs = [int(model.joint(name).dofadr[0]) for name in driven]
+        self._motors = [int(model.actuator(name).id) for name in driven]
+        self._speeds = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
+        self._brakes = [float(model.actuator_forcerange[motor][1]) for motor in self._motors]
+        self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._dofs]
         self.stop()
 
     def set_track_efforts(self, left: float, right: float) -> None:
-        """Drive the belts with fractions of the motors' full force, -1..1; zero for both brakes, with all of it."""
+        """Drive the belts with fractions of the motors' voltage, -1..1; zero for both brakes with their full force."""
         braking = not (left or right)
-        efforts = (left,) * self._lefts + (right,) * self._rights
-        rows = zip(self._motors, self._forces, self._belt_dofs, self._gear_friction, efforts, strict=True)
-        for motor, force, dof, friction, effort in rows:
-            self._data.ctrl[motor] = -force * effort  # on the ground a belt runs backward when the robot drives forward
-            self._model.dof_frictionloss[dof] = force if braking else friction
+        rows = zip(self._motors, self._speeds, self._dofs, self._brakes, self._gear_friction, strict=True)
+        for (motor, speed, dof, brake, friction), effort in zip(rows, (left, right), strict=True):
+            self._data.ctrl[motor] = -speed * effort  # on the ground a belt runs backward when the robot drives forward
+            self._model.dof_frictionloss[dof] = brake if braking else friction
+
+    def step(self) -> None:
+        """Advance the physics by one step, in which the belts run around their shapes."""
+        mujoco.mj_step1(self._model, self._data)
+        self._belts.run_around()
+        mujoco.mj_step2(self._model, self._data)
+        for position in self._belt_positions:
+            self._qpos[position] = 0.0
 
     def pose(self) -> Pose:
         """Pose of `base_link` in the world."""
@@ -143,7 +165,7 @@ class TrackedDrive(SkidSteerDrive):
         linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
         return Twist(*linear.tolist(), *velocity[3:].tolist())
 
-    def reset_belts(self) -> None:
-        """Reset the belts to position zero, so that only their surface speed acts."""
-        for position in self._belt_positions:
-            self._qpos[position] = 0.0
+    def track_speeds(self) -> tuple[float, float]:
+        """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""
+        left, right = self._dofs
+        return -self._qvel[left], -self._qvel[right]

@@ -43,7 +43,11 @@ def test_chain_from_base_to_tip() -> None:
     [
         ("</robot>", "", "not XML"),
         ("robot", "model", "begins with <model>"),
-        ('type="revolute"', 'type="ball"', "'shoulder' is 'ball'; jauspy knows: revolute, prismatic, fixed"),
+        (
+            'type="revolute"',
+            'type="ball"',
+            "'shoulder' is 'ball'; jauspy knows: revolute, continuous, prismatic, fixed",
+        ),
         (LIMIT, "", "'shoulder' has no <limit>"),
         ('<child link="tool"/>', "", "'flange' has no <child"),
         ('<child link="tool"/>', '<child link="tol"/>', "names the link 'tol'"),
@@ -62,3 +66,47 @@ def test_errors_name_the_joint(old: str, new: str, said: str) -> None:
 def test_unknown_joint_lists_those_that_move() -> None:
     with pytest.raises(ConfigError, match="two has no joint 'elbow'; those that move are: shoulder"):
         parse_urdf(TWO).joint("elbow")
+
+
+CONTINUOUS = TWO.replace('type="revolute"', 'type="continuous"')
+
+
+@pytest.mark.parametrize("text", [CONTINUOUS, CONTINUOUS.replace(LIMIT, "")])
+def test_continuous_joints_have_no_limits(text: str) -> None:
+    shoulder = parse_urdf(text).joint("shoulder")
+    assert (shoulder.lower, shoulder.upper, shoulder.turns) == (-math.inf, math.inf, True)
+    assert (shoulder.effort, shoulder.velocity) == ((30.0, 0.5) if "<limit" in text else (0.0, 0.0))
+
+
+def mimicking(*mimics: str) -> str:
+    """A base with joints `j0`, `j1` ... that have these elements."""
+    joints = "".join(
+        f'<link name="l{n}"/><joint name="j{n}" type="revolute"><parent link="base"/><child link="l{n}"/>{LIMIT}{each}'
+        "</joint>"
+        for n, each in enumerate(mimics)
+    )
+    return f'<robot name="many"><link name="base"/>{joints}</robot>'
+
+
+def test_mimics_of_mimics_follow_the_independent_joint() -> None:
+    text = mimicking(
+        '<mimic joint="j1" multiplier="2" offset="0.5"/>', '<mimic joint="j2" multiplier="-3" offset="1"/>', ""
+    )
+    j0, j1, j2 = parse_urdf(text).joints.values()
+    assert (j0.mimics, j1.mimics, j2.mimics) == ("j2", "j2", None)
+    assert (j1.position({"j2": 0.1}), j0.position({"j2": 0.1})) == pytest.approx((0.7, 1.9))
+    assert j2.position({}) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("mimics", "said"),
+    [
+        (['<mimic joint="j7"/>'], "'j0' mimics 'j7', which is no joint that moves"),
+        (["<mimic/>"], "'j0' mimics '', which is no joint"),
+        (['<mimic joint="j1"/>', '<mimic joint="j0"/>'], "'j0' mimics itself"),
+        (['<mimic joint="j1" multiplier="x"/>', ""], "'x' is not 1 finite number"),
+    ],
+)
+def test_mimics_of_nothing_are_named(mimics: list[str], said: str) -> None:
+    with pytest.raises(ConfigError, match=said):
+        parse_urdf(mimicking(*mimics))

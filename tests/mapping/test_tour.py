@@ -21,10 +21,21 @@ from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
 from jauspy.modules.robot_files import load, robot_model
-from jauspy_sim.assembly import COLLISION, VISUAL
+from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 
-TOUR = ((2.2, 0.0), (2.4, -2.2), (0.0, -2.0), (-2.0, -1.8), (-2.0, 1.8), (0.0, 2.5), (2.2, 2.5), (1.0, 1.0), (0.0, 0.0))
+TOUR = (  # m
+    (2.2, 0.0),
+    (2.4, -2.2),
+    (0.0, -2.0),
+    (-2.0, -1.8),
+    (-2.0, 1.8),
+    (0.0, 2.5),
+    (2.2, 2.5),
+    (0.9, 2.0),
+    (0.8, 1.0),
+    (0.0, 0.0),
+)
 LIDAR = PlanarPose(-0.2)
 HEIGHT = 0.44
 """Metres above the ground of the lidar."""
@@ -94,7 +105,7 @@ def near(cells: NDArray[np.bool_]) -> NDArray[np.bool_]:
 @pytest.fixture(scope="module")
 def tour() -> tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]:
     """The robot after the tour, maps with and without matching, errors of the matched poses, and that of odometry."""
-    robot = SimulatedRobot.open(robot_model(load("inc1")), "demo")
+    robot = SimulatedRobot.open(robot_model(load("inc1")), "yard")
     odometry, errors = Odometry(seed=1), []
     mappers = {matching: Mapper(OccupancyGrid(16.0), matching=matching) for matching in (True, False)}
     for true in drive(robot):

@@ -27,6 +27,7 @@ class FakeVideo:
 
     def __init__(self, setup):
         self.setup, self.settings, self.receivers = setup, VideoSettings(), {}
+        self.imaging = setup.imaging.initial
         self.under_way, self.refuses = [], False
 
     def watch(self, address, *, playing=True):

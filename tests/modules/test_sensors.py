@@ -40,7 +40,7 @@ M = TypeVar("M", bound=Message)
 class Mast:
     """A robot, and its sensor module."""
 
-    def __init__(self, backend: str, world: str = "demo", *more: LidarSetup) -> None:
+    def __init__(self, backend: str, world: str = "yard", *more: LidarSetup) -> None:
         config, model = described("inc1")
         model = replace(model, lidars=(*model.lidars, *more))
         self.robot = find(backend).open(model, world)

@@ -226,19 +226,107 @@ def test_capabilities(module):
     assert found.recording_supported.name == "UNSUPPORTED"
 
 
-def test_fixed_lens_is_reported_and_other_settings_are_refused(module):
+# --- lens and sensor
+
+Lens = m.SetVisualSensorConfiguration
+LensCode = VisualSensorErrorRec.VisualSensorErrorCode
+
+
+def lens(module, **values):
+    return confirmed(module.ask(Lens(Lens.RequestIdRec(5), [Lens.VisualSensorConfigurationRec(1, **values)])))
+
+
+def lens_report(module):
     query = m.QueryVisualSensorConfiguration
-    record = query.QueryVisualSensorConfigurationRec(1, 0xFFFF)
-    (found,) = module.ask(query([record])).visual_sensor_configuration_list
+    (found,) = module.ask(query([query.QueryVisualSensorConfigurationRec(1, 0xFFFF)])).visual_sensor_configuration_list
+    return found
+
+
+def test_field_of_view_and_automatic_exposure_are_reported(module):
+    found = lens_report(module)
     assert found.horizontal_field_of_view == pytest.approx(math.radians(80.0), abs=1e-6)
     assert math.tan(found.vertical_field_of_view / 2) == pytest.approx(0.75 * math.tan(math.radians(40.0)), abs=1e-5)
-    assert found.zoom_level is None
+    assert (found.zoom_level, found.exposure_mode.name, found.light_sensitivity.name) == (0.0, "AUTO", "AUTO")
+
+
+def test_settings_of_the_lens_reach_the_camera_and_are_reported(module):
     module.control()
-    wanted = m.SetVisualSensorConfiguration
-    zoom = wanted.VisualSensorConfigurationRec(1, zoom_level=50.0)
-    refused = confirmed(module.ask(wanted(wanted.RequestIdRec(5), [zoom])))
+    wanted = {
+        "exposure_mode": Lens.ExposureMode.MANUAL,
+        "shutter_speed": 0.02,
+        "light_sensitivity": Lens.LightSensitivity.ISO_400,
+        "white_balance": Lens.WhiteBalance.SHADE,
+        "focus_mode": Lens.FocusMode.MANUAL_FOCUS,
+        "focus_value": 60.0,
+        "imaging_mode": Lens.ImagingMode.GREYSCALE,
+        "metering_mode": Lens.MeteringMode.SPOT,
+    }
+    assert lens(module, **wanted) == SensorIdRec(1)
+    imaging = module.video.imaging
+    assert (imaging.exposure_mode.name, imaging.iso, imaging.white_balance.name) == ("MANUAL", 400, "SHADE")
+    assert (imaging.focus, imaging.shutter) == (pytest.approx(0.6, abs=1e-4), pytest.approx(0.02, abs=1e-3))
+    found = lens_report(module)
+    assert {name: getattr(found, name) for name in wanted} == pytest.approx(wanted, abs=2e-3)
+
+
+def test_zoom_is_one_thing_in_percent_and_as_field_of_view(module):
+    module.control()
+    half = 2 * math.atan(math.tan(math.radians(40.0)) / 2)
+    assert lens(module, horizontal_field_of_view=half) == SensorIdRec(1)
+    assert module.video.imaging.zoom == pytest.approx(2.0, abs=1e-6)
+    level = lens_report(module).zoom_level
+    assert lens(module, zoom_level=0.0) == SensorIdRec(1)
+    assert lens(module, zoom_level=level) == SensorIdRec(1)
+    assert lens_report(module).horizontal_field_of_view == pytest.approx(half, abs=1e-4)
+    assert lens(module, zoom_mode=Lens.ZoomMode.OFF) == SensorIdRec(1)
+    assert lens_report(module).horizontal_field_of_view == pytest.approx(math.radians(80.0), abs=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("values", "code"),
+    [
+        ({"horizontal_field_of_view": 1.5}, LensCode.INVALID_HORIZONTAL_FOV),
+        ({"horizontal_field_of_view": 0.01}, LensCode.INVALID_HORIZONTAL_FOV),
+        ({"horizontal_field_of_view": -0.5}, LensCode.INVALID_HORIZONTAL_FOV),
+        ({"vertical_field_of_view": 1.5}, LensCode.INVALID_VERTICAL_FOV),
+        ({"horizontal_field_of_view": 0.6, "vertical_field_of_view": 0.6}, LensCode.INVALID_VERTICAL_FOV),
+        ({"zoom_mode": Lens.ZoomMode.OFF, "zoom_level": 50.0}, LensCode.INVALID_ZOOM_VALUE),
+        ({"focal_length": 1.0}, LensCode.INVALID_ZOOM_VALUE),
+        ({"shutter_speed": 2.0}, LensCode.INVALID_SHUTTER_SPEED),
+        ({"aperture": 5.6}, LensCode.INVALID_APERTURE_VALUE),
+        ({"exposure_mode": Lens.ExposureMode.APERTURE_PRIORITY}, LensCode.INVALID_EXPOSURE_MODE),
+        ({"imaging_mode": Lens.ImagingMode.INFRARED}, LensCode.INVALID_IMAGING_MODE),
+        ({"sensor_state": Lens.SensorState.OFF}, LensCode.INVALID_SENSOR_STATE),
+        ({"image_stabilization": Lens.ImageStabilization.ON}, LensCode.INVALID_IMAGE_STABILIZATION),
+        ({"shutter_speed": 2.0, "aperture": 5.6}, LensCode.MULTIPLE_INVALID_PARAMETERS),
+    ],
+)
+def test_what_the_lens_cannot_do_is_refused_with_the_reason_and_changes_nothing(module, values, code):
+    module.control()
+    before = module.video.imaging
+    refused = lens(module, white_balance=Lens.WhiteBalance.FLASH, **values)
     assert isinstance(refused, VisualSensorErrorRec)
-    assert "zoom_level" in refused.error_message
+    assert refused.visual_sensor_error_code == code
+    assert refused.error_message
+    assert module.video.imaging == before
+
+
+def test_capabilities_of_the_lens_say_what_is_offered(module):
+    query = m.QueryVisualSensorCapabilitiesExt
+    record = query.QueryVisualSensorCapabilitiesRec(0, 0xFFFFFFFF)
+    (found,) = module.ask(query([record])).visual_sensor_capabilities_list
+    setup = module.video.setup.imaging
+    plain = m.QueryVisualSensorCapabilities
+    (short,) = module.ask(plain([plain.QueryVisualSensorCapabilitiesRec(0, 0xFFFF)])).visual_sensor_capabilities_list
+    assert (short.imaging_modes.greyscale, short.maximum_focal_length) == (1, found.maximum_focal_length)
+    assert (found.exposure_modes.manual, found.exposure_modes.aperture_priority) == (1, 0)
+    assert (found.zoom_modes.none, found.zoom_modes.digital_only) == (1, int(setup.digital_zoom > 1))
+    assert found.maximum_shutter_speed == pytest.approx(setup.exposure_time[1], abs=1e-3)
+    assert found.maximum_horizontal_field_of_view == pytest.approx(math.radians(80.0), abs=1e-6)
+    module.control()
+    assert lens(module, horizontal_field_of_view=found.minimum_horizontal_field_of_view) == SensorIdRec(1)
+    assert lens(module, zoom_level=100.0) == SensorIdRec(1)
+    assert lens_report(module).vertical_field_of_view == pytest.approx(found.minimum_vertical_field_of_view, abs=1e-4)
 
 
 def test_mounting_of_a_fixed_camera_is_reported():

@@ -25,7 +25,7 @@ def test_friction_never_reverses_a_track() -> None:
 
 
 def test_time_is_exact_and_yaw_wraps() -> None:
-    robot = KinematicBackend().open(INC1, "demo")
+    robot = KinematicBackend().open(INC1, "yard")
     robot.drive.set_effort(0.0, 1.0)
     for _ in range(7):
         robot.advance(0.777)

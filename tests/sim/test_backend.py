@@ -16,7 +16,7 @@ MODEL = robot_model(load("inc1"))
 def test_missing_mujoco_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(backend, "find_spec", lambda name: None)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[sim\]'"):
-        backend.MujocoBackend().open(MODEL, "demo")
+        backend.MujocoBackend().open(MODEL, "yard")
 
 
 @pytest.mark.parametrize(

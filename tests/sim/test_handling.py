@@ -12,7 +12,7 @@ from jauspy_sim.robot import SimulatedRobot
 
 INC1 = robot_model(load("inc1"))
 UPPER, FORE, HAND = 0.40, 0.34, 0.28
-SHOULDER = (0.12, 0.36)
+SHOULDER = (0.12, 0.28)
 
 
 def reach(forward: float, height: float, turn: float = 0.0) -> list[Target]:
@@ -31,7 +31,7 @@ def put(robot: SimulatedRobot, x: float, y: float, yaw: float) -> None:
 
 
 def test_grasps_a_can_of_a_kilogram_and_lifts_it() -> None:
-    robot = SimulatedRobot.open(INC1, "demo")
+    robot = SimulatedRobot.open(INC1, "yard")
     put(robot, 2.0, 0.0, math.pi / 2)
     arm, gripper, can = robot.groups["arm"], robot.groups["gripper"], robot._data.body("can")
 
@@ -57,7 +57,7 @@ def test_grasps_a_can_of_a_kilogram_and_lifts_it() -> None:
 
 
 def test_climbs_a_step_of_10_cm_with_its_flippers() -> None:
-    robot = SimulatedRobot.open(INC1, "demo")
+    robot = SimulatedRobot.open(INC1, "yard")
     put(robot, 0.3, -3.2, math.pi)
     robot.groups["flippers"].command([Target(ControlMode.POSITION, 0.6)])
     robot.advance(1.5)
@@ -72,7 +72,7 @@ def test_climbs_a_step_of_10_cm_with_its_flippers() -> None:
 def test_the_same_commands_give_the_same_trajectory() -> None:
     ends = []
     for _ in range(2):
-        robot = SimulatedRobot.open(INC1, "demo")
+        robot = SimulatedRobot.open(INC1, "yard")
         robot.drive.set_effort(0.6, 0.1)
         robot.groups["arm"].command(reach(0.7, 0.5))
         robot.advance(2.0)

@@ -30,7 +30,7 @@ def at(scan: RangeScan, degrees: float) -> float:
 
 
 def test_measures_the_walls_of_the_yard() -> None:
-    scan = scan_of(SimulatedRobot.open(EXACT, "demo"))
+    scan = scan_of(SimulatedRobot.open(EXACT, "yard"))
     assert len(scan.ranges) == 360
     # the lidar stands 0.2 m behind the origin; the walls' faces are at x = -3 and y = 4
     assert at(scan, -180) == pytest.approx(2.8, abs=0.005)
@@ -43,7 +43,7 @@ def test_own_robot_is_not_measured() -> None:
 
 
 def test_turns_with_the_robot() -> None:
-    robot = SimulatedRobot.open(EXACT, "demo")
+    robot = SimulatedRobot.open(EXACT, "yard")
     robot.drive.set_effort(0.0, 0.4)
     while robot.drive.pose().yaw < math.radians(45):
         robot.advance(0.01)
@@ -56,9 +56,9 @@ def test_turns_with_the_robot() -> None:
 
 
 def test_noise_has_the_given_deviation_and_is_repeatable() -> None:
-    first, again = (SimulatedRobot.open(INC1, "demo") for _ in range(2))
-    other = SimulatedRobot.open(replace(INC1, lidars=(replace(LIDAR, seed=7),)), "demo")
-    exact = scan_of(SimulatedRobot.open(EXACT, "demo")).ranges
+    first, again = (SimulatedRobot.open(INC1, "yard") for _ in range(2))
+    other = SimulatedRobot.open(replace(INC1, lidars=(replace(LIDAR, seed=7),)), "yard")
+    exact = scan_of(SimulatedRobot.open(EXACT, "yard")).ranges
     assert scan_of(first) == scan_of(again)
     assert scan_of(first) != scan_of(other)
     errors = [a - b for a, b in zip(scan_of(first).ranges, exact, strict=True) if math.isfinite(b)]
@@ -67,7 +67,7 @@ def test_noise_has_the_given_deviation_and_is_repeatable() -> None:
 
 
 def test_scans_do_not_depend_on_the_division_of_time() -> None:
-    one, other = (SimulatedRobot.open(INC1, "demo") for _ in range(2))
+    one, other = (SimulatedRobot.open(INC1, "yard") for _ in range(2))
     for robot in (one, other):
         robot.drive.set_effort(0.3, 0.2)
     one.advance(1.23)
@@ -78,7 +78,7 @@ def test_scans_do_not_depend_on_the_division_of_time() -> None:
 
 
 def test_a_lidar_does_not_change_the_trajectory() -> None:
-    blind, seeing = (SimulatedRobot.open(model, "demo") for model in (replace(INC1, lidars=()), INC1))
+    blind, seeing = (SimulatedRobot.open(model, "yard") for model in (replace(INC1, lidars=()), INC1))
     for robot in (blind, seeing):
         robot.drive.set_effort(0.4, 0.3)
         robot.advance(2.0)

@@ -12,23 +12,25 @@ from jauspy_sim.backend import MujocoBackend
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 from jauspy.modules.robot_files import known, load, robot_model
-from jauspy_sim.assembly import TIMESTEP, build, known_worlds, prefix
+from jauspy_sim.assembly import TIMESTEP, build, prefix
 from jauspy_sim.joints import roll_pitch_yaw
 from jauspy_sim.robot import SimulatedRobot
+from jauspy_sim.world_files import known_worlds
 
 INC1 = robot_model(load("inc1"))
 
 
 @pytest.fixture
-def demo() -> SimulatedRobot:
-    return SimulatedRobot.open(INC1, "demo")
+def yard() -> SimulatedRobot:
+    return SimulatedRobot.open(INC1, "yard")
 
 
 @pytest.mark.parametrize("world", known_worlds())
 @pytest.mark.parametrize("robot", known())
 def test_all_robots_stand_in_all_worlds(robot: str, world: str) -> None:
     pose = SimulatedRobot.open(robot_model(load(robot)), world).drive.pose()
-    assert max(map(abs, (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw))) < 1e-3
+    assert max(map(abs, (pose.x, pose.y, pose.z, pose.yaw))) < 1e-3
+    assert max(abs(pose.roll), abs(pose.pitch)) < (0.01 if world == "rough" else 1e-3)
 
 
 def test_masses_are_plausible() -> None:
@@ -41,62 +43,62 @@ def test_masses_are_plausible() -> None:
         assert a + b >= c
 
 
-def test_climbs_the_ramp_onto_the_deck(demo: SimulatedRobot) -> None:
-    demo.drive.set_effort(0.4, 0.0)
-    demo.advance(8.0)
-    on_ramp = demo.drive.pose()
+def test_climbs_the_ramp_onto_the_deck(yard: SimulatedRobot) -> None:
+    yard.drive.set_effort(0.3, 0.0)
+    yard.advance(9.0)
+    on_ramp = yard.drive.pose()
     assert on_ramp.z > 0.15
     assert on_ramp.pitch == pytest.approx(-math.radians(12), abs=0.02)
-    demo.advance(3.0)
-    on_deck = demo.drive.pose()
+    yard.advance(4.0)
+    on_deck = yard.drive.pose()
     assert on_deck.z == pytest.approx(0.4, abs=0.005)
     assert on_deck.pitch == pytest.approx(0.0, abs=0.01)
 
 
-def test_the_brake_holds_it_on_the_ramp(demo: SimulatedRobot) -> None:
-    demo.drive.set_effort(0.4, 0.0)
-    demo.advance(8.0)
-    demo.drive.stop()
-    demo.advance(1.0)
-    before = demo.drive.pose()
-    demo.advance(5.0)
-    assert math.dist((before.x, before.z), (demo.drive.pose().x, demo.drive.pose().z)) < 0.005
+def test_the_brake_holds_it_on_the_ramp(yard: SimulatedRobot) -> None:
+    yard.drive.set_effort(0.3, 0.0)
+    yard.advance(9.0)
+    yard.drive.stop()
+    yard.advance(1.0)
+    before = yard.drive.pose()
+    yard.advance(5.0)
+    assert math.dist((before.x, before.z), (yard.drive.pose().x, yard.drive.pose().z)) < 0.005
 
 
-def test_pushes_a_carton(demo: SimulatedRobot) -> None:
-    data, model = demo._data, demo._model
+def test_pushes_a_carton(yard: SimulatedRobot) -> None:
+    data, model = yard._data, yard._model
     carton = data.body("carton_1").xpos
     start = carton.copy()
     address = model.joint(f"{prefix('inc1')}base").qposadr[0]
     data.qpos[address : address + 2] = (2.6, 2.2)
-    demo.drive.set_effort(0.4, 0.0)
-    demo.advance(1.5)
+    yard.drive.set_effort(0.4, 0.0)
+    yard.advance(1.5)
     assert carton[0] - start[0] > 0.2
-    assert abs(demo.drive.pose().yaw) < 0.2
+    assert abs(yard.drive.pose().yaw) < 0.2
 
 
-def test_belts_are_reset(demo: SimulatedRobot) -> None:
-    demo.drive.set_effort(1.0, 0.3)
-    demo.advance(1.0)
+def test_belts_are_reset(yard: SimulatedRobot) -> None:
+    yard.drive.set_effort(1.0, 0.3)
+    yard.advance(1.0)
     for track in ("base_link_to_left_track", "base_link_to_right_track"):
-        joint = demo._data.joint(f"{prefix('inc1')}{track}")
+        joint = yard._data.joint(f"{prefix('inc1')}{track}")
         assert joint.qpos[0] == 0.0
         assert joint.qvel[0] < -0.3
 
 
-def test_remaining_time_is_carried_over(demo: SimulatedRobot) -> None:
-    demo.advance(0.75 * TIMESTEP)
-    assert demo.time == 0.0
-    demo.advance(0.75 * TIMESTEP)
-    assert demo.time == TIMESTEP
-    demo.advance(0.5 * TIMESTEP)
-    assert demo.time == 2 * TIMESTEP
+def test_remaining_time_is_carried_over(yard: SimulatedRobot) -> None:
+    yard.advance(0.75 * TIMESTEP)
+    assert yard.time == 0.0
+    yard.advance(0.75 * TIMESTEP)
+    assert yard.time == TIMESTEP
+    yard.advance(0.5 * TIMESTEP)
+    assert yard.time == 2 * TIMESTEP
 
 
-def test_tenths_of_seconds_lose_no_step(demo: SimulatedRobot) -> None:
+def test_tenths_of_seconds_lose_no_step(yard: SimulatedRobot) -> None:
     for _ in range(20):
-        demo.advance(0.1)
-    assert demo.time == pytest.approx(2.0, abs=1e-12)
+        yard.advance(0.1)
+    assert yard.time == pytest.approx(2.0, abs=1e-12)
 
 
 @pytest.mark.parametrize("angles", [(0.1, -0.2, 0.3), (-1.0, 1.2, -3.0), (0.0, 0.0, 2.5)])
@@ -112,7 +114,7 @@ def test_roll_pitch_yaw_of_a_quaternion(angles: tuple[float, float, float]) -> N
 
 
 def test_unknown_world_lists_the_known_ones() -> None:
-    with pytest.raises(ConfigError, match=r"'mars'.*demo, empty"):
+    with pytest.raises(ConfigError, match=r"'mars'.*empty, rough"):
         MujocoBackend().open(INC1, "mars")
 
 

@@ -66,7 +66,7 @@ def main() -> None:
     parser.add_argument("--backend", default="sim")
     options = parser.parse_args()
     config = load("inc1")
-    robot = backends.find(options.backend).open(robot_model(config), "demo")
+    robot = backends.find(options.backend).open(robot_model(config), "yard")
     robot.groups["arm"].command([Target(ControlMode.POSITION, value) for value in LOOKING_DOWN])
     robot.advance(5.0)
     settings = DepthSettings(rate=options.rate, min_distance=0.01)

@@ -50,7 +50,7 @@ class DHLink:
     @property
     def is_revolute(self) -> bool:
         """True when the angle moves, False when the offset does."""
-        return self.joint.kind is JointKind.REVOLUTE
+        return self.joint.turns
 
     @property
     def zero_position(self) -> float:

@@ -49,8 +49,7 @@ class FrameTree:
         """
         found = {self.root: Transform()}
         for joint in self.joints if joints is None else joints:
-            position = positions.get(joint.mimics or joint.name, 0.0)
-            found[joint.child] = found[joint.parent] @ joint_frame(joint, position)
+            found[joint.child] = found[joint.parent] @ joint_frame(joint, joint.position(positions))
         return found
 
     def pose(self, link: str, positions: Mapping[str, float] = ZERO_POSITIONS) -> Transform:
@@ -60,7 +59,7 @@ class FrameTree:
             raise ConfigError(f"{self.description.name} has no link {link!r}; it has: {known}")
         frame = Transform()
         for joint in self.description.chain(self.root, link):
-            frame = frame @ joint_frame(joint, positions.get(joint.mimics or joint.name, 0.0))
+            frame = frame @ joint_frame(joint, joint.position(positions))
         return frame
 
     def frames(self, base: Transform, positions: Mapping[str, float], common: str) -> Frames:

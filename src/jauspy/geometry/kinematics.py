@@ -214,9 +214,16 @@ class _Candidate:
 
 
 def halton_point(index: int, limits: Sequence[tuple[float, float]]) -> tuple[float, ...]:
-    """A point of the Halton sequence, which fills the space between limits evenly; `index` counts from 1."""
-    rows = zip(limits, cycle(HALTON_BASES), strict=False)
+    """A point of the Halton sequence, which fills the space between limits evenly; `index` counts from 1.
+
+    Of a joint without limits, it fills one turn.
+    """
+    rows = zip((_one_turn(*each) for each in limits), cycle(HALTON_BASES), strict=False)
     return tuple(low + (high - low) * _radical_inverse(index, base) for (low, high), base in rows)
+
+
+def _one_turn(low: float, high: float) -> tuple[float, float]:
+    return (low, high) if math.isfinite(high - low) else (-math.pi, math.pi)
 
 
 def _radical_inverse(number: int, base: int) -> float:

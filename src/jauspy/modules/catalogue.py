@@ -14,6 +14,7 @@ from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
 from jauspy.errors import ConfigError
 from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.contract import RobotParts
+from jauspy.platform.lights import lamps_of
 from jauspy.platform.modular.cell import Conveyor, ModulePower, PartSensor
 from jauspy.platform.modular.connector import VacuumConnector
 from jauspy.platform.modular.parts import CellSetup
@@ -210,6 +211,7 @@ PAN_TILT: Final = "the group of joints that pan and tilt the camera"
 LIDARS: Final = "lidars"
 FORCE_TORQUE: Final = "sensors of force and torque"
 CONNECTORS: Final = "vacuum connectors"
+INDEPENDENT: Final = "joints from base to tip that do not mimic others"
 
 
 @dataclass(frozen=True, slots=True)
@@ -238,6 +240,13 @@ def _global(make: Callable[[mobility.Vehicle], Service]) -> ServiceEntry[Mobilit
 
 def _arm(make: Callable[[manipulator.Arm], Service]) -> ServiceEntry[ManipulatorContext]:
     return ServiceEntry(ManipulatorContext, lambda context: make(context.arm))
+
+
+def _geometry(make: Callable[[manipulator.Arm], Service]) -> ServiceEntry[ManipulatorContext]:
+    """A service that needs the geometry of the arm, which the standard describes by independent joints only."""
+    return ServiceEntry(
+        ManipulatorContext, lambda context: None if context.arm.is_coupled else make(context.arm), needs=INDEPENDENT
+    )
 
 
 def _camera(make: Callable[[VideoStreams], Service]) -> ServiceEntry[VisionContext]:
@@ -281,6 +290,11 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "GlobalWaypointListDriver": _global(mobility.GlobalWaypointListDriver),
         "SkidSteerDriver": _vehicle(ugv.SkidSteerDriver),
         "PlatformSpecifications": _vehicle(ugv.PlatformSpecifications),
+        "IlluminationService": ServiceEntry(
+            MobilityContext,
+            lambda context: ugv.IlluminationService(lamps) if (lamps := lamps_of(context.robot)) else None,
+            needs="lamps ([[lights]])",
+        ),
         "ParkingBrakeDriver": ServiceEntry(
             MobilityContext,
             lambda context: ParkingBrakeDriver(brake) if (brake := ParkingBrake.of(context.robot)) else None,
@@ -289,7 +303,7 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         ),
     },
     "CM-MAN": {
-        "ManipulatorSpecificationService": _arm(manipulator.ManipulatorSpecification),
+        "ManipulatorSpecificationService": _geometry(manipulator.ManipulatorSpecification),
         "PrimitiveManipulator": _arm(manipulator.PrimitiveManipulator),
         "ManipulatorJointPositionSensor": _arm(manipulator.JointPositionSensor),
         "ManipulatorJointVelocitySensor": _arm(manipulator.JointVelocitySensor),
@@ -299,12 +313,12 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "ManipulatorActuatorForceTorqueDriver": _arm(manipulator.ActuatorForceTorqueDriver),
         "ManipulatorJointMotionProfile": _arm(manipulator.JointMotionProfile),
         "ManipulatorJointPositionListDriver": _arm(manipulator.JointPositionListDriver),
-        "ManipulatorEndEffectorPoseSensor": _arm(manipulator.EndEffectorPoseSensor),
-        "ManipulatorEndEffectorPoseDriver": _arm(manipulator.EndEffectorPoseDriver),
-        "ManipulatorEndEffectorPoseListDriver": _arm(manipulator.EndEffectorPoseListDriver),
-        "ManipulatorEndEffectorVelocityStateSensor": _arm(manipulator.EndEffectorVelocityStateSensor),
-        "ManipulatorEndEffectorVelocityStateDriver": _arm(manipulator.EndEffectorVelocityStateDriver),
-        "ManipulatorToolOffsetService": _arm(manipulator.ToolOffset),
+        "ManipulatorEndEffectorPoseSensor": _geometry(manipulator.EndEffectorPoseSensor),
+        "ManipulatorEndEffectorPoseDriver": _geometry(manipulator.EndEffectorPoseDriver),
+        "ManipulatorEndEffectorPoseListDriver": _geometry(manipulator.EndEffectorPoseListDriver),
+        "ManipulatorEndEffectorVelocityStateSensor": _geometry(manipulator.EndEffectorVelocityStateSensor),
+        "ManipulatorEndEffectorVelocityStateDriver": _geometry(manipulator.EndEffectorVelocityStateDriver),
+        "ManipulatorToolOffsetService": _geometry(manipulator.ToolOffset),
         "JointDescription": ServiceEntry(ManipulatorContext, _described),
     },
     "CM-EEF": {

@@ -9,27 +9,24 @@ from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import AfterValidator, Field, ModelWrapValidatorHandler, model_validator
 
-from jauspy.cloud.depth import DepthSettings
-from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
+from jauspy.modules.camera_config import CameraConfig
 from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
-from jauspy.modules.config_base import GainsConfig, StrictConfig
-from jauspy.platform.camera import CameraSetup
+from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
+from jauspy.modules.light_config import LightConfig
+from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
+from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.lights import TimeOfDay
 from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.video_settings import VideoSettings
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
 from jauspy.transport.age import MAX_AGE
-
-UrdfName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
-
-Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
 
 DEFAULT_GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
 """The group of joints that a type moves, unless its module names another."""
@@ -113,12 +110,23 @@ class GroupConfig(StrictConfig):
 Groups: TypeAlias = Mapping[UrdfName, GroupConfig]
 
 
+MAX_RAYS: Final = 100_000
+"""Rays of one scan."""
+
+
 class LidarConfig(StrictConfig):
-    """A lidar that scans the x-y plane of a link of the URDF, all around."""
+    """A lidar that scans the x-y plane of a link of the URDF, all around; with several layers also above and below."""
 
     name: UrdfName
     link: UrdfName
     rays: Annotated[int, Field(ge=1, le=3600)] = 360
+    """Of a layer."""
+    layers: Annotated[int, Field(ge=1, le=128)] = 1
+    vertical: tuple[Annotated[float, Field(ge=-89.0, le=89.0)], Annotated[float, Field(ge=-89.0, le=89.0)]] = (
+        -15.0,
+        15.0,
+    )
+    """Inclinations of the lowest and the highest of several layers, in degrees, positive upwards."""
     rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
     """Scans per second."""
     range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
@@ -132,11 +140,27 @@ class LidarConfig(StrictConfig):
     def _check_range(self) -> Self:
         if self.range[0] >= self.range[1]:
             raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
+        if self.vertical[0] >= self.vertical[1]:
+            raise ValueError(f"vertical: {list(self.vertical)} is empty; give the lowest and then the highest angle")
+        if self.layers * self.rays > MAX_RAYS:
+            raise ValueError(f"layers: {self.layers} of {self.rays} rays are too many; a scan may have {MAX_RAYS}")
         return self
 
     def setup(self) -> LidarSetup:
         """Return the setup for the backend."""
-        return LidarSetup(self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed)
+        low, high = (math.radians(each) for each in self.vertical)
+        return LidarSetup(
+            self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed, self.layers, (low, high)
+        )
+
+
+class CloudConfig(StrictConfig):
+    """A stream of point clouds."""
+
+    source: UrdfName
+    """The name of a lidar, or of a camera with `depth`."""
+    address: Annotated[str, Field(min_length=1, max_length=200)]
+    """Where it is published, as in tcp://127.0.0.1:5565."""
 
 
 class ForceTorqueConfig(StrictConfig):
@@ -158,64 +182,6 @@ class ForceTorqueConfig(StrictConfig):
     def setup(self) -> ForceTorqueSetup:
         """Return the setup for the backend."""
         return ForceTorqueSetup(self.name, self.link, self.rate, self.force, self.torque, *self.noise, self.seed)
-
-
-class DepthConfig(StrictConfig):
-    """Point clouds of a depth camera."""
-
-    size: tuple[Annotated[int, Field(ge=16, le=1920)], Annotated[int, Field(ge=16, le=1080)]] = (400, 250)
-    """Points across and down, at most."""
-    rate: Annotated[float, Field(gt=0.0, le=60.0)] = 10.0
-    """Clouds per second."""
-    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.2, 10.0)
-    """Minimal and maximal distance along the camera's axis, in metres."""
-
-    @model_validator(mode="after")
-    def _check_size(self) -> Self:
-        if self.range[0] >= self.range[1]:
-            raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
-        if self.size[0] * self.size[1] > MAX_POINTS:
-            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MAX_POINTS}")
-        return self
-
-    def settings(self) -> DepthSettings:
-        """Return the settings for the process that makes the clouds."""
-        return DepthSettings(*self.size, self.rate, *self.range)
-
-
-class CameraConfig(StrictConfig):
-    """A camera that looks along the x axis of a link of the URDF; z is up."""
-
-    name: UrdfName
-    link: UrdfName
-    fov: Annotated[float, Field(ge=5.0, le=150.0)] = 80.0
-    """From the left edge of the picture to the right one, in degrees."""
-    size: tuple[int, int] = (640, 480)
-    """Width and height of the stream's pictures at first."""
-    rate: int = 15
-    """Pictures per second, at first."""
-    bit_rate: int = 2000
-    """Kilobits per second, at first."""
-    depth: DepthConfig | None = None
-    """Settings of a depth camera; None for other cameras."""
-    stamped: bool = False
-    """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
-
-    @model_validator(mode="after")
-    def _check_encoding(self) -> Self:
-        try:
-            self.settings()
-        except ConfigError as error:
-            raise ValueError(str(error)) from None
-        return self
-
-    def setup(self) -> CameraSetup:
-        """Return the setup for the backend."""
-        return CameraSetup(self.name, self.link, math.radians(self.fov))
-
-    def settings(self) -> VideoSettings:
-        """Return the settings for the encoder; raises `ConfigError` for what cannot be encoded."""
-        return VideoSettings(*self.size, self.rate, 1000 * self.bit_rate)
 
 
 class AccessControlConfig(StrictConfig):
@@ -344,10 +310,19 @@ class RobotConfig(StrictConfig):
     description: Annotated[str, Field(max_length=200)] = ""
     urdf: Annotated[str, Field(min_length=1)]
     """The file that describes its links and joints, as URDF or xacro; a relative path starts at the TOML file."""
+    package_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
+    """Directories in which the packages of `package://` and `$(find ...)` are searched before those of ROS; relative
+    ones start at the TOML file."""
+    xacro_arguments: Mapping[Name, str] = Field(default_factory=dict)
+    """The arguments of a xacro file, which `$(arg NAME)` is replaced by."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
+    time_of_day: TimeOfDay = TimeOfDay.DAY
+    """Of the world, as cameras see it: "day", "dusk" or "night"."""
+    quality: Quality = Quality.MEDIUM
+    """Of simulated pictures: "low" (no shadows), "medium", "high" (also smooth edges)."""
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
     """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
@@ -359,6 +334,7 @@ class RobotConfig(StrictConfig):
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded; a relative path starts at the TOML file."""
     modules: tuple[ModuleConfig, ...]
+    localization: LocalizationConfig = LocalizationConfig()
     tracks: TracksConfig | None = None
     """Without tracks the base is fixed to the world."""
     cell: CellConfig | None = None
@@ -370,6 +346,10 @@ class RobotConfig(StrictConfig):
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
+    lights: Annotated[tuple[LightConfig, ...], Field(max_length=8)] = ()
+    """Lamps of the robot."""
+    clouds: Annotated[tuple[CloudConfig, ...], Field(max_length=32)] = ()
+    """Point clouds that are published whenever the robot runs."""
     video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
     """Networks and addresses into which any client may have video sent, beside its own machine."""
 
@@ -419,6 +399,9 @@ class RobotConfig(StrictConfig):
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
+        if self.origin is None and isinstance(self.localization.gnss, GnssConfig):
+            raise ValueError(f"localization.gnss: needs {catalogue.ORIGIN}, from which its positions are counted")
+        self._check_lights()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError(
                 "modules: none has the service Discovery; without it the robot cannot be discovered; add it to services"
@@ -501,6 +484,11 @@ class RobotConfig(StrictConfig):
                 raise ValueError(f"modules: a CM-VIS names the camera {name!r}, which is not there; there are: {known}")
             if taken.count(name) > 1:
                 raise ValueError(f"modules: the camera {name!r} has two CM-VIS; one controls its stream")
+
+    def _check_lights(self) -> None:
+        names = [light.name for light in self.lights]
+        if len(set(names)) < len(names):
+            raise ValueError(f"lights: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
 
     @property
     def movers(self) -> Mapping[int, str]:

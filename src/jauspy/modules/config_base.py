@@ -8,6 +8,10 @@ from pydantic import BaseModel, ConfigDict, Field
 
 from jauspy.platform.description import Gains
 
+UrdfName: TypeAlias = Annotated[str, Field(min_length=1, max_length=80)]
+
+Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=64)]
+
 Gain: TypeAlias = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
 
 

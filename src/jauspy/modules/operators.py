@@ -12,7 +12,8 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
-from jauspy.modules.config import Name, RobotConfig
+from jauspy.modules.config import RobotConfig
+from jauspy.modules.config_base import Name
 from jauspy.protocol.seal import Operator, PublicKey
 from jauspy.services.core import CommandSeal
 from jauspy.services.core.command_seal import CommandRecord

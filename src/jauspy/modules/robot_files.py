@@ -8,16 +8,18 @@ from importlib.resources.abc import Traversable
 from pathlib import Path
 from typing import Any, Final
 
+from lxml import etree
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import JointKind, RobotDescription, parse_urdf
+from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
 from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
+from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
@@ -67,6 +69,10 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     for key in FILES:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])
+    if isinstance(paths := data.get("package_path"), list):
+        data["package_path"] = [
+            str(folder / Path(each).expanduser()) if isinstance(each, str) else each for each in paths
+        ]
     _read_part_types(data.get("cell"), folder)
     _place_eds_files(data.get("can"), folder)
     other = data.pop("extends", None)
@@ -106,7 +112,7 @@ MAX_AXIS_COSINE: Final = 1e-3
 
 def robot_model(config: RobotConfig) -> RobotModel:
     """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
-    description = _read_urdf(config.urdf)
+    description = read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))), config.xacro_arguments)
     if config.tracks is not None:
         _check_tracks(config.tracks, description)
     for name, group in config.groups.items():
@@ -120,9 +126,12 @@ def robot_model(config: RobotConfig) -> RobotModel:
         _check_carried(f"force_torque[{number}].link", sensor.link, description)
     cameras = tuple(camera.setup() for camera in config.cameras)
     for number, camera in enumerate(cameras):
-        _check_link(f"cameras[{number}].link", camera.link, description)
+        if camera.outside is None:
+            _check_link(f"cameras[{number}].link", camera.link, description)
     for module in config.modules:
         if module.group is not None and module.camera is not None:
+            if any(camera.outside and camera.name == module.camera for camera in cameras):
+                raise ConfigError(f"modules: nothing turns {module.camera!r}, a camera outside of the robot: no group")
             (link,) = (camera.link for camera in cameras if camera.name == module.camera)
             _check_pan_tilt(f"groups.{module.group}", config.groups[module.group], link, description)
     if (cell := config.cell) is not None and cell.gripper:
@@ -130,7 +139,24 @@ def robot_model(config: RobotConfig) -> RobotModel:
     tracks = config.tracks.setup() if config.tracks else None
     setup = cell.setup() if cell else None
     drives = _can_setup(config.can, description, tracks, groups) if config.can else None
-    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup, drives)
+    localization = config.localization.setup(has_origin=config.origin is not None)
+    lamps = tuple(light.setup() for light in config.lights)
+    for number, lamp in enumerate(lamps):
+        _check_link(f"lights[{number}].link", lamp.link, description)
+    return RobotModel(
+        description,
+        tracks,
+        groups,
+        lidars,
+        cameras,
+        force_torque,
+        cell=setup,
+        can=drives,
+        lamps=lamps,
+        time_of_day=config.time_of_day,
+        localization=localization,
+        quality=config.quality,
+    )
 
 
 def _can_setup(
@@ -143,12 +169,29 @@ def _can_setup(
         return str(error)
 
 
-def _read_urdf(path: str) -> RobotDescription:
-    text = expand(path)
+def read_urdf(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None) -> RobotDescription:
+    """The robot of a URDF or xacro file, with the paths of its meshes on this machine.
+
+    Raises `ConfigError` with file and line.
+    """
+    text = expand(path, packages, arguments, with_places=True)
     try:
-        return parse_urdf(text)
+        root = parse_tree(text)
+        for element in root.iter("mesh", "texture"):
+            if name := element.get("filename"):
+                element.set("filename", str(_found(element, name, Path(path), packages)))
+        return parse_urdf(etree.tostring(root, encoding="unicode"))
     except ConfigError as error:
-        raise ConfigError(f"urdf: {path}: {error}") from error
+        text = str(error)
+        own = f"{Path(path).name}:"
+        raise ConfigError(f"urdf: {path}" + (text[len(own) - 1 :] if text.startswith(own) else f": {text}")) from error
+
+
+def _found(element: Element, name: str, path: Path, packages: PackagePaths) -> Path:
+    try:
+        return packages.file(name, path).absolute()
+    except ConfigError as error:
+        raise ConfigError(f"{place(element)}: <{element.tag}>: {error}") from error
 
 
 def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
@@ -170,7 +213,7 @@ def _check_link(key: str, link: str, description: RobotDescription) -> None:
 def _check_pan_tilt(key: str, group: GroupConfig, camera: str, description: RobotDescription) -> None:
     """Check that the group has two revolute joints at right angles that carry the camera."""
     moving = [description.joint(joint.name) for joint in group.joints]
-    if [joint.kind for joint in moving] != [JointKind.REVOLUTE] * 2:
+    if [joint.turns for joint in moving] != [True, True]:
         raise ConfigError(f"{key}.joints: a pan-tilt unit has exactly two joints, both revolute")
     if moving[1] not in description.chain(description.root(), camera):
         raise ConfigError(f"{key}: the camera is on {camera!r}, which {moving[1].name!r} does not move")
@@ -192,10 +235,21 @@ def _check_group(key: str, group: GroupConfig, description: RobotDescription) ->
         _check_link(key, link, description)
     for number, joint in enumerate(group.joints):
         _check_joint(f"{key}.joints[{number}]", joint, description)
-    moving = [j.name for j in description.chain(group.base, group.tip) if j.kind is not JointKind.FIXED]
+    moving = [j.name for j in description.chain(group.base, group.tip) if j.is_independent]
     if moving != [joint.name for joint in group.joints]:
         raise ConfigError(
             f"{key}.joints: the joints from {group.base} to {group.tip} that move are, in order: {', '.join(moving)}"
+        )
+
+
+def check_motor(key: str, joint: Joint) -> None:
+    """Check that a joint that is commanded has a speed and an effort; raises `ConfigError`."""
+    if joint.velocity <= 0.0 or joint.effort <= 0.0:
+        raise ConfigError(
+            f'{key}: the joint {joint.name!r} needs <limit effort="..." velocity="..."> above zero in the URDF, '
+            f"and has effort {joint.effort:g} and velocity {joint.velocity:g}"
+            + (f" at {joint.place}" if joint.place else "")
+            + "; or give effort and velocity of that joint in the TOML file"
         )
 
 
@@ -206,5 +260,8 @@ def _check_joint(key: str, config: JointConfig, description: RobotDescription) -
         raise ConfigError(f"{key}.name: {error}") from error
     if joint.kind is JointKind.FIXED:
         raise ConfigError(f"{key}.name: {config.name!r} does not move")
+    if joint.mimics is not None:
+        raise ConfigError(f"{key}.name: {config.name!r} mimics {joint.mimics!r}, and follows it without a command")
+    check_motor(f"{key}.name", joint)
     if not joint.lower <= config.start <= joint.upper:
         raise ConfigError(f"{key}.start = {config.start}: {config.name!r} moves from {joint.lower} to {joint.upper}")

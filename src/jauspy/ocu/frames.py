@@ -11,7 +11,6 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry, reversed_axes
 from jauspy.geometry.frames import Frames, FrameTree
 from jauspy.geometry.poses import Pose, Transform, jaus_pose
-from jauspy.geometry.urdf import JointKind
 from jauspy.messages.manipulator import (
     QueryJointPositions,
     QueryManipulatorSpecifications,
@@ -139,7 +138,7 @@ class RobotFrames:
         tracks = self._model.tracks
         belts = {*tracks.left, *tracks.right} if tracks else set()
         reported = {joint for reader in self._readers or () for joint in reader.joints}
-        moving = (each for each in self._tree.joints if each.kind is not JointKind.FIXED and each.mimics is None)
+        moving = (each for each in self._tree.joints if each.is_independent)
         return [joint.name for joint in moving if joint.name not in reported | belts]
 
     def assumed_between(self, frame: str, within: str) -> list[str]:

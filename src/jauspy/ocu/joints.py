@@ -129,14 +129,15 @@ def position_records(table: JointTable, values: Sequence[float]) -> list[JointPo
 
 def _described(report: ReportJointDescription) -> JointTable:
     group = report.group_rec
+    types = ReportJointDescription.JointType
     joints = tuple(
         DescribedJoint(
             each.joint_name,
-            each.joint_type != ReportJointDescription.JointType.PRISMATIC,
+            each.joint_type != types.PRISMATIC,
             -1.0 if each.direction == ReportJointDescription.Direction.REVERSED else 1.0,
             each.zero_position,
-            each.lower_limit,
-            each.upper_limit,
+            -math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
+            math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
             each.max_effort,
         )
         for each in report.joint_list

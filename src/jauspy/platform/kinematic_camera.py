@@ -17,6 +17,7 @@ from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup, joint_positions
+from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
 
 if TYPE_CHECKING:
@@ -70,14 +71,27 @@ class FloorCameraSession:
         import numpy  # noqa: PLC0415 - an extra
 
         self._np = numpy
-        self._spread = math.tan(camera.setup.fov / 2.0)
+        self._fov = camera.setup.fov
+        self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
         self._palette = numpy.array(_palette(), numpy.uint8)
         self._state = StateReader(camera.descriptor)
 
-    def look(self, width: int, height: int, *, thoroughly: bool = False) -> Frame:  # noqa: ARG002 - it always does
+    def simplify(self) -> bool:
+        """Return False: there is one quality."""
+        return False
+
+    def look(
+        self,
+        width: int,
+        height: int,
+        *,
+        thoroughly: bool = False,  # noqa: ARG002 - it always does
+        fov: float | None = None,
+        distances: bool = False,
+    ) -> Frame:
         """Return an image of shape (height, width, 3)."""
-        taken, image, _ = self._see(width, height)
-        return Frame(image, taken)
+        taken, image, far = self._see(width, height, fov)
+        return Frame(image, taken, distances=far if distances else None)
 
     def measure(self, width: int, height: int) -> DepthFrame:
         """Return an image of shape (height, width, 3) and distances of shape (height, width), in metres."""
@@ -88,16 +102,22 @@ class FloorCameraSession:
         """Release the shared state."""
         self._state.close()
 
-    def _see(self, width: int, height: int) -> tuple[float, Image, Distances]:
+    def _see(self, width: int, height: int, fov: float | None = None) -> tuple[float, Image, Distances]:
         taken, data = self._state.read()
         numbers = struct.unpack(f"={STATE_LENGTH}d", data)
-        return taken, *self._picture(numbers[:9], numbers[9:], width, height)
+        spread = math.tan((self._fov if fov is None else fov) / 2.0)
+        rotation, origin = numbers[:9], numbers[9:]
+        if self._outside is not None:
+            base = Transform((rotation[:3], rotation[3:6], rotation[6:]), origin)
+            frame = looking(*self._outside.ends(taken, base))
+            rotation, origin = tuple(chain(*frame.rotation)), frame.position
+        return taken, *self._picture(rotation, origin, spread, width, height)
 
     def _picture(
-        self, rotation: Sequence[float], origin: Sequence[float], width: int, height: int
+        self, rotation: Sequence[float], origin: Sequence[float], spread: float, width: int, height: int
     ) -> tuple[Image, Distances]:
         np = self._np
-        pixel = np.float32(2.0 * self._spread / width)
+        pixel = np.float32(2.0 * spread / width)
         left = -pixel * (np.arange(width, dtype=np.float32) - np.float32((width - 1) / 2.0))[None, :]
         up = -pixel * (np.arange(height, dtype=np.float32) - np.float32((height - 1) / 2.0))[:, None]
         rows = np.array(rotation, np.float32).reshape(3, 3)
@@ -128,7 +148,10 @@ def _palette() -> list[tuple[int, ...]]:
 
 
 class KinematicCameras:
-    """The cameras, and a shared state with the frame in the world for each link that carries cameras."""
+    """The cameras, and a shared state with the frame in the world for each link that carries cameras.
+
+    Cameras outside of the robot share one with the frame of its base.
+    """
 
     def __init__(self, robot: RobotModel, drive: DriveBase, groups: Mapping[str, JointGroup]) -> None:
         self._drive, self._groups = drive, groups
@@ -149,7 +172,7 @@ class KinematicCameras:
         positions = joint_positions(self._groups.values())
         if positions != self._positions or not self._frames:
             self._positions = positions
-            self._frames = {link: self._tree.pose(link, positions) for link in self._states}
+            self._frames = {link: self._tree.pose(link, positions) if link else Transform() for link in self._states}
         base = Transform.from_pose(self._drive.pose())
         for link, state in self._states.items():
             frame = base @ self._frames[link]

@@ -10,11 +10,13 @@ from typing import Final, TypeAlias
 from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera, CameraSetup
+from jauspy.platform.imaging import ImagingSettings
 from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.video import need_video
 from jauspy.video.camera_protocol import (
     AddReceiver,
     Address,
+    ChangeImaging,
     ChangeSettings,
     RemoveReceiver,
     StartCamera,
@@ -47,6 +49,7 @@ class CameraProcess(SupervisedWorker):
     def __init__(self, camera: Camera, settings: VideoSettings, *, stamped: bool = False) -> None:
         super().__init__("jauspy.video.camera_worker", NICENESS, f"camera {camera.setup.name}", _LOG)
         self._camera, self._settings, self._stamped = camera, settings, stamped
+        self._imaging = camera.setup.imaging.initial
         self._receivers: dict[Address, bool] = {}
         self._stills = PendingStills()
         self._heard_at = 0.0
@@ -67,6 +70,16 @@ class CameraProcess(SupervisedWorker):
     def settings(self, settings: VideoSettings) -> None:
         self._settings = settings
         self._send(ChangeSettings(settings))
+
+    @property
+    def imaging(self) -> ImagingSettings:
+        """How lens and sensor are set."""
+        return self._imaging
+
+    @imaging.setter
+    def imaging(self, settings: ImagingSettings) -> None:
+        self._imaging = settings
+        self._send(ChangeImaging(settings))
 
     @property
     def receivers(self) -> Mapping[Address, bool]:
@@ -131,7 +144,7 @@ class CameraProcess(SupervisedWorker):
 
     def _on_started(self) -> None:
         self._heard_at, self._timeout = time.monotonic(), START_TIMEOUT
-        self._send(StartCamera(self._camera, self._settings, self._stamped))
+        self._send(StartCamera(self._camera, self._settings, self._imaging, self._stamped))
         for address, playing in self._receivers.items():
             self._send(AddReceiver(address, playing))
         for command in self._stills:

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from jauspy.platform.camera import Camera
+from jauspy.platform.imaging import ImagingSettings
 from jauspy.platform.video_settings import StillSettings, VideoSettings
 
 Address: TypeAlias = tuple[str, int]
@@ -18,6 +19,7 @@ class StartCamera:
 
     camera: Camera
     settings: VideoSettings
+    imaging: ImagingSettings
     stamped: bool
 
 
@@ -26,6 +28,13 @@ class ChangeSettings:
     """Encode with these settings from the next picture on."""
 
     settings: VideoSettings
+
+
+@dataclass(frozen=True, slots=True)
+class ChangeImaging:
+    """Take pictures with these settings of lens and sensor."""
+
+    settings: ImagingSettings
 
 
 @dataclass(frozen=True, slots=True)

@@ -242,7 +242,7 @@ CHASSIS_CAMERA: Final = "chassis"
 
 
 class FullTour(Tour):
-    """The tour in the world `demo`, which has a table and a can."""
+    """The tour in the world `yard`, which has a table and a can."""
 
     def __init__(
         self, ocu: OCU, config: RobotConfig, view: View, report: Report, folder: Path, *, size: FrameSize

@@ -1,4 +1,4 @@
-"""The goals of the demo with robot inc1 in the world `demo`. Axes of REP-103: x forward, y left, z up."""
+"""The goals of the demo with robot inc1 in the world `yard`. Axes of REP-103: x forward, y left, z up."""
 
 from __future__ import annotations
 

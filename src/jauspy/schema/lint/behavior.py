@@ -227,9 +227,12 @@ def _missing(
 
 def unreachable_state(context: LintContext) -> Iterator[Problem]:
     """States without a transition to them, neither in the service that introduces them nor in derived ones."""
+    own = set(context.services())
     reached: dict[tuple[Element, str], set[str]] = {}
     for service in context.all_services():
         line = context.lineage(service)
+        if own.isdisjoint(line):
+            continue
         for name, machine in _machines(context, line).items():
             reachable = machine.reachable()
             for ancestor in line:
@@ -240,11 +243,11 @@ def unreachable_state(context: LintContext) -> Iterator[Problem]:
         if behavior is None or _incomplete(line):
             continue
         inherited = _machines(context, line[1:])
-        for own in behavior.machines:
-            name = short(own.name)
+        for introduced in behavior.machines:
+            name = short(introduced.name)
             there = reached.get((service, name), set())
             before = inherited.get(name)
-            for path, state in walk_states(own.states):
+            for path, state in walk_states(introduced.states):
                 parent = path.rpartition(".")[0]
                 is_new = before is None or before.root.find(path) is None
                 if path not in there and is_new and (not parent or parent in there):

@@ -38,6 +38,10 @@ class LintContext:
         self._own = [root for root in map(self._read, self.paths) if root is not None]
         self._context = self._add_builtin()
         self._link()
+        self._versions: dict[str, list[tuple[Key, Element]]] = {}
+        for (tag, key), root in self._library.roots.items():
+            if tag == "service_def":
+                self._versions.setdefault(key[0], []).append((key, root))
         self._behaviors: dict[Element, Behavior | None] = {}
         self._messages: dict[Element, Message | None] = {}
 
@@ -120,11 +124,7 @@ class LintContext:
         if reference is None or self.attempt(lambda: identity(reference)) is None:
             return None
         urn, wanted = identity(reference)
-        found = [
-            (key, root)
-            for (tag, key), root in self._library.roots.items()
-            if tag == "service_def" and key[0] == urn and matches_version(key[1], wanted)
-        ]
+        found = [(key, root) for key, root in self._versions.get(urn, ()) if matches_version(key[1], wanted)]
         return max(found, key=lambda item: _order(item[0]))[1] if found else None
 
     def lineage(self, service: Element) -> tuple[Element, ...]:

@@ -1,15 +1,13 @@
-"""VisualSensor: cameras with a fixed lens, and their mounting (AS6060)."""
+"""VisualSensor: lens, exposure and mounting of cameras (AS6060)."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field, fields
-from typing import Final, Protocol, TypeAlias
+from dataclasses import dataclass, field
+from typing import Protocol, TypeAlias
 
 from jauspy.messages.environment_sensing.v1_0.types import (
     SensorIdRec,
-    SupportedStates,
     VisualSensorErrorRec,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
@@ -25,8 +23,17 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     SetVisualSensorConfiguration,
 )
 from jauspy.platform.camera import CameraSetup
+from jauspy.platform.imaging import ImagingSettings
 from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.services.environment_sensing.sensors import MountedSensor, geometric_properties, requested_sensors
+from jauspy.services.environment_sensing.visual_settings import (
+    Code,
+    capabilities,
+    fields_of_view,
+    reported_settings,
+    requested_settings,
+    vertical,
+)
 from jauspy.services.service import Service
 
 Address: TypeAlias = tuple[str, int]
@@ -38,12 +45,6 @@ _Capabilities = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec
 _Configuration = ReportVisualSensorConfiguration.VisualSensorConfigurationRec
 
 _RequestedSettings = SetVisualSensorConfiguration.VisualSensorConfigurationRec
-
-_Code = VisualSensorErrorRec.VisualSensorErrorCode
-
-_SETTINGS: Final = tuple(
-    each.name for each in fields(_RequestedSettings) if each.name not in {"sensor_id", "reserved_presence"}
-)
 
 
 class VideoSource(Protocol):
@@ -61,6 +62,14 @@ class VideoSource(Protocol):
 
     @settings.setter
     def settings(self, settings: VideoSettings) -> None: ...
+
+    @property
+    def imaging(self) -> ImagingSettings:
+        """Zoom, focus, exposure and colours."""
+        ...
+
+    @imaging.setter
+    def imaging(self, settings: ImagingSettings) -> None: ...
 
     def watch(self, address: Address, *, playing: bool = True) -> None:
         """Send the stream to an address, or pause it; raises `ConfigError` if there are too many."""
@@ -87,7 +96,10 @@ Cameras: TypeAlias = Mapping[int, VideoCamera]
 
 
 class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
-    """Cameras that are always active and see in colour, with a field of view that does not change."""
+    """Cameras that are always active; each offers what its lens and sensor can do.
+
+    Settings are applied together or, if one of them is refused, not at all.
+    """
 
     def __init__(self, cameras: Cameras) -> None:
         self._cameras = cameras
@@ -95,11 +107,16 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
     def send_report_visual_sensor_capabilities(
         self, query: QueryVisualSensorCapabilities
     ) -> ReportVisualSensorCapabilities:
-        """Return name and supported states of each camera."""
+        """Return name, modes and limits of each camera."""
         requested = requested_sensors(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
         return ReportVisualSensorCapabilities(
             [
-                _Capabilities(sensor, self._name(sensor), supported_states=SupportedStates(1, 0, 0))
+                _Capabilities(
+                    sensor,
+                    self._name(sensor),
+                    **capabilities(self._cameras[sensor].source.setup),
+                    imaging_modes=ReportVisualSensorCapabilities.ImagingModes(1, 1, 0, 0, 0, 0, 0, 0),
+                )
                 for sensor, _ in requested
             ]
         )
@@ -107,14 +124,14 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
     def send_report_visual_sensor_capabilities_ext(
         self, query: QueryVisualSensorCapabilitiesExt
     ) -> ReportVisualSensorCapabilitiesExt:
-        """Return name, supported states and field of view (radians) of each camera."""
+        """Return name, modes, limits and fields of view (radians) of each camera."""
         requested = requested_sensors(query.query_visual_sensor_capabilities_list, self._cameras, known_only=True)
         return ReportVisualSensorCapabilitiesExt([self._extended(sensor) for sensor, _ in requested])
 
     def send_report_visual_sensor_configuration(
         self, query: QueryVisualSensorConfiguration
     ) -> ReportVisualSensorConfiguration:
-        """Return state, field of view and imaging mode of each camera."""
+        """Return the settings of each camera. Exposure time and sensitivity are those that were set."""
         requested = requested_sensors(query.query_visual_sensor_configuration_list, self._cameras, known_only=True)
         return ReportVisualSensorConfiguration([self._configuration(sensor) for sensor, _ in requested])
 
@@ -128,51 +145,44 @@ class VisualSensor(Service, urn="urn:jaus:jss:environmentSensing:VisualSensor"):
         )
 
     def send_confirm_sensor_configuration(self, msg: SetVisualSensorConfiguration) -> ConfirmSensorConfiguration:
-        """Return for each camera its id if the settings equal the present ones, otherwise an error record."""
+        """Return for each camera its sensor id, or an error record with the reason."""
         request = ConfirmSensorConfiguration.RequestIdRec(msg.request_id_rec.request_id)
         requested = requested_sensors(msg.visual_sensor_configuration_list, self._cameras)
         return ConfirmSensorConfiguration(request, [self._refusal(*each) or SensorIdRec(each[0]) for each in requested])
 
-    def update_visual_sensor_configuration(self) -> None:
-        """Do nothing: no setting can be changed."""
+    def update_visual_sensor_configuration(self, msg: SetVisualSensorConfiguration) -> None:
+        """Apply valid settings from the next picture on; omitted settings keep their values."""
+        for sensor, record in requested_sensors(msg.visual_sensor_configuration_list, self._cameras, known_only=True):
+            source = self._cameras[sensor].source
+            settings, problems = requested_settings(record, source)
+            if not problems:
+                source.imaging = settings
 
     def _refusal(self, sensor: int, requested: _RequestedSettings) -> VisualSensorErrorRec | None:
         if sensor not in self._cameras:
-            return VisualSensorErrorRec(sensor, _Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
-        present = self._configuration(sensor)
-        problems = [name for name in _SETTINGS if getattr(requested, name) not in {None, getattr(present, name)}]
+            return VisualSensorErrorRec(sensor, Code.UNKNOWN_SENSOR_ID, f"there is no sensor {sensor}")
+        _, problems = requested_settings(requested, self._cameras[sensor].source)
         if not problems:
             return None
-        text = f"these cannot be set on this camera: {', '.join(problems)}"
-        return VisualSensorErrorRec(sensor, _Code.MULTIPLE_INVALID_PARAMETERS, text[:255])
+        code = problems[0][0] if len(problems) == 1 else Code.MULTIPLE_INVALID_PARAMETERS
+        return VisualSensorErrorRec(sensor, code, "; ".join(text for _, text in problems)[:255])
 
     def _name(self, sensor: int) -> str:
         return self._cameras[sensor].source.setup.name
 
     def _extended(self, sensor: int) -> _Ext:
-        horizontal, vertical = _fields_of_view(self._cameras[sensor])
+        source = self._cameras[sensor].source
+        narrowest, widest = fields_of_view(source)
         return _Ext(
             sensor,
             self._name(sensor),
-            supported_states=SupportedStates(1, 0, 0),
-            minimum_horizontal_field_of_view=horizontal,
-            maximum_horizontal_field_of_view=horizontal,
-            minimum_vertical_field_of_view=vertical,
-            maximum_vertical_field_of_view=vertical,
+            **capabilities(source.setup),
+            imaging_modes=ReportVisualSensorCapabilitiesExt.ImagingModes(1, 1, 0, 0, 0, 0, 0, 0, 0),
+            minimum_horizontal_field_of_view=narrowest,
+            maximum_horizontal_field_of_view=widest,
+            minimum_vertical_field_of_view=vertical(narrowest, source.settings),
+            maximum_vertical_field_of_view=vertical(widest, source.settings),
         )
 
     def _configuration(self, sensor: int) -> _Configuration:
-        horizontal, vertical = _fields_of_view(self._cameras[sensor])
-        return _Configuration(
-            sensor,
-            sensor_state=ReportVisualSensorConfiguration.SensorState.ACTIVE,
-            horizontal_field_of_view=horizontal,
-            vertical_field_of_view=vertical,
-            imaging_mode=ReportVisualSensorConfiguration.ImagingMode.COLOR,
-        )
-
-
-def _fields_of_view(camera: VideoCamera) -> tuple[float, float]:
-    """Horizontal and vertical angle, radians; the vertical one follows from the aspect ratio of the images."""
-    horizontal, size = camera.source.setup.fov, camera.source.settings
-    return horizontal, 2.0 * math.atan(math.tan(horizontal / 2.0) * size.height / size.width)
+        return _Configuration(sensor, **reported_settings(self._cameras[sensor].source))

@@ -5,19 +5,23 @@ Positions of joints are as AS6057 counts them (`jauspy.geometry.denavit_hartenbe
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Final
 
 from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
 from jauspy.geometry.kinematics import KinematicState, forward_kinematics
-from jauspy.geometry.urdf import Joint
+from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.platform.setpoint import ACCELERATION_TIME
 from jauspy.services.command_timeout import ContinuousCommands
 
 POSITION_TOLERANCE: Final = 0.01
 """Radians or metres from a position up to which it is reached."""
+
+REPORTED_ANGLES: Final = 16.0 * math.pi
+"""Radians that the field of an angle spans (-8 pi..8 pi, AS6057): a joint that turned further is reported within it."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,22 +44,26 @@ class Arm:
 
     def __init__(self, joints: JointGroup) -> None:
         self.joints = joints
-        self.geometry = manipulator_geometry(joints.chain)
+        self.is_coupled = any(joint.mimics is not None for joint in joints.chain)
+        """True if joints between base and tip mimic others: `geometry` then only counts positions."""
+        self.geometry = manipulator_geometry([_as_fixed(joint) if joint.mimics else joint for joint in joints.chain])
         self.tool = self.geometry.tool
         """The tool point in the last joint's frame, metres."""
         self.limits = tuple(
             (link.joint.lower + link.zero_position, link.joint.upper + link.zero_position)
             for link in self.geometry.links
         )
-        """The lower and upper limit of each joint."""
+        """The lower and upper limit of each joint; infinite for one that turns without end."""
         self.profiles = tuple(MotionProfile.of(joint) for joint in joints.joints)
         self.driver: ArmDriver | None = None
         """The service whose command is carried out; None while the joints hold."""
 
     def state(self) -> JointState:
-        """Positions, velocities and efforts of the joints after the last step."""
+        """Positions, velocities and efforts of the joints after the last step; angles within `REPORTED_ANGLES`."""
         state = self.joints.state()
-        return JointState(self.geometry.from_urdf(state.positions), state.velocities, state.efforts)
+        rows = zip(self.geometry.from_urdf(state.positions), self.geometry.links, strict=True)
+        positions = tuple(_wrapped(position) if _is_endless(link.joint) else position for position, link in rows)
+        return JointState(positions, state.velocities, state.efforts)
 
     def kinematic_state(self) -> KinematicState:
         """Pose and Jacobian of the tool after the last step."""
@@ -72,7 +80,8 @@ class Arm:
         before, self.driver = self.driver, driver
         if before is not None and before is not driver:
             before.on_preempted()
-        self.joints.command([self._native(*row) for row in zip(targets, self.geometry.links, strict=True)])
+        present = self.joints.state().positions
+        self.joints.command([_native(*row) for row in zip(targets, self.geometry.links, present, strict=True)])
 
     def to_positions(self, driver: ArmDriver, positions: Sequence[float]) -> None:
         """Move to positions within the motion profile."""
@@ -90,8 +99,8 @@ class Arm:
 
     def is_at(self, positions: Sequence[float]) -> bool:
         """True if all joints are at these positions, or at their limits."""
-        rows = zip(self.limited(positions), self.state().positions, strict=True)
-        return all(abs(goal - position) <= POSITION_TOLERANCE for goal, position in rows)
+        rows = zip(self.limited(positions), self.state().positions, self.geometry.links, strict=True)
+        return all(abs(_way(link.joint, position, goal)) <= POSITION_TOLERANCE for goal, position, link in rows)
 
     def stop(self) -> None:
         """Hold the present positions, whichever service moves the joints. May be called twice."""
@@ -100,11 +109,29 @@ class Arm:
             before.on_preempted()
         self.joints.hold()
 
-    @staticmethod
-    def _native(target: Target, link: DHLink) -> Target:
-        return (
-            replace(target, value=target.value - link.zero_position) if target.mode is ControlMode.POSITION else target
-        )
+
+def _native(target: Target, link: DHLink, present: float) -> Target:
+    """The target in the URDF's terms; of a joint that turns without end, the nearest position that is reported so."""
+    if target.mode is not ControlMode.POSITION:
+        return target
+    value = target.value - link.zero_position
+    return replace(target, value=present + _way(link.joint, present, value) if _is_endless(link.joint) else value)
+
+
+def _is_endless(joint: Joint) -> bool:
+    return joint.kind is JointKind.CONTINUOUS
+
+
+def _wrapped(angle: float) -> float:
+    return math.remainder(angle, REPORTED_ANGLES)
+
+
+def _way(joint: Joint, start: float, end: float) -> float:
+    return _wrapped(end - start) if _is_endless(joint) else end - start
+
+
+def _as_fixed(joint: Joint) -> Joint:
+    return replace(joint, kind=JointKind.FIXED, mimics=None)
 
 
 def _limited_target(target: Target, profile: MotionProfile) -> Target:

@@ -6,14 +6,22 @@ of jauspy does, so that clients can use the numbers of the description.
 
 from __future__ import annotations
 
+from typing import Final
+
 from jauspy.geometry.frames import joint_frame
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.geometry.vectors import Rotation, quaternion
 from jauspy.messages.description import ReportJointDescription
 from jauspy.platform.joints import JointGroup
-from jauspy.services.manipulator.arm import Arm
+from jauspy.services.manipulator.arm import REPORTED_ANGLES, Arm
 from jauspy.services.service import Service
+
+_TYPES: Final = {
+    JointKind.REVOLUTE: ReportJointDescription.JointType.REVOLUTE,
+    JointKind.PRISMATIC: ReportJointDescription.JointType.PRISMATIC,
+    JointKind.CONTINUOUS: ReportJointDescription.JointType.CONTINUOUS,
+}
 
 
 class JointDescription(Service, urn="urn:jauspy:description:JointDescription"):
@@ -41,14 +49,14 @@ def tool_rotation(group: JointGroup, arm: Arm) -> Rotation:
 
 
 def _record(joint: Joint, counted: Joint, zero: float) -> ReportJointDescription.JointRec:
-    types, directions = ReportJointDescription.JointType, ReportJointDescription.Direction
+    directions = ReportJointDescription.Direction
     return ReportJointDescription.JointRec(
         joint.name[:255],
-        types.PRISMATIC if joint.kind is JointKind.PRISMATIC else types.REVOLUTE,
+        _TYPES[joint.kind],
         directions.SAME if counted.axis == joint.axis else directions.REVERSED,
         zero,
-        joint.lower,
-        joint.upper,
+        max(-REPORTED_ANGLES / 2.0, joint.lower),
+        min(REPORTED_ANGLES / 2.0, joint.upper),
         joint.velocity,
         joint.effort,
     )

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from typing import Final
 
 from jauspy.geometry.denavit_hartenberg import pan_tilt_frame, reversed_axes, reversed_joint
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
@@ -25,10 +26,12 @@ from jauspy.messages.manipulator import (
     SetPanTiltMotionProfile,
 )
 from jauspy.platform.joints import JointGroup, JointState, Target
-from jauspy.services.manipulator.arm import Arm, MotionProfile
+from jauspy.services.manipulator.arm import REPORTED_ANGLES, Arm, MotionProfile
 from jauspy.services.manipulator.joints import EffortDriver, JointDriver, PositionDriver
 from jauspy.services.manipulator.specification import limited_profile
 from jauspy.services.service import Service
+
+MAX_ANGLE: Final = REPORTED_ANGLES / 2.0
 
 
 class ReversedJoints:
@@ -143,7 +146,7 @@ class PanTiltSpecification(Service, urn="urn:jaus:jss:manipulator:PanTiltSpecifi
         self._unit = unit
 
     def report_pan_tilt_specifications(self) -> ReportPanTiltSpecifications:
-        """The present coordinate system, and the limits."""
+        """The present coordinate system, and the limits: those of the field for a joint that turns without end."""
         system, (pan, tilt) = self._unit.coordinate_system, self._unit.joints.joints
         x, y, z = system.position
         d, a, b, c = quaternion(system.rotation)
@@ -155,11 +158,11 @@ class PanTiltSpecification(Service, urn="urn:jaus:jss:manipulator:PanTiltSpecifi
             a_component_of_unit_quaternion_q=a,
             b_component_of_unit_quaternion_q=b,
             c_component_of_unit_quaternion_q=c,
-            joint1_min_value=pan.lower,
-            joint1_max_value=pan.upper,
+            joint1_min_value=max(-MAX_ANGLE, pan.lower),
+            joint1_max_value=min(MAX_ANGLE, pan.upper),
             joint1_max_speed=pan.velocity,
-            joint2_min_value=tilt.lower,
-            joint2_max_value=tilt.upper,
+            joint2_min_value=max(-MAX_ANGLE, tilt.lower),
+            joint2_max_value=min(MAX_ANGLE, tilt.upper),
             joint2_max_speed=tilt.velocity,
         )
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from jauspy.geometry.denavit_hartenberg import DHLink
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
+from jauspy.geometry.urdf import JointKind
 from jauspy.geometry.vectors import quaternion
 from jauspy.messages.manipulator import (
     ManipulatorCoordinateSystemRec,
@@ -44,8 +45,15 @@ def coordinate_system(base: Transform) -> ManipulatorCoordinateSystemRec:
 def _first_revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJoint1OffsetRec:
     joint = link.joint
     return ReportManipulatorSpecifications.RevoluteJoint1OffsetRec(
-        link.offset, joint.lower + link.zero_position, joint.upper + link.zero_position, joint.velocity, joint.effort
+        link.offset, *_turning_limits(link), joint.velocity, joint.effort
     )
+
+
+def _turning_limits(link: DHLink) -> tuple[float | None, float | None]:
+    """Left out for a joint that turns without end."""
+    if link.joint.kind is JointKind.CONTINUOUS:
+        return None, None
+    return link.joint.lower + link.zero_position, link.joint.upper + link.zero_position
 
 
 def _first_prismatic(link: DHLink) -> ReportManipulatorSpecifications.PrismaticJoint1AngleRec:
@@ -61,8 +69,7 @@ def _revolute(link: DHLink) -> ReportManipulatorSpecifications.RevoluteJointSpec
         link.length,
         link.twist,
         link.offset,
-        joint.lower + link.zero_position,
-        joint.upper + link.zero_position,
+        *_turning_limits(link),
         joint.velocity,
         joint.effort,
     )

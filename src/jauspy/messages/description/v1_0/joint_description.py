@@ -32,6 +32,7 @@ class ReportJointDescription(jd.Message):
     class JointType(IntEnum):
         REVOLUTE = 1
         PRISMATIC = 2
+        CONTINUOUS = 3
 
     class Direction(IntEnum):
         SAME = 0
@@ -40,7 +41,7 @@ class ReportJointDescription(jd.Message):
     @jd.record()
     class JointRec(jd.Struct):
         """joint_name: up to 255 characters. Name of the joint in the description
-        joint_type: JointType. What its position is: an angle in radians, or a distance in metres
+        joint_type: JointType. An angle in radians with or without limits, or a distance in metres
         direction: Direction. Whether services count along the axis of the description
         zero_position: What services report where the description has zero: radians or metres
         lower_limit: Least position in the description: radians or metres

@@ -1,0 +1,125 @@
+"""Finds the files that a robot's URDF names: relative to it, by `file://`, or in ROS packages by `package://`."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+from urllib.parse import unquote
+
+from lxml import etree
+
+from jauspy.errors import ConfigError
+from jauspy.user_files import read_file
+
+MANIFEST: Final = "package.xml"
+
+MAX_DEPTH: Final = 4
+"""How deep a directory of `ROS_PACKAGE_PATH` or `package_path` is searched for packages."""
+
+MAX_DIRECTORIES: Final = 20_000
+"""How many directories are looked at for one package."""
+
+SKIPPED: Final = frozenset({".git", "build", "log", "node_modules", "__pycache__", "meshes", "textures"})
+
+
+@dataclass(frozen=True, slots=True)
+class PackagePaths:
+    """Where packages are searched: the directories given, then those of ROS, then around the URDF file."""
+
+    given: tuple[Path, ...] = ()
+    """`package_path` of the robot's TOML file: packages, or directories with packages."""
+    environment: Mapping[str, str] | None = None
+    """`os.environ` when left out."""
+
+    def package(self, name: str, near: Path) -> Path:
+        """The directory of a package that a file names; raises `ConfigError` with the places that were searched."""
+        for place in (*self.given, *self._of_ros()):
+            if (found := _below(place, name)) is not None:
+                return found
+        for place in near.resolve().parents:
+            if _is_package(place, name):
+                return place
+            if _is_package(place / name, name):
+                return place / name
+        searched = ", ".join(map(str, (*self.given, *self._of_ros()))) or "none"
+        raise ConfigError(
+            f"the package {name!r} is not found; package_path in the robot's TOML file, ROS_PACKAGE_PATH and "
+            f"AMENT_PREFIX_PATH name: {searched}; nor is it beside or above {near.parent}"
+        )
+
+    def file(self, name: str, near: Path) -> Path:
+        """The file that the text `name` means in the file `near`; raises `ConfigError` if there is none."""
+        scheme, found, rest = name.partition("://")
+        if not found:
+            return _existing(near.parent / name, name)
+        if scheme == "file":
+            return _existing(Path(unquote(rest.removeprefix("localhost"))), name)
+        if scheme in ("package", "model"):
+            package, _, path = unquote(rest).lstrip("/").partition("/")
+            folder = self.package(package, near)
+            target = (folder / path).resolve()
+            if not target.is_relative_to(folder.resolve()):
+                raise ConfigError(f"{name}: leads out of the package {package!r}")
+            return _existing(target, name)
+        raise ConfigError(f"{name}: {scheme}:// is not read; known are package://, file:// and paths")
+
+    def _of_ros(self) -> Iterator[Path]:
+        environment = os.environ if self.environment is None else self.environment
+        for each in _entries(environment.get("ROS_PACKAGE_PATH", "")):
+            yield each
+        for each in _entries(environment.get("AMENT_PREFIX_PATH", "")):
+            yield each / "share"
+
+
+def _entries(text: str) -> Iterable[Path]:
+    return [Path(part) for part in text.split(os.pathsep) if part]
+
+
+def _existing(path: Path, name: str) -> Path:
+    if not path.is_file():
+        raise ConfigError(f"{name}: there is no such file" + ("" if str(path) == name else f" ({path})"))
+    return path
+
+
+def _below(place: Path, name: str) -> Path | None:
+    """The package of that name at a directory or below it, as `rospack` finds it: not in other packages."""
+    if _is_package(place, name):
+        return place
+    directories, looked_at = [(place, 0)], 0
+    while directories and looked_at < MAX_DIRECTORIES:
+        folder, depth = directories.pop(0)
+        looked_at += 1
+        if _is_package(folder / name, name):
+            return folder / name
+        if depth < MAX_DEPTH and not (depth and (folder / MANIFEST).is_file()):
+            directories += [(each, depth + 1) for each in _subdirectories(folder)]
+            match = next((each for each in _subdirectories(folder) if _has_manifest(each, name)), None)
+            if match is not None:
+                return match
+    return None
+
+
+def _subdirectories(folder: Path) -> list[Path]:
+    try:
+        return sorted(each for each in folder.iterdir() if each.is_dir() and each.name not in SKIPPED)
+    except OSError:
+        return []
+
+
+def _is_package(folder: Path, name: str) -> bool:
+    """True for a directory of that name, with a manifest or without, and for one whose manifest has the name."""
+    return folder.is_dir() and (folder.name == name or _has_manifest(folder, name))
+
+
+def _has_manifest(folder: Path, name: str) -> bool:
+    manifest = folder / MANIFEST
+    if not manifest.is_file():
+        return False
+    try:
+        root = etree.fromstring(read_file(manifest), etree.XMLParser(resolve_entities=False, no_network=True))
+    except (etree.XMLSyntaxError, ConfigError):
+        return False
+    return (root.findtext("name") or "").strip() == name
