@@ -126,7 +126,9 @@ def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
 
 def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     """MuJoCo's cameras look along -z with y up; the frame of a link looks along x with z up."""
-    added = spec.body(body_name(camera.link)).add_camera(name=camera.name)
+    # one outside of the robot is placed for each picture
+    carrier = spec.worldbody if camera.outside else spec.body(body_name(camera.link))
+    added = carrier.add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
     added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
 

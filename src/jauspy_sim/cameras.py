@@ -6,20 +6,33 @@ import math
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, Quality
 from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
+from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
 from jauspy_sim.assembly import DrawnModel, logger, redirect_warnings
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
+from jauspy_sim.sensors import cast_rays
+from jauspy_sim.urdf import body_name
+
+_MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+"""Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""
+
+WALL_MARGIN: Final = 0.15
+"""Metres that an outside camera keeps from what would hide the robot."""
+MIN_AWAY: Final = 0.6
+"""Metres that it keeps from the robot."""
 
 if TYPE_CHECKING:
     from jauspy_sim.lamps import Darkness
@@ -42,6 +55,10 @@ class Renderer(Protocol):
     @property
     def description(self) -> str:
         """How it renders, for the log."""
+        ...
+
+    def simplify(self) -> bool:
+        """Render at the next lower quality; False at the lowest."""
         ...
 
     def zoom(self, fov: float) -> None:
@@ -95,6 +112,9 @@ class SimulatedCamera:
     prefix: str = ""
     lamps: tuple[LampSetup, ...] = ()
     time_of_day: TimeOfDay = TimeOfDay.DAY
+    quality: Quality = Quality.LOW
+    base: int = 0
+    """The robot's root body, for cameras outside of it."""
     drawn: DrawnModel | None = None
 
     @property
@@ -123,6 +143,8 @@ class SimulatedCameraSession:
 
             self._darkness = Darkness(self._model, camera.prefix, camera.lamps, camera.time_of_day)
             light_evenly(self._model)
+        self._base = camera.base
+        self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
         self._fov = camera.setup.fov
 
     @property
@@ -132,8 +154,12 @@ class SimulatedCameraSession:
 
     @property
     def reduced(self) -> bool:
-        """True with ray casting, which uses fewer rays than pixels."""
-        return isinstance(self._renderer, RayRenderer)
+        """True with ray casting, which uses fewer rays than pixels, and after `simplify`."""
+        return not isinstance(self._renderer, GlRenderer) or self._renderer.is_simplified
+
+    def simplify(self) -> bool:
+        """Leave out smooth edges, and then shadows; False without either."""
+        return self._renderer.simplify()
 
     def look(
         self,
@@ -182,7 +208,30 @@ class SimulatedCameraSession:
     def _update(self) -> float:
         taken, numbers = self._state.read()
         self._place(np.frombuffer(numbers))
+        if self._outside is not None:
+            self._look_from_outside(self._outside, taken)
         return taken
+
+    def _look_from_outside(self, view: OutsideView, now: float) -> None:
+        """Put the camera in its place, or nearer to the robot if something hides the robot from there."""
+        data = self._data
+        x, y, z = data.xpos[self._base].tolist()
+        first, second, third = ((a, b, c) for a, b, c in data.xmat[self._base].reshape(3, 3).tolist())
+        position, target = view.ends(now, Transform((first, second, third), (x, y, z)))
+        if view.follows:
+            position = self._unhidden(position, target)
+        frame = looking(position, target)
+        data.cam_xpos[self._number] = frame.position
+        # The columns are right, up and back.
+        data.cam_xmat[self._number] = (np.array(frame.rotation) @ _MUJOCO_AXES).ravel()
+
+    def _unhidden(self, position: Vector, target: Vector) -> Vector:
+        start, way = np.array(target), np.array(position) - np.array(target)
+        far = float(np.linalg.norm(way))
+        found = float(cast_rays(self._model, self._data, start, way[None, :] / far)[0])
+        near = max(min(far, found - WALL_MARGIN), MIN_AWAY)
+        x, y, z = (start + way * (near / far)).tolist()
+        return x, y, z
 
     def _place(self, numbers: NDArray[np.float64]) -> None:
         model, data = self._model, self._data
@@ -214,7 +263,7 @@ def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
     if way is not None:
         model = camera.model if camera.drawn is None else camera.drawn.build()
         try:
-            return GlRenderer(model, camera.number, camera.setup.fov, way), model
+            return GlRenderer(model, camera.number, camera.setup.fov, way, camera.quality), model
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
             logger.warning("%s does not work here: %s", way, error)
     return RayRenderer(camera.model, camera.number, camera.setup.fov), camera.model
@@ -246,6 +295,8 @@ class SimulatedCameras:
                 prefix,
                 shining,
                 robot.time_of_day,
+                robot.quality,
+                int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
                 drawn,
             )
             for setup in robot.cameras

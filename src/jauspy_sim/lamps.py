@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.lights import DAYLIGHT, LampSetup, TimeOfDay
+from jauspy_sim.urdf import body_name
 
 if TYPE_CHECKING:
     from jauspy_sim.cameras import Renderer
@@ -33,8 +34,10 @@ EDGE: Final = 0.15
 SHADOW_SIZE: Final = 256
 """Pixels of each side of the picture from a lamp, in which what it does not see is in the shadow."""
 SHADOW_MARGIN: Final = 1.02
-SHADOW_BIAS: Final = (0.02, 0.015)
+SHADOW_BIAS: Final = (0.02, 0.005)
 """Metres, and metres for each metre, by which a surface may be behind what the lamp sees."""
+MAX_STEEPNESS: Final = 25.0
+"""Largest factor by which that is increased where light falls flat on a surface."""
 MAX_SHADOW_ANGLE: Final = math.radians(75.0)
 """Largest angle from the axis at which shadows are computed."""
 
@@ -149,7 +152,7 @@ class _Surface:
         cone = np.clip((ahead / distance - np.float32(edge)) / np.float32(inner - edge), 0.0, 1.0)
         made: Floats = (intensity * cone * facing / squared).astype(np.float32)
         if shadow is not None:
-            made *= _seen(ahead, left, up, *shadow)
+            made *= _seen(ahead, left, up, facing, shadow)
         return made
 
 
@@ -162,8 +165,9 @@ def _gradient(values: Floats, axis: int) -> Floats:
     return np.where(np.abs(ahead) < np.abs(behind), ahead, behind)
 
 
-def _seen(ahead: Floats, left: Floats, up: Floats, depths: Floats, spread: float) -> Floats:
+def _seen(ahead: Floats, left: Floats, up: Floats, facing: Floats, shadow: tuple[Floats, float]) -> Floats:
     """1 where the lamp sees the surface, 0 in the shadow, and between at the edge."""
+    depths, spread = shadow
     size = depths.shape[0]
     scale = np.float32(size / 2.0 / spread)
     forward = np.maximum(ahead, np.float32(1e-3))
@@ -171,15 +175,18 @@ def _seen(ahead: Floats, left: Floats, up: Floats, depths: Floats, spread: float
     found = cv2.remap(
         depths, middle - left / forward * scale, middle - up / forward * scale, cv2.INTER_NEAREST, borderValue=1e4
     )
-    fixed, slope = SHADOW_BIAS
-    is_seen = (np.asarray(found) + np.float32(fixed) >= ahead * np.float32(1.0 - slope)).astype(np.float32)
+    fixed, relative = SHADOW_BIAS
+    # Within one pixel of what the lamp sees, depths differ the more the flatter the light falls on the surface.
+    steep = np.minimum(np.float32(1.0) / np.maximum(facing, np.float32(0.02)), np.float32(MAX_STEEPNESS))
+    allowed = np.float32(fixed) + ahead * (np.float32(relative) + np.float32(2.0 * spread / size) * steep)
+    is_seen = (np.asarray(found) + allowed >= ahead).astype(np.float32)
     return np.asarray(cv2.blur(is_seen, (3, 3)), np.float32)
 
 
 def _beam(model: mujoco.MjModel, prefix: str, lamp: LampSetup) -> _Beam:
     down = lamp.tilt
     turn = np.array([[math.cos(down), 0.0, math.sin(down)], [0.0, 1.0, 0.0], [-math.sin(down), 0.0, math.cos(down)]])
-    body = int(model.body(f"{prefix}{lamp.link}").id)
+    body = int(model.body(f"{prefix}{body_name(lamp.link)}").id)
     return _Beam(body, np.array(lamp.position), turn, lamp.intensity, lamp.cone / 2.0, casts_shadow=True)
 
 

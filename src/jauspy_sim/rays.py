@@ -43,6 +43,10 @@ class RayRenderer:
         self._sky, self._shading = SkyBox(model), Shading(model)
         self._groups = _visible_groups(model)
 
+    def simplify(self) -> bool:
+        """Return False: rays are few already."""
+        return False
+
     def zoom(self, fov: float) -> None:
         """Take this horizontal field of view, in radians."""
         self._spread = math.tan(fov / 2.0)

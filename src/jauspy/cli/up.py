@@ -40,6 +40,7 @@ from jauspy.modules.config import MOTIONLESS, RobotConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import config_file
 from jauspy.platform import backends
+from jauspy.platform.camera import Quality
 from jauspy.platform.lights import TimeOfDay
 from jauspy.protocol import junior
 from jauspy.transport import LocalTransport, local as local_socket
@@ -76,6 +77,13 @@ def up(
     time_of_day: Annotated[
         TimeOfDay | None,
         typer.Option("--time-of-day", help="The light in the simulation. Default: the robot's own."),
+    ] = None,
+    quality: Annotated[
+        Quality | None,
+        typer.Option(
+            "--quality",
+            help="Of simulated camera pictures: low has no shadows, high also smooth edges. Default: the robot's own.",
+        ),
     ] = None,
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Do not start a node manager; wait for one in the local root.")
@@ -121,8 +129,8 @@ def up(
     if with_parent:
         end_with_parent()
     config = on_bus(robot_files.load(robot), bus)
-    if time_of_day is not None:
-        config = config.model_copy(update={"time_of_day": time_of_day})
+    scene = {"time_of_day": time_of_day, "quality": quality}
+    config = config.model_copy(update={key: value for key, value in scene.items() if value is not None})
     clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
         config,

@@ -18,6 +18,7 @@ from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
 from jauspy.modules.light_config import LightConfig
 from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
+from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.lights import TimeOfDay
@@ -320,6 +321,8 @@ class RobotConfig(StrictConfig):
     world: Name = "empty"
     time_of_day: TimeOfDay = TimeOfDay.DAY
     """Of the world, as cameras see it: "day", "dusk" or "night"."""
+    quality: Quality = Quality.MEDIUM
+    """Of simulated pictures: "low" (no shadows), "medium", "high" (also smooth edges)."""
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
     """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None

@@ -126,9 +126,12 @@ def robot_model(config: RobotConfig) -> RobotModel:
         _check_carried(f"force_torque[{number}].link", sensor.link, description)
     cameras = tuple(camera.setup() for camera in config.cameras)
     for number, camera in enumerate(cameras):
-        _check_link(f"cameras[{number}].link", camera.link, description)
+        if camera.outside is None:
+            _check_link(f"cameras[{number}].link", camera.link, description)
     for module in config.modules:
         if module.group is not None and module.camera is not None:
+            if any(camera.outside and camera.name == module.camera for camera in cameras):
+                raise ConfigError(f"modules: nothing turns {module.camera!r}, a camera outside of the robot: no group")
             (link,) = (camera.link for camera in cameras if camera.name == module.camera)
             _check_pan_tilt(f"groups.{module.group}", config.groups[module.group], link, description)
     if (cell := config.cell) is not None and cell.gripper:
@@ -152,6 +155,7 @@ def robot_model(config: RobotConfig) -> RobotModel:
         lamps=lamps,
         time_of_day=config.time_of_day,
         localization=localization,
+        quality=config.quality,
     )
 
 

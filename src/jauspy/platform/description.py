@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from jauspy.geometry.urdf import RobotDescription
-from jauspy.platform.camera import CameraSetup
+from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import EXACT, LocalizationSetup
@@ -85,3 +85,5 @@ class RobotModel:
     lamps: tuple[LampSetup, ...] = ()
     time_of_day: TimeOfDay = TimeOfDay.DAY
     """Of the simulated world."""
+    quality: Quality = Quality.MEDIUM
+    """Of the pictures of its cameras in a simulation."""
