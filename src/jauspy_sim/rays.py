@@ -207,7 +207,8 @@ class Shading:
         for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
             sun = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
             light = light + model.light_ambient[number] + sun * model.light_diffuse[number]
-        return np.minimum(light, 1.0)  # as GL
+        seen: NDArray[np.float64] = np.minimum(light, 1.0)  # as GL
+        return seen
 
 
 def _base_colour(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:

@@ -71,7 +71,7 @@ def test_physics_has_no_shapes_that_are_only_seen() -> None:
     assert (drawn.nq, drawn.nv, drawn.ncam, drawn.nbody) == (physics.nq, physics.nv, physics.ncam, physics.nbody)
     np.testing.assert_array_equal(drawn.body_mass, physics.body_mass)
     olive = physics.geom_rgba[physics.body("inc1/base_link").geomadr[0]]
-    assert tuple(np.round(olive, 2)) == (0.34, 0.37, 0.28, 1.0)  # rays show collision shapes in the colour of the link
+    assert tuple(np.round(olive, 2)) == (0.39, 0.42, 0.32, 1.0)  # rays show collision shapes in the colour of the link
 
 
 def test_meshes_have_the_dimensions_of_what_collides() -> None:
