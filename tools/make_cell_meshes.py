@@ -11,130 +11,15 @@ from __future__ import annotations
 
 import argparse
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
-from typing import NamedTuple, TypeAlias
 
 import numpy as np
 from numpy.typing import NDArray
 
-Array: TypeAlias = NDArray[np.float64]
-Vector: TypeAlias = tuple[float, float, float]
-Profile: TypeAlias = Sequence[tuple[float, float]]
-"""Radius and height, from the bottom outward and up."""
+from mesh_shapes import X_UP, Y_UP, Mesh, bolts, box, cylinder, joined, lathe, rounded
 
 TARGET = Path(__file__).parents[1] / "src" / "jauspy_sim" / "cell" / "meshes.npz"
-SEGMENTS = 24
-SMOOTH = math.cos(math.radians(40.0))
-"""Edges of a profile that turn by less are smooth."""
-
-X_UP = np.array([[0.0, 0.0, 1.0], [0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])
-"""Turns z to x."""
-Y_UP = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
-"""Turns z to y."""
-
-
-class Mesh(NamedTuple):
-    """Triangles with a normal for each vertex."""
-
-    vertices: Array
-    normals: Array
-    triangles: NDArray[np.int64]
-
-    def at(self, x: float = 0.0, y: float = 0.0, z: float = 0.0, turn: Array | None = None) -> Mesh:
-        """The mesh, turned and then moved."""
-        rotation = np.eye(3) if turn is None else turn
-        return Mesh(self.vertices @ rotation.T + (x, y, z), self.normals @ rotation.T, self.triangles)
-
-
-def joined(meshes: Iterable[Mesh]) -> Mesh:
-    """Several meshes as one."""
-    parts = list(meshes)
-    offsets = np.cumsum([0, *(len(part.vertices) for part in parts)])
-    return Mesh(
-        np.concatenate([part.vertices for part in parts]),
-        np.concatenate([part.normals for part in parts]),
-        np.concatenate([part.triangles + offset for part, offset in zip(parts, offsets, strict=False)]),
-    )
-
-
-def lathe(profile: Profile, segments: int = SEGMENTS) -> Mesh:
-    """A profile turned about z. Sharp edges of the profile stay sharp."""
-    points = np.array(
-        [at for number, at in enumerate(profile) if not number or math.dist(at, profile[number - 1]) > 1e-9]
-    )
-    edges = np.diff(points, axis=0)
-    normals = np.stack([edges[:, 1], -edges[:, 0]], axis=1) / np.hypot(edges[:, 0], edges[:, 1])[:, None]
-    angles = np.linspace(0.0, 2.0 * math.pi, segments + 1)
-    circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    rings: list[tuple[Array, Array]] = []
-    for number, normal in enumerate(normals):
-        for end, other in ((number, number - 1), (number + 1, number + 1)):
-            meets = 0 <= other < len(normals) and float(normal @ normals[other]) > SMOOTH
-            smooth = normal + normals[other] if meets else normal
-            rings.append((points[end], smooth / np.linalg.norm(smooth)))
-    vertices = np.concatenate([np.column_stack([circle * r, np.full(segments + 1, z)]) for (r, z), _ in rings])
-    directions = np.concatenate([np.column_stack([circle * r, np.full(segments + 1, z)]) for _, (r, z) in rings])
-    triangles = []
-    for number in range(0, len(rings), 2):
-        low, high = number * (segments + 1), (number + 1) * (segments + 1)
-        for at in range(segments):
-            if rings[number][0][0] > 0.0:
-                triangles.append((low + at, low + at + 1, high + at + 1))
-            if rings[number + 1][0][0] > 0.0:
-                triangles.append((low + at, high + at + 1, high + at))
-    return Mesh(vertices, directions, np.array(triangles))
-
-
-def rounded(low: float, high: float, radius: float, edge: float, steps: int = 2) -> list[tuple[float, float]]:
-    """The profile of a cylinder with rounded edges."""
-    arc = [math.pi / 2.0 * step / steps for step in range(steps + 1)]
-    below = [(radius - edge + edge * math.sin(a), low + edge - edge * math.cos(a)) for a in arc]
-    above = [(radius - edge + edge * math.cos(a), high - edge + edge * math.sin(a)) for a in arc]
-    return [(0.0, low), *below, *above, (0.0, high)]
-
-
-def cylinder(low: float, high: float, radius: float, edge: float = 0.0015, segments: int = SEGMENTS) -> Mesh:
-    """A cylinder along z with rounded edges."""
-    return lathe(rounded(low, high, radius, edge), segments)
-
-
-def box(size: Vector, radius: float = 0.004, steps: int = 1) -> Mesh:
-    """A cuboid with rounded edges, its middle at the origin."""
-    half = np.array(size) / 2.0 - radius
-    ramp = np.tan(np.linspace(0.0, math.pi / 4.0, steps + 1))
-    at = np.concatenate([-ramp[::-1], ramp])
-    sign = np.concatenate([-np.ones(steps + 1), np.ones(steps + 1)])
-    count = len(at)
-    u, v = np.meshgrid(at, at, indexing="ij")
-    su, sv = np.meshgrid(sign, sign, indexing="ij")
-    grid = np.arange(count * count).reshape(count, count)
-    a, b, c, d = (each.ravel() for each in (grid[:-1, :-1], grid[1:, :-1], grid[1:, 1:], grid[:-1, 1:]))
-    faces = np.concatenate([np.stack([a, b, c], axis=1), np.stack([a, c, d], axis=1)])
-    sides = []
-    for axis in range(3):
-        for side in (1.0, -1.0):
-            first, second = (axis + 1) % 3, (axis + 2) % 3
-            direction, corner = np.zeros((count * count, 3)), np.zeros((count * count, 3))
-            direction[:, axis] = corner[:, axis] = side
-            direction[:, first], direction[:, second] = u.ravel(), v.ravel()
-            corner[:, first], corner[:, second] = su.ravel(), sv.ravel()
-            direction /= np.linalg.norm(direction, axis=1)[:, None]
-            sides.append(Mesh(corner * half + radius * direction, direction, faces if side > 0.0 else faces[:, ::-1]))
-    return joined(sides)
-
-
-def bolts(count: int, circle: float, z: float, radius: float = 0.0024, height: float = 0.0016) -> Mesh:
-    """Heads of bolts on a circle about z."""
-    head = lathe(
-        [(0.0, height * 0.4), (radius * 0.55, height * 0.4), (radius * 0.55, height), (radius, height * 0.9)],
-        6,
-    )
-    side = lathe([(radius, 0.0), (radius, height * 0.9)], 6)
-    flipped = Mesh(head.vertices, -head.normals, head.triangles[:, ::-1])
-    one = joined([flipped, side])
-    angles = [2.0 * math.pi * (number + 0.5) / count for number in range(count)]
-    return joined(one.at(circle * math.cos(a), circle * math.sin(a), z) for a in angles)
 
 
 def flange(low: float, high: float, radius: float = 0.03) -> Mesh:

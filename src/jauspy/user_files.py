@@ -12,17 +12,17 @@ MAX_FILE: Final = 16 << 20
 """Bytes. A file may name further ones, such as /dev/zero, which never ends."""
 
 
-def read_file(path: Path) -> bytes:
-    """The content of a regular file of up to `MAX_FILE` bytes; raises `ConfigError`."""
+def read_file(path: Path, limit: int = MAX_FILE) -> bytes:
+    """The content of a regular file of up to `limit` bytes; raises `ConfigError`."""
     try:
         if path.exists() and not path.is_file():
             raise ConfigError(f"{path}: is not a regular file")
         with path.open("rb") as file:
-            data = file.read(MAX_FILE + 1)
+            data = file.read(limit + 1)
     except OSError as error:
         raise ConfigError(f"{path}: cannot be read: {error.strerror}") from error
-    if len(data) > MAX_FILE:
-        raise ConfigError(f"{path}: has more than {MAX_FILE >> 20} MiB")
+    if len(data) > limit:
+        raise ConfigError(f"{path}: has more than {limit >> 20} MiB")
     return data
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import logging
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final, cast
 
 import mujoco
@@ -13,10 +14,12 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.description import RobotModel, TrackSetup
+from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
-from jauspy_sim.urdf import urdf_spec
+from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.look import colour_solids, polish, without_visuals
+from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
@@ -30,9 +33,8 @@ TIMESTEP: Final = 0.002
 ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 """Armature of a joint as a fraction of its maximal effort: the reflected inertia of geared rotors."""
 
-VISUAL: Final = 1
-COLLISION: Final = 3
-"""Geometry groups of a robot: MuJoCo draws the first and hides the second. A world's geometries are in group 0."""
+BELT_PRIORITY: Final = 1
+"""Contact priority of belts: their friction replaces that of the ground, unless its priority is higher."""
 
 
 def prefix(robot: str) -> str:
@@ -40,10 +42,31 @@ def prefix(robot: str) -> str:
     return f"{robot}/"
 
 
-def build(robot: RobotModel, world: str) -> mujoco.MjModel:
-    """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are."""
+@dataclass(frozen=True, slots=True)
+class DrawnModel:
+    """A robot and its world as cameras see them; it is built where it is drawn, which takes half a second."""
+
+    robot: RobotModel
+    world: str
+
+    def build(self) -> mujoco.MjModel:
+        """The model, whose state is that of the one for physics."""
+        return build(self.robot, self.world)
+
+
+def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjModel:
+    """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are.
+
+    Not to be `drawn`, it lacks visual shapes: physics does not need them, and takes a tenth longer with them.
+    """
     spec = world_spec(world)
-    spec.attach(robot_spec(robot), prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
+    if drawn:
+        added = robot_spec(robot)
+        polish(added, robot.description)
+    else:
+        added = robot_spec(replace(robot, description=without_visuals(robot.description)))
+        colour_solids(added, robot.description)
+    spec.attach(added, prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
@@ -54,12 +77,16 @@ def build(robot: RobotModel, world: str) -> mujoco.MjModel:
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     """The robot alone, with a motor at each joint; free to move if it has tracks, or else fixed to the world."""
     spec = urdf_spec(robot.description)
+    tracks = robot.tracks
+    belts = tracks.left + tracks.right if tracks else ()
     for joint in robot.description.joints.values():
         _dynamics(spec, joint)
-    if (tracks := robot.tracks) is not None:
-        spec.body(robot.description.root()).add_freejoint(name="base")
-        for belt in tracks.left + tracks.right:
-            _belt(spec, robot.description.joint(belt), tracks)
+        if joint.mimics is None and joint.effort and joint.kind is not JointKind.FIXED and joint.name not in belts:
+            _motor(spec, joint)
+    if tracks is not None:
+        spec.body(body_name(robot.description.root())).add_freejoint(name="base")
+        for side in (tracks.left, tracks.right):
+            _track(spec, [robot.description.joint(belt) for belt in side], tracks.inertia)
     for link, coefficient in robot.description.friction.items():
         _set_friction(spec, link, coefficient)
     for camera in robot.cameras:
@@ -78,8 +105,6 @@ def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
     found.damping = _same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
     found.armature = ROTOR_INERTIA * joint.effort
-    if joint.mimics is None and joint.effort:
-        _motor(spec, joint)
 
 
 def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
@@ -88,25 +113,50 @@ def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
     motor.ctrlrange = (-joint.effort, joint.effort)
 
 
-def _belt(spec: mujoco.MjSpec, joint: Joint, tracks: TrackSetup) -> None:
-    """Add the body of a belt; its position is reset to zero after every step, so that only its surface speed acts."""
-    found = spec.joint(joint.name)
-    found.armature = tracks.inertia
-    found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
-    found.solref_friction = (2.0 * TIMESTEP, 1.0)
-    for geom in spec.body(joint.child).geoms:
-        geom.priority = 1  # the belt's friction has priority over that of the ground
-    spec.add_exclude(bodyname1=joint.parent, bodyname2=joint.child)
+def _track(spec: mujoco.MjSpec, belts: Sequence[Joint], inertia: float) -> None:
+    """Add the belts of one side: a motor drives the first, and the others run as fast as it."""
+    for joint in belts:
+        found = spec.joint(joint.name)
+        found.damping = _same_shape(found.damping, 0.0)
+        found.armature = 0.0
+        found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
+        found.solref_friction = (2.0 * TIMESTEP, 1.0)
+        found.solimp_friction = (0.999, 0.999, 0.001, 0.5, 2.0)  # a brake that holds does not creep
+        for geom in spec.body(body_name(joint.child)).geoms:
+            geom.priority = BELT_PRIORITY
+        spec.add_exclude(bodyname1=body_name(joint.parent), bodyname2=body_name(joint.child))
+    first, *others = belts
+    spec.joint(first.name).armature = inertia
+    _belt_motor(spec, first)
+    for joint in others:
+        coupling = spec.add_equality(type=mujoco.mjtEq.mjEQ_JOINT, name1=joint.name, name2=first.name)
+        coupling.objtype = mujoco.mjtObj.mjOBJ_JOINT
+        coupling.data[:5] = (0.0, 1.0, 0.0, 0.0, 0.0)
+        coupling.solref = (2.0 * TIMESTEP, 1.0)
+
+
+def _belt_motor(spec: mujoco.MjSpec, joint: Joint) -> None:
+    """A motor with a voltage, whose control is its speed without load; its current, and so its force, is limited."""
+    lost = joint.damping or joint.effort / joint.velocity
+    motor = spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+    motor.ctrllimited = motor.forcelimited = True
+    motor.ctrlrange = (-joint.velocity, joint.velocity)
+    motor.forcerange = (-joint.effort, joint.effort)
+    motor.gainprm[0] = lost
+    motor.biastype = mujoco.mjtBias.mjBIAS_AFFINE
+    motor.biasprm[:3] = (0.0, 0.0, -lost)
 
 
 def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
-    for geom in spec.body(link).geoms:
+    for geom in spec.body(body_name(link)).geoms:
         geom.friction = (coefficient, *geom.friction[1:])
 
 
 def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     """MuJoCo's cameras look along -z with y up; the frame of a link looks along x with z up."""
-    added = spec.body(camera.link).add_camera(name=camera.name)
+    # one outside of the robot is placed for each picture
+    carrier = spec.worldbody if camera.outside else spec.body(body_name(camera.link))
+    added = carrier.add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
     added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
 
@@ -119,7 +169,7 @@ def _same_shape(present: float | Sequence[float], value: float) -> float | tuple
 
 def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:
     """Add a sensor between a link and the link that carries it."""
-    spec.body(setup.link).add_site(name=setup.name)
+    spec.body(body_name(setup.link)).add_site(name=setup.name)
     for kind, type_ in (("force", mujoco.mjtSensor.mjSENS_FORCE), ("torque", mujoco.mjtSensor.mjSENS_TORQUE)):
         spec.add_sensor(name=f"{setup.name}_{kind}", type=type_, objtype=mujoco.mjtObj.mjOBJ_SITE, objname=setup.name)
 

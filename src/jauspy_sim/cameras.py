@@ -2,30 +2,51 @@
 
 from __future__ import annotations
 
+import math
+import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import TYPE_CHECKING, Final, Protocol
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import Vector
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, Quality
+from jauspy.platform.description import RobotModel
+from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
+from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
-from jauspy_sim.assembly import logger, redirect_warnings
+from jauspy_sim.assembly import DrawnModel, logger, redirect_warnings
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
+from jauspy_sim.sensors import cast_rays
+from jauspy_sim.urdf import body_name
+
+_MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+"""Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""
+
+WALL_MARGIN: Final = 0.15
+"""Metres that an outside camera keeps from what would hide the robot."""
+MIN_AWAY: Final = 0.6
+"""Metres that it keeps from the robot."""
+
+if TYPE_CHECKING:
+    from jauspy_sim.lamps import Darkness
 
 
-def state_of(data: mujoco.MjData) -> bytes:
-    """Positions of joints and of mocap bodies (qpos, mocap_pos, mocap_quat), as doubles."""
-    return b"".join(part.tobytes() for part in (data.qpos, data.mocap_pos, data.mocap_quat))
+def state_of(data: mujoco.MjData, lamps: Sequence[Lamp] = ()) -> bytes:
+    """Positions of joints and of mocap bodies (qpos, mocap_pos, mocap_quat), and levels of lamps, as doubles."""
+    levels = struct.pack(f"={len(lamps)}d", *(lamp.level for lamp in lamps))
+    return b"".join([data.qpos.tobytes(), data.mocap_pos.tobytes(), data.mocap_quat.tobytes(), levels])
 
 
-def state_size(model: mujoco.MjModel) -> int:
+def state_size(model: mujoco.MjModel, lamps: int = 0) -> int:
     """The number of doubles in `state_of`."""
-    return int(model.nq + 7 * model.nmocap)
+    return int(model.nq + 7 * model.nmocap + lamps)
 
 
 class Renderer(Protocol):
@@ -34,6 +55,10 @@ class Renderer(Protocol):
     @property
     def description(self) -> str:
         """How it renders, for the log."""
+        ...
+
+    def simplify(self) -> bool:
+        """Render at the next lower quality; False at the lowest."""
         ...
 
     def zoom(self, fov: float) -> None:
@@ -53,6 +78,21 @@ class Renderer(Protocol):
         """
         ...
 
+    def depths_from(
+        self,
+        data: mujoco.MjData,
+        position: NDArray[np.float64],
+        rotation: NDArray[np.float64],
+        spread: float,
+        size: int,
+    ) -> NDArray[np.float32] | None:
+        """What a lamp sees: depths along the x axis of a frame (x ahead, y left, z up), in metres; None if it cannot.
+
+        The picture is square, of at most `size` pixels across; `spread` is half its width at a distance of one. To be
+        called after `measure`.
+        """
+        ...
+
     def close(self) -> None:
         """Release all resources."""
         ...
@@ -60,12 +100,22 @@ class Renderer(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class SimulatedCamera:
-    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it."""
+    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it, `prefix` that of the robot's names.
+
+    GL shows `drawn` in its place, if there is one; rays are cast at the simple shapes of `model`.
+    """
 
     setup: CameraSetup
     model: mujoco.MjModel
     number: int
     descriptor: int
+    prefix: str = ""
+    lamps: tuple[LampSetup, ...] = ()
+    time_of_day: TimeOfDay = TimeOfDay.DAY
+    quality: Quality = Quality.LOW
+    base: int = 0
+    """The robot's root body, for cameras outside of it."""
+    drawn: DrawnModel | None = None
 
     @property
     def descriptors(self) -> tuple[int, ...]:
@@ -82,10 +132,19 @@ class SimulatedCameraSession:
     """A `CameraSession`."""
 
     def __init__(self, camera: SimulatedCamera) -> None:
-        self._model = camera.model
-        self._data = mujoco.MjData(camera.model)
         self._state = StateReader(camera.descriptor)
-        self._renderer = _renderer(camera)
+        self._number = camera.number
+        self._levels: list[float] = []
+        self._renderer, self._model = _renderer(camera)
+        self._data = mujoco.MjData(self._model)
+        self._darkness: Darkness | None = None
+        if camera.time_of_day is not TimeOfDay.DAY:
+            from jauspy_sim.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
+
+            self._darkness = Darkness(self._model, camera.prefix, camera.lamps, camera.time_of_day)
+            light_evenly(self._model)
+        self._base = camera.base
+        self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
         self._fov = camera.setup.fov
 
     @property
@@ -95,8 +154,12 @@ class SimulatedCameraSession:
 
     @property
     def reduced(self) -> bool:
-        """True with ray casting, which uses fewer rays than pixels."""
-        return isinstance(self._renderer, RayRenderer)
+        """True with ray casting, which uses fewer rays than pixels, and after `simplify`."""
+        return not isinstance(self._renderer, GlRenderer) or self._renderer.is_simplified
+
+    def simplify(self) -> bool:
+        """Leave out smooth edges, and then shadows; False without either."""
+        return self._renderer.simplify()
 
     def look(
         self,
@@ -109,11 +172,13 @@ class SimulatedCameraSession:
     ) -> Frame:
         """Render the world after the last step of the robot's process."""
         taken = self._update()
-        self._renderer.zoom(self._fov if fov is None else fov)
-        if distances:
+        fov = self._fov if fov is None else fov
+        self._renderer.zoom(fov)
+        if distances or self._darkness is not None:
             image, far = self._renderer.measure(self._data, width, height, thoroughly=thoroughly)
             image, far = _in_size(image, far, width, height)
-            return Frame(image, taken, distances=far)
+            light = 1.0 if self._darkness is None else self._light(self._darkness, far, fov, coarse=not thoroughly)
+            return Frame(image, taken, light, far if distances else None)
         return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
     def measure(self, width: int, height: int) -> DepthFrame:
@@ -127,17 +192,55 @@ class SimulatedCameraSession:
         self._renderer.close()
         self._state.close()
 
+    def _light(
+        self, darkness: Darkness, distances: NDArray[np.float32], fov: float, *, coarse: bool
+    ) -> NDArray[np.float32]:
+        return darkness.light(
+            self._data,
+            self._number,
+            distances,
+            math.tan(fov / 2.0),
+            levels=self._levels,
+            source=self._renderer,
+            coarse=coarse,
+        )
+
     def _update(self) -> float:
         taken, numbers = self._state.read()
         self._place(np.frombuffer(numbers))
+        if self._outside is not None:
+            self._look_from_outside(self._outside, taken)
         return taken
+
+    def _look_from_outside(self, view: OutsideView, now: float) -> None:
+        """Put the camera in its place, or nearer to the robot if something hides the robot from there."""
+        data = self._data
+        x, y, z = data.xpos[self._base].tolist()
+        first, second, third = ((a, b, c) for a, b, c in data.xmat[self._base].reshape(3, 3).tolist())
+        position, target = view.ends(now, Transform((first, second, third), (x, y, z)))
+        if view.follows:
+            position = self._unhidden(position, target)
+        frame = looking(position, target)
+        data.cam_xpos[self._number] = frame.position
+        # The columns are right, up and back.
+        data.cam_xmat[self._number] = (np.array(frame.rotation) @ _MUJOCO_AXES).ravel()
+
+    def _unhidden(self, position: Vector, target: Vector) -> Vector:
+        start, way = np.array(target), np.array(position) - np.array(target)
+        far = float(np.linalg.norm(way))
+        found = float(cast_rays(self._model, self._data, start, way[None, :] / far)[0])
+        near = max(min(far, found - WALL_MARGIN), MIN_AWAY)
+        x, y, z = (start + way * (near / far)).tolist()
+        return x, y, z
 
     def _place(self, numbers: NDArray[np.float64]) -> None:
         model, data = self._model, self._data
         joints, bodies = model.nq, model.nq + 3 * model.nmocap
         data.qpos[:] = numbers[:joints]
         data.mocap_pos[:] = numbers[joints:bodies].reshape(-1, 3)
-        data.mocap_quat[:] = numbers[bodies:].reshape(-1, 4)
+        lamps = bodies + 4 * model.nmocap
+        data.mocap_quat[:] = numbers[bodies:lamps].reshape(-1, 4)
+        self._levels = numbers[lamps:].tolist()
         mujoco.mj_kinematics(model, data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
@@ -154,33 +257,56 @@ def _in_size(
     return np.ascontiguousarray(image[down][:, across]), np.ascontiguousarray(distances[down][:, across])
 
 
-def _renderer(camera: SimulatedCamera) -> Renderer:
+def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
+    """The best renderer that works here, and the model that it shows."""
     way = choose_gl()
     if way is not None:
+        model = camera.model if camera.drawn is None else camera.drawn.build()
         try:
-            return GlRenderer(camera.model, camera.number, camera.setup.fov, way)
+            return GlRenderer(model, camera.number, camera.setup.fov, way, camera.quality), model
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
             logger.warning("%s does not work here: %s", way, error)
-    return RayRenderer(camera.model, camera.number, camera.setup.fov)
+    return RayRenderer(camera.model, camera.number, camera.setup.fov), camera.model
 
 
 class SimulatedCameras:
     """The cameras of a robot with one shared memory; `prefix` is that of their names in the model."""
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, setups: Sequence[CameraSetup]) -> None:
-        self._data = data
-        self._shared = StateWriter(state_size(model)) if setups else None
+    def __init__(
+        self,
+        model: mujoco.MjModel,
+        data: mujoco.MjData,
+        prefix: str,
+        robot: RobotModel,
+        lamps: Sequence[Lamp] = (),
+        *,
+        drawn: DrawnModel | None = None,
+    ) -> None:
+        self._data, self._lamps = data, lamps
+        self._shared = StateWriter(state_size(model, len(lamps))) if robot.cameras else None
         state = -1 if self._shared is None else self._shared.descriptor
+        shining = tuple(lamp.setup for lamp in lamps)
         self.cameras: Mapping[str, SimulatedCamera] = {
-            setup.name: SimulatedCamera(setup, model, int(model.camera(f"{prefix}{setup.name}").id), state)
-            for setup in setups
+            setup.name: SimulatedCamera(
+                setup,
+                model,
+                int(model.camera(f"{prefix}{setup.name}").id),
+                state,
+                prefix,
+                shining,
+                robot.time_of_day,
+                robot.quality,
+                int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
+                drawn,
+            )
+            for setup in robot.cameras
         }
         self.show()
 
     def show(self) -> None:
         """Write the robot's state to the shared memory."""
         if self._shared is not None:
-            self._shared.write(state_of(self._data))
+            self._shared.write(state_of(self._data, self._lamps))
 
     def close(self) -> None:
         """Release the shared memory. May be called twice."""

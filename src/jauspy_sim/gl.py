@@ -10,10 +10,22 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.platform.camera import Quality
 from jauspy_sim.rays import MAX_DISTANCE
 
 MIN_DISTANCE: Final = 0.02
 """Near plane in metres: the gripper is close to the arm's camera."""
+
+LAMP_PLANES: Final = (0.04, 60.0)
+"""Near and far plane of what a lamp sees, in metres."""
+
+QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1536), Quality.HIGH: (4, 2048)}
+"""Samples for each pixel, and pixels across the picture that the sun sees."""
+
+SHADOW_RADIUS: Final = 4.0
+"""Metres around a point before the camera in which things cast shadows, except in films."""
+SHADOW_AHEAD: Final = 2.2
+"""Metres from the camera to that point."""
 
 FILM_SAMPLES: Final = "film_samples"
 """A world with this number has thorough pictures made with so many samples of a pixel, and with shadows."""
@@ -23,28 +35,56 @@ MAX_GEOMS: Final = 10_000
 
 
 class GlRenderer:
-    """A `Renderer` without shadows and anti-aliasing, which would halve its speed; worlds may ask for thorough ones.
+    """A `Renderer`. Worlds may ask for thorough pictures at a quality of their own.
 
     Raises when GL does not work after all, and then as any of several exceptions.
     """
 
-    def __init__(self, model: mujoco.MjModel, camera: int, fov: float, gl_backend: str) -> None:
-        self.description = f"renders with {gl_backend.upper()}"
+    def __init__(
+        self, model: mujoco.MjModel, camera: int, fov: float, gl_backend: str, quality: Quality = Quality.LOW
+    ) -> None:
+        self._name, self._quality, self._too_slow = gl_backend.upper(), quality, False
         self._model = model
         self._spread = math.tan(fov / 2.0)
         self._view = mujoco.MjvCamera()
         self._view.type, self._view.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, camera
         self._options = mujoco.MjvOption()
         self._scene = mujoco.MjvScene(model, maxgeom=MAX_GEOMS)
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = 0
+        self._suns = np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL)
+        self._film_shadows = int(model.vis.quality.shadowsize), float(model.vis.map.shadowclip)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
         model.vis.map.znear = MIN_DISTANCE / model.stat.extent
         self._gl = import_module(f"mujoco.{gl_backend}").GLContext(64, 64)
         self._gl.make_current()
         self._samples = _film_samples(model)
-        self._context = self._make_context(0)
+        self._context = self._make_context(*QUALITIES[quality])
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
+        self._cast_shadows(quality is not Quality.LOW)
+
+    @property
+    def description(self) -> str:
+        """The GL library, and the quality if it was lowered."""
+        how = "without shadows" if self._quality is Quality.LOW else "with coarser shadows and without smooth edges"
+        return f"renders with {self._name}" + (f", {how}: better pictures take too long here" if self._too_slow else "")
+
+    @property
+    def is_simplified(self) -> bool:
+        """True after `simplify`."""
+        return self._too_slow
+
+    def simplify(self) -> bool:
+        """Render at the next lower quality; False at the lowest."""
+        if self._quality is Quality.LOW:
+            return False
+        self._be_thorough(thoroughly=False)
+        self._quality = Quality.LOW if self._quality is Quality.MEDIUM else Quality.MEDIUM
+        self._too_slow = True
+        self._context.free()
+        self._context = self._make_context(*QUALITIES[self._quality])
+        self._rect = mujoco.MjrRect(0, 0, 0, 0)
+        self._cast_shadows(self._quality is not Quality.LOW)
+        return True
 
     def zoom(self, fov: float) -> None:
         """Take this horizontal field of view, in radians."""
@@ -79,6 +119,31 @@ class GlRenderer:
         along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
         return np.ascontiguousarray(image[::-1]), np.where(along < MAX_DISTANCE, along, np.float32(math.inf))
 
+    def depths_from(
+        self,
+        data: mujoco.MjData,  # noqa: ARG002 - the scene was made of it
+        position: NDArray[np.float64],
+        rotation: NDArray[np.float64],
+        spread: float,
+        size: int,
+    ) -> NDArray[np.float32] | None:
+        """As `Renderer.depths_from`, of the scene of the last picture."""
+        size = min(size, self._rect.width, self._rect.height)
+        near, far = LAMP_PLANES
+        for camera in self._scene.camera:
+            camera.pos, camera.forward, camera.up = position, rotation[:, 0], rotation[:, 2]
+            camera.frustum_center, camera.frustum_width = 0.0, near * spread
+            camera.frustum_bottom, camera.frustum_top = -near * spread, near * spread
+            camera.frustum_near, camera.frustum_far = near, far
+        skybox, self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX], 0
+        square, depth = mujoco.MjrRect(0, 0, size, size), np.empty((size, size), np.float32)
+        mujoco.mjr_render(square, self._scene, self._context)
+        mujoco.mjr_readPixels(None, depth, square, self._context)
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = skybox
+        upright = depth[::-1]
+        along: NDArray[np.float32] = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
+        return along
+
     def close(self) -> None:
         """Release the GL context. May be called twice."""
         self._context.free()
@@ -87,6 +152,8 @@ class GlRenderer:
         self._gl.free()
 
     def _render(self, data: mujoco.MjData, width: int, height: int) -> None:
+        if not self._thorough:
+            self._aim_suns(data)
         if (width, height) != (self._rect.width, self._rect.height):
             self._resize(width, height)
         fovy = math.degrees(2.0 * math.atan(self._spread * height / width))
@@ -95,21 +162,32 @@ class GlRenderer:
         mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
         mujoco.mjr_render(self._rect, self._scene, self._context)
 
+    def _aim_suns(self, data: mujoco.MjData) -> None:
+        """Have what directional lights see, of `SHADOW_RADIUS`, lie around what the camera sees nearby.
+
+        Else the shadows of the whole world would share the pixels, and be coarse.
+        """
+        axes = data.cam_xmat[self._view.fixedcamid].reshape(3, 3)
+        centre = data.cam_xpos[self._view.fixedcamid] - SHADOW_AHEAD * axes[:, 2]
+        for sun in self._suns:
+            data.light_xpos[sun] = centre - 2.0 * SHADOW_RADIUS * data.light_xdir[sun]
+
     def _be_thorough(self, thoroughly: bool) -> None:
-        """Change to shadows and smooth edges, or back; the context for these is made when it is needed first."""
+        """Change to the quality of films, or back; the context for it is made when it is needed first."""
         if thoroughly is self._thorough:
             return
-        if self._samples == 1:
-            self._thorough = thoroughly
-            self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(thoroughly)
-            return
-        other = self._other or self._make_context(self._samples if thoroughly else 0)
+        other = self._other or self._make_context(self._samples if self._samples > 1 else 0, *self._film_shadows)
         self._context, self._other, self._thorough = other, self._context, thoroughly
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(thoroughly)
+        self._cast_shadows(thoroughly or self._quality is not Quality.LOW)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
 
-    def _make_context(self, samples: int) -> mujoco.MjrContext:
+    def _cast_shadows(self, wanted: bool) -> None:
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(wanted)
+
+    def _make_context(self, samples: int, shadows: int, clip: float | None = None) -> mujoco.MjrContext:
         self._model.vis.quality.offsamples = samples
+        self._model.vis.quality.shadowsize = shadows
+        self._model.vis.map.shadowclip = SHADOW_RADIUS / self._model.stat.extent if clip is None else clip
         context = mujoco.MjrContext(self._model, mujoco.mjtFontScale.mjFONTSCALE_100.value)
         context.readDepthMap = mujoco.mjtDepthMap.mjDEPTH_ZEROFAR
         return context

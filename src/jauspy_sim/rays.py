@@ -9,8 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.assembly import VISUAL
-from jauspy_sim.world_files import RAY_MESHES
+from jauspy_sim.groups import COLLISION, RAY_MESHES, VISUAL
 
 DEFAULT_SKY_COLOUR: Final = (150, 190, 230)
 """Red, green, blue of the sky of a world without a sky box."""
@@ -33,7 +32,6 @@ MAX_RAYS_OF_STILL: Final = 480 * 360
 MAX_DISTANCE: Final = 40.0
 """Maximal distance of a hit, in metres."""
 
-_VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
 
 _GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
@@ -49,6 +47,11 @@ class RayRenderer:
         self._model, self._camera = model, camera
         self._spread = math.tan(fov / 2.0)
         self._sky, self._shading = SkyBox(model), Shading(model)
+        self._groups = _visible_groups(model)
+
+    def simplify(self) -> bool:
+        """Return False: rays are few already."""
+        return False
 
     def zoom(self, fov: float) -> None:
         """Take this horizontal field of view, in radians."""
@@ -72,6 +75,17 @@ class RayRenderer:
         dots, far = self._cast(data, rays, self._dot(columns))
         along = (far * -rays[:, 2]).astype(np.float32)
         return dots.reshape(rows, columns, 3), along.reshape(rows, columns)
+
+    def depths_from(
+        self,
+        data: mujoco.MjData,  # noqa: ARG002
+        position: NDArray[np.float64],  # noqa: ARG002
+        rotation: NDArray[np.float64],  # noqa: ARG002
+        spread: float,  # noqa: ARG002
+        size: int,  # noqa: ARG002
+    ) -> NDArray[np.float32] | None:
+        """Return None: lamps cast no shadows here, since rays for them would take as long as those for the picture."""
+        return None
 
     def close(self) -> None:
         """Does nothing: it holds no resources."""
@@ -103,7 +117,7 @@ class RayRenderer:
             data,
             pnt=data.cam_xpos[self._camera],
             vec=directions.ravel(),
-            geomgroup=_VISIBLE_GROUPS,
+            geomgroup=self._groups,
             flg_static=True,
             bodyexclude=-1,
             geomid=hit,
@@ -119,6 +133,12 @@ class RayRenderer:
         light = self._shading.light(data, facing, normals[seen])
         painted[seen] = self._shading.colours(data, hit[seen], points, dot * far[seen] / facing) * light
         return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
+
+
+def _visible_groups(model: mujoco.MjModel) -> NDArray[np.uint8]:
+    """Geometry groups that rays hit; of a robot, its collision shapes if the model has nothing that is only seen."""
+    robots = VISUAL if (model.geom_group == VISUAL).any() else COLLISION
+    return np.array([group in (0, robots, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
 
 
 def _grid_size(width: int, height: int, max_rays: int) -> tuple[int, int]:

@@ -8,21 +8,24 @@ from typing import Final
 
 import mujoco
 
-from jauspy.platform.chassis import FixedBase
+from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, chassis_of
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.lights import switched_lamps
+from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
-from jauspy_sim.assembly import TIMESTEP, build, prefix, redirect_warnings
+from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
+from jauspy_sim.layered_lidar import LayeredLidar
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
 
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot settles on the ground."""
 
 MAX_STEPS_AT_ONCE: Final = 2
-"""Maximal number of physics steps in one call of MuJoCo; the belts travel 6 mm in it before they are reset."""
+"""Maximal number of physics steps in one call of MuJoCo."""
 
 ROUNDING: Final = 1e-9
 """Tolerance for rounding errors of times, as a fraction of a step."""
@@ -31,39 +34,50 @@ ROUNDING: Final = 1e-9
 class SimulatedRobot:
     """One robot and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
-    def __init__(self, model: mujoco.MjModel, robot: RobotModel) -> None:
+    def __init__(self, model: mujoco.MjModel, robot: RobotModel, drawn: DrawnModel | None = None) -> None:
         self._model = model
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
         self._tracked = TrackedDrive(model, data, name_prefix, robot.tracks) if robot.tracks else None
         self._drive = self._tracked or FixedBase()
+        self._localizer: Localizer | None = None
         self._groups = {
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
             for name, setup in robot.groups.items()
         }
         self._every = math.gcd(MAX_STEPS_AT_ONCE, *(group.every for group in self._groups.values()))
-        self._sensors: tuple[Scanner | SampledForceTorque, ...] = ()
+        self._sensors: tuple[Scanner | SampledForceTorque | Localizer, ...] = ()
         mujoco.mj_forward(model, data)
         self._owed = 0.0
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
-        self._lidars = {setup.name: simulated_lidar(model, data, name_prefix, setup) for setup in robot.lidars}
+        self._lidars = {
+            setup.name: LayeredLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
+            if setup.layers > 1
+            else simulated_lidar(model, data, name_prefix, setup)
+            for setup in robot.lidars
+        }
         self._force_torque = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
-        self._sensors = (*self._lidars.values(), *self._force_torque.values())
+        if self._tracked is not None and not robot.localization.is_exact(default=False):
+            self._tracked.slip_width = SLIP_FACTOR * chassis_of(robot).track_separation
+            self._localizer = Localizer(robot.localization, self._tracked)
+        located = () if self._localizer is None else (self._localizer,)
+        self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
         self._update_sensors()
-        self._cameras = SimulatedCameras(model, data, name_prefix, robot.cameras)
+        self._lamps = switched_lamps(robot.lamps)
+        self._cameras = SimulatedCameras(model, data, name_prefix, robot, self._lamps, drawn=drawn)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedRobot:
         """Build a robot in a world, and let it settle. Raises `ConfigError` with the known worlds."""
         redirect_warnings()
-        return cls(build(robot, world), robot)
+        return cls(build(robot, world, drawn=False), robot, DrawnModel(robot, world))
 
     @property
     def model(self) -> mujoco.MjModel:
-        """MuJoCo's model of the robot and its world."""
+        """MuJoCo's model of the robot and its world, without what is only seen of the robot."""
         return self._model
 
     @property
@@ -98,8 +112,9 @@ class SimulatedRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis."""
-        return self._drive.optional_parts
+        """The optional parts of the chassis, the localisation unless the pose is exact, and the lamps."""
+        located = () if self._localizer is None else (self._localizer,)
+        return (*self._drive.optional_parts, *located, *self._lamps)
 
     @property
     def time(self) -> float:
@@ -138,11 +153,13 @@ class SimulatedRobot:
             if not phase:
                 self._control()
             count = min(every - phase, end - self._steps)
-            mujoco.mj_step(self._model, self._data, count)
+            if self._tracked is None:
+                mujoco.mj_step(self._model, self._data, count)
+            else:
+                for _ in range(count):
+                    self._tracked.step()
             self._steps += count
             if phase + count == every:
-                if self._tracked is not None:
-                    self._tracked.reset_belts()
                 self._update_sensors()
 
     def _control(self) -> None:

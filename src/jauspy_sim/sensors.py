@@ -13,8 +13,7 @@ from numpy.typing import NDArray
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.ranging import LidarSetup, Scanner
-from jauspy_sim.assembly import COLLISION, VISUAL
-from jauspy_sim.world_files import HEIGHT_FIELDS
+from jauspy_sim.groups import COLLISION, HEIGHT_FIELDS, VISUAL
 
 _IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
 _GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)

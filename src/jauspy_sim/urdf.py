@@ -1,34 +1,291 @@
-"""The body of a robot in MuJoCo, from its URDF."""
+"""The body of a robot in MuJoCo, from its URDF: links, joints, inertias, shapes, materials.
+
+Visual shapes are drawn, collision shapes collide, of a mesh its convex hull. Links that stay at rest to each other stay
+bodies of their own, because sensors and cameras name them.
+"""
 
 from __future__ import annotations
 
+import logging
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
+from typing import Final
 
 import mujoco
+import numpy as np
 from lxml import etree
+from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.urdf import RobotDescription
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, place
+from jauspy.geometry.vectors import quaternion
+from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.shapes import DENSITY, RGBA, Look, ShapeBuilder, Solid
+
+logger = logging.getLogger("jauspy_sim.urdf")
+
+MIN_MASS: Final = 1e-3
+"""Kilograms of a link that a joint moves and that has no mass: neither itself, nor what is fixed to it."""
+
+MIN_INERTIA: Final = 1e-6
+"""kg m^2, likewise."""
+
+ROUNDING: Final = 1e-9
+"""kg m^2: an inertia below zero by less is zero, as programs write it."""
+
+LOCKED: Final = 1e-5
+"""Radians or metres that a joint may move whose limits are the same."""
+
+BALL: Final = 0.02
+"""Metres: radius of the ball whose inertia a link gets that has a mass and no inertia."""
+
+
+def body_name(link: str) -> str:
+    """The name of the body of a link; `world` is a name that MuJoCo has itself."""
+    return "world_link" if link == "world" else link
 
 
 def urdf_spec(description: RobotDescription) -> mujoco.MjSpec:
-    """Parse the URDF without merging fixed links and without dropping visual shapes, which frames and pictures need."""
-    root = etree.fromstring(description.urdf.encode())
-    options = etree.SubElement(etree.SubElement(root, "mujoco"), "compiler")
-    options.set("discardvisual", "false")
-    options.set("fusestatic", "false")
-    options.set("strippath", "false")
-    assets = _name_meshes(root)
+    """The robot, without motors and fixed to the world. Raises `ConfigError` with file and line."""
     try:
-        return mujoco.MjSpec.from_string(etree.tostring(root, encoding="unicode"), assets=assets)
-    except ValueError as error:
-        raise ConfigError(f"MuJoCo cannot read the URDF of {description.name}: {error}") from error
+        return _Reader(description).read()
+    except ConfigError as error:
+        raise ConfigError(f"URDF of {description.name}: {error}") from error
 
 
-def _name_meshes(root: etree._Element) -> dict[str, bytes]:
-    """The files of a URDF's meshes by new names: MuJoCo takes two of one name in different directories for the same."""
-    names: dict[str, str] = {}
-    for mesh in root.iter("mesh"):
-        path = Path(mesh.get("filename", ""))
-        mesh.set("filename", names.setdefault(str(path), f"{len(names)}_{path.name}"))
-    return {name: Path(path).read_bytes() for path, name in names.items()}
+@dataclass(frozen=True, slots=True)
+class _Material:
+    colour: RGBA | None
+    texture: Path | None
+
+
+class _Reader:
+    def __init__(self, description: RobotDescription) -> None:
+        self._description = description
+        self._root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
+        self._links = {str(link.get("name")): link for link in self._root.findall("link")}
+        self._spec = mujoco.MjSpec()
+        self._spec.modelname = description.name
+        self._spec.compiler.degree = False
+        self._shapes = ShapeBuilder(self._spec, visual=VISUAL, collision=COLLISION)
+        self._materials = {
+            str(each.get("name")): self._material_of(each) for each in self._root.findall("material") if len(each)
+        }
+        self._below: dict[str, list[Joint]] = {}
+        for joint in description.joints.values():
+            self._below.setdefault(joint.parent, []).append(joint)
+
+    def read(self) -> mujoco.MjSpec:
+        root = self._description.root()
+        pending = [(root, self._spec.worldbody.add_body(name=body_name(root)))]
+        while pending:
+            link, body = pending.pop()
+            self._add_link(link, body)
+            for joint in self._below.get(link, []):
+                child = body.add_body(name=body_name(joint.child))
+                frame = Transform.from_pose(joint.origin)
+                child.pos, child.quat = frame.position, quaternion(frame.rotation)
+                self._add_joint(child, joint)
+                pending.append((joint.child, child))
+        self._add_mimics()
+        self._give_mass()
+        return self._spec
+
+    def _add_joint(self, body: mujoco.MjsBody, joint: Joint) -> None:
+        if joint.kind is JointKind.FIXED:
+            return
+        slides = joint.kind is JointKind.PRISMATIC
+        added = body.add_joint(
+            name=joint.name,
+            type=mujoco.mjtJoint.mjJNT_SLIDE if slides else mujoco.mjtJoint.mjJNT_HINGE,
+            axis=joint.axis,
+        )
+        if math.isfinite(joint.lower) and math.isfinite(joint.upper):
+            added.limited = mujoco.mjtLimited.mjLIMITED_TRUE
+            added.range = (joint.lower, max(joint.upper, joint.lower + LOCKED))
+        if joint.effort:
+            added.actfrclimited = mujoco.mjtLimited.mjLIMITED_TRUE
+            added.actfrcrange = (-joint.effort, joint.effort)
+
+    def _add_mimics(self) -> None:
+        for joint in self._description.joints.values():
+            if joint.mimics is not None:
+                equality = self._spec.add_equality(
+                    type=mujoco.mjtEq.mjEQ_JOINT,
+                    name1=joint.name,
+                    name2=joint.mimics,
+                )
+                equality.data = [joint.offset, joint.multiplier, *[0.0] * (len(equality.data) - 2)]
+
+    def _add_link(self, name: str, body: mujoco.MjsBody) -> None:
+        link = self._links[name]
+        for visual in link.findall("visual"):
+            look = self._look(visual)
+            self._add_shape(visual, _Drawing(self._shapes, body, look))
+        for collision in link.findall("collision"):
+            self._add_shape(collision, _Colliding(self._shapes, body, Solid(mass=0.0)))
+        self._add_inertial(link, body)
+
+    def _add_shape(self, element: Element, target: _Drawing | _Colliding) -> None:
+        geometry = element.find("geometry")
+        shape = None if geometry is None else geometry.find("*")
+        if shape is None:
+            raise ConfigError(f"{place(element)}: <{element.tag}> has no <geometry>")
+        pose = Transform.from_pose(origin(element))
+        kinds = mujoco.mjtGeom
+        match shape.tag:
+            case "box":
+                target.primitive(kinds.mjGEOM_BOX, [half / 2.0 for half in _sizes(shape, "size", 3)], pose)
+            case "sphere":
+                target.primitive(kinds.mjGEOM_SPHERE, _sizes(shape, "radius", 1), pose)
+            case "cylinder" | "capsule":
+                (radius,), (length,) = _sizes(shape, "radius", 1), _sizes(shape, "length", 1)
+                kind = kinds.mjGEOM_CYLINDER if shape.tag == "cylinder" else kinds.mjGEOM_CAPSULE
+                target.primitive(kind, (radius, length / 2.0), pose)
+            case "mesh":
+                scale = numbers(shape, "scale", 3, "1 1 1")
+                if not all(scale):
+                    raise ConfigError(f'{place(shape)}: <mesh scale="{shape.get("scale")}">: must not be zero')
+                _located(shape, lambda: target.mesh(Path(shape.get("filename", "")), pose, scale))
+            case other:
+                raise ConfigError(
+                    f"{place(shape)}: <{other}> is not a shape that is read; known are: box, cylinder, sphere, "
+                    "capsule, mesh"
+                )
+
+    def _look(self, visual: Element) -> Look:
+        element = visual.find("material")
+        if element is None:
+            return Look()
+        named = self._materials.get(str(element.get("name")), _Material(None, None))
+        own = self._material_of(element)
+        return Look(own.colour or named.colour, own.texture or named.texture, yields=True)
+
+    @staticmethod
+    def _material_of(element: Element) -> _Material:
+        colour, texture = element.find("color"), element.find("texture")
+        rgba: RGBA | None = None
+        if colour is not None and colour.get("rgba"):
+            red, green, blue, alpha = (min(1.0, max(0.0, each)) for each in numbers(colour, "rgba", 4))
+            rgba = red, green, blue, alpha
+        file = None if texture is None else texture.get("filename")
+        return _Material(rgba, Path(file) if file else None)
+
+    def _add_inertial(self, link: Element, body: mujoco.MjsBody) -> None:
+        inertial = link.find("inertial")
+        if inertial is None:
+            return
+        mass_element = inertial.find("mass")
+        mass = 0.0 if mass_element is None else numbers(mass_element, "value", 1)[0]
+        where = inertial if mass_element is None else mass_element
+        if mass < 0.0:
+            raise ConfigError(f"{place(where)}: link {link.get('name')!r}: a mass of {mass:g} kg is negative")
+        if not mass:
+            return
+        frame = Transform.from_pose(origin(inertial))
+        body.mass, body.explicitinertial, body.ipos = mass, True, frame.position
+        turn = np.array(frame.rotation)
+        inertia = turn @ _inertia(link, inertial, mass) @ turn.T
+        body.fullinertia = (*np.diag(inertia), inertia[0, 1], inertia[0, 2], inertia[1, 2])
+
+    def _give_mass(self) -> None:
+        """Give a mass to links that a joint moves, and that have none: neither they nor what is fixed to them."""
+        weighed, guessed = [], []
+        for joint in self._description.joints.values():
+            if joint.kind is JointKind.FIXED or self._has_mass(joint.child):
+                continue
+            body = self._spec.body(body_name(joint.child))
+            if solids := [geom for geom in body.geoms if geom.group == COLLISION]:
+                for geom in solids:
+                    geom.mass = math.nan  # of its density
+                weighed.append(joint.child)
+                continue
+            body.mass, body.explicitinertial = MIN_MASS, True
+            body.inertia = (MIN_INERTIA,) * 3
+            guessed.append(joint.child)
+        for links, mass in ((weighed, f"{DENSITY:g} kg/m^3 of their collision shapes"), (guessed, f"{MIN_MASS:g} kg")):
+            if links:
+                names = ", ".join(links[:8]) + ", ..." * (len(links) > 8)
+                logger.warning(
+                    "%s: joints move %d links without a mass, which get %s: %s",
+                    *(self._description.name, len(links), mass, names),
+                )
+
+    def _has_mass(self, link: str) -> bool:
+        fixed = [each.child for each in self._below.get(link, []) if each.kind is JointKind.FIXED]
+        return self._spec.body(body_name(link)).explicitinertial or any(map(self._has_mass, fixed))
+
+
+@dataclass(frozen=True, slots=True)
+class _Drawing:
+    shapes: ShapeBuilder
+    body: mujoco.MjsBody
+    look: Look
+
+    def primitive(self, kind: mujoco.mjtGeom, size: tuple[float, ...] | list[float], pose: Transform) -> None:
+        self.shapes.draw(self.body, kind, size, pose, self.look)
+
+    def mesh(self, path: Path, pose: Transform, scale: tuple[float, ...]) -> None:
+        self.shapes.draw_mesh(self.body, path, pose, self.look, scale=scale)
+
+
+@dataclass(frozen=True, slots=True)
+class _Colliding:
+    shapes: ShapeBuilder
+    body: mujoco.MjsBody
+    solid: Solid
+
+    def primitive(self, kind: mujoco.mjtGeom, size: tuple[float, ...] | list[float], pose: Transform) -> None:
+        self.shapes.collide(self.body, kind, size, pose, self.solid)
+
+    def mesh(self, path: Path, pose: Transform, scale: tuple[float, ...]) -> None:
+        self.shapes.collide_mesh(self.body, path, pose, self.solid, scale=scale)
+
+
+def _located(element: Element, add: Callable[[], None]) -> None:
+    """Call `add`; a `ConfigError` gets the place of the element."""
+    try:
+        add()
+    except ConfigError as error:
+        raise ConfigError(f"{place(element)}: <{element.tag}>: {error}") from error
+
+
+def _sizes(shape: Element, key: str, count: int) -> tuple[float, ...]:
+    """Lengths in metres; one of zero, as some tools write it for a marker, is a tenth of a millimetre."""
+    found = numbers(shape, key, count, "")
+    if min(found) < 0.0:
+        raise ConfigError(f'{place(shape)}: <{shape.tag} {key}="{shape.get(key)}">: a size is negative')
+    return tuple(max(each, 1e-4) for each in found)
+
+
+def _inertia(link: Element, inertial: Element, mass: float) -> NDArray[np.float64]:
+    """The tensor of inertia of a link; one that no body can have is replaced, and this is logged."""
+    element = inertial.find("inertia")
+    keys = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
+    given: Mapping[str, float] = (
+        dict.fromkeys(keys, 0.0) if element is None else {key: numbers(element, key, 1, "0")[0] for key in keys}
+    )
+    where, name = place(inertial if element is None else element), link.get("name")
+    for key in keys[:3]:
+        if given[key] < -ROUNDING:
+            raise ConfigError(f'{where}: link {name!r}: <inertia {key}="{given[key]:g}">: is negative')
+    xx, yy, zz, xy, xz, yz = (given[key] for key in keys)
+    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    least, middle, most = np.linalg.eigvalsh(tensor)
+    if not tensor.any():
+        return np.eye(3) * max(MIN_INERTIA, 0.4 * mass * BALL**2)
+    if least <= 0.0:
+        logger.warning("%s: link %r: no body has this inertia: a principal moment is %.3g; mended", where, name, least)
+        mended: NDArray[np.float64] = np.diag(np.maximum(np.diag(tensor), max(1e-9, 0.01 * most)))
+        return mended
+    if least + middle < most * (1.0 - 1e-6):
+        logger.warning(
+            "%s: link %r: no body has this inertia: %.3g + %.3g is less than %.3g; balanced",
+            *(where, name, least, middle, most),
+        )
+        balanced: NDArray[np.float64] = np.eye(3) * (least + middle + most) / 3.0
+        return balanced
+    return tensor

@@ -3,19 +3,13 @@
 from __future__ import annotations
 
 from importlib.resources import as_file, files
-from typing import Final
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-
-HEIGHT_FIELDS: Final = 2
-"""Geometry group of height fields, which collide and are drawn."""
-
-RAY_MESHES: Final = 4
-"""Geometry group of the meshes that replace height fields in ray casts."""
+from jauspy_sim.groups import HEIGHT_FIELDS, RAY_MESHES
 
 
 def known_worlds() -> list[str]:

@@ -21,10 +21,21 @@ from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
 from jauspy.modules.robot_files import load, robot_model
-from jauspy_sim.assembly import COLLISION, VISUAL
+from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 
-TOUR = ((2.2, 0.0), (2.4, -2.2), (0.0, -2.0), (-2.0, -1.8), (-2.0, 1.8), (0.0, 2.5), (2.2, 2.5), (1.0, 1.0), (0.0, 0.0))
+TOUR = (  # m
+    (2.2, 0.0),
+    (2.4, -2.2),
+    (0.0, -2.0),
+    (-2.0, -1.8),
+    (-2.0, 1.8),
+    (0.0, 2.5),
+    (2.2, 2.5),
+    (0.9, 2.0),
+    (0.8, 1.0),
+    (0.0, 0.0),
+)
 LIDAR = PlanarPose(-0.2)
 HEIGHT = 0.44
 """Metres above the ground of the lidar."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 import struct
+from dataclasses import replace
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -51,8 +52,12 @@ async def test_every_scan_is_published_once() -> None:
 @pytest.mark.parametrize(
     ("wanted", "said"),
     [
-        (["nose=tcp://127.0.0.1:1"], "'nose' is no camera with `depth` in the robot's file; those are: chassis"),
-        (["arm=tcp://127.0.0.1:1"], "'arm' is no camera with `depth`"),
+        (
+            ["nose=tcp://127.0.0.1:1"],
+            r"'nose' is no lidar \(lidar\) and no camera with `depth` \(chassis\)",
+        ),
+        (["arm=tcp://127.0.0.1:1"], "'arm' is no lidar"),
+        (["lidar=ipc:///a", "lidar=ipc:///b"], "lidar would be published twice"),
         (["ipc:///a", "chassis=ipc:///a"], "ipc:///a is there twice"),
         (["ipc:///a", "ipc:///b"], "the lidars would be published twice"),
         (["chassis=ipc:///a", "chassis=ipc:///b"], "chassis would be published twice"),
@@ -85,3 +90,31 @@ async def test_scans_and_depth_are_published_each_at_its_address(tmp_path: Path)
         assert (scan.frame, scan.values, len(scan)) == ("lidar_link", 3, 0)
     assert clouds.counters["cloud.chassis.started"] == 1
     robot.close()
+
+
+def with_layers(lidar: LidarSetup) -> Scanner:
+    return Scanner(replace(lidar, layers=3, vertical=(-0.5, 0.5)), lambda angles: [2.0] * len(angles))
+
+
+@pytest.mark.skipif(not find_spec("numpy"), reason="numpy is not installed")
+def test_points_of_several_layers_are_on_a_sphere() -> None:
+    lidar = with_layers(SETUP)
+    lidar.step(0.0)
+    assert lidar.scan is not None
+    found = list(struct.iter_unpack("<3f", points(lidar.scan)))
+    assert len(found) == 12
+    assert {round(math.dist((0.0, 0.0, 0.0), each), 5) for each in found} == {2.0}
+    assert {round(z, 5) for _, _, z in found} == {round(2.0 * math.sin(up), 5) for up in (-0.5, 0.0, 0.5)}
+
+
+def test_clouds_of_the_file_are_published_and_replaced_by_the_command(tmp_path: Path) -> None:
+    file = tmp_path / "robot.toml"
+    file.write_text('extends = "inc1"\n[[clouds]]\nsource = "lidar"\naddress = "ipc:///a"\n')
+    assert Clouds(robot_files.load(file), []).addresses == {"lidar": "ipc:///a"}
+    assert Clouds(robot_files.load(file), ["lidar=ipc:///b"]).addresses == {"lidar": "ipc:///b"}
+    assert Clouds(robot_files.load(file), ["chassis=ipc:///b"]).addresses == {
+        "chassis": "ipc:///b",
+        "lidar": "ipc:///a",
+    }
+    with pytest.raises(ConfigError, match="ipc:///a is there twice"):
+        Clouds(robot_files.load(file), ["chassis=ipc:///a"])

@@ -123,7 +123,7 @@ async def test_each_module_discovers_the_whole_robot(runner, client):
         client.tell(QueryConfiguration(query_type=2))
         (node,) = (await client.answer()).node_list
         assert node.node_rec.node_id == 1
-        assert [each.component_id for each in node.component_list] == [102, 103, 104, 105, 106, 107, 108]
+        assert [each.component_id for each in node.component_list] == [102, 103, 104, 105, 106, 107, 108, 109]
 
         gripper = QueryServices.NodeSeq(QueriedNodeRec(1), [QueriedComponentRec(105)])
         client.tell(QueryServices([gripper]))

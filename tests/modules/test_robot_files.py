@@ -42,6 +42,7 @@ def test_inc1_is_included():
         "101.1.108",
         "101.1.106",
         "101.1.107",
+        "101.1.109",
     ]
     assert (config.backend, config.world) == ("sim", "yard")
 
@@ -49,6 +50,22 @@ def test_inc1_is_included():
 @pytest.mark.parametrize("name", known())
 def test_all_included_robots_are_valid(name):
     assert load(name).name == name
+
+
+@pytest.mark.parametrize(
+    ("camera", "problem"),
+    [
+        ('name = "a"', "cameras.*needs the link that carries it, or else `outside`"),
+        ('name = "a"\nlink = "base_link"\noutside = "chase"', "not both"),
+        ('name = "a"\noutside = "above"', "outside"),
+        ('name = "a"\noutside = "orbit"\ndepth = {}', "measures no depths"),
+        ('name = "a"\nlink = "base_link"\nimaging = { aperture = [8.0, 2.8] }', "aperture"),
+        ('name = "a"\nlink = "base_link"\nimaging = { iso = 100 }', "iso"),
+    ],
+)
+def test_errors_of_cameras_name_the_key(write, camera, problem):
+    with pytest.raises(ConfigError, match=problem):
+        load(write(f'extends = "inc1"\n[[cameras]]\n{camera}\n'))
 
 
 def test_user_file_is_loaded_by_path_and_text(write):

@@ -10,6 +10,7 @@ import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files, xacro_files
+from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import MAX_ELEMENTS, MAX_TOTAL, MAX_VALUE_LENGTH, expand
 
 HEAD = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
@@ -44,6 +45,7 @@ USUAL = [
     "config['sides'][0]",
     "xacro.load_yaml('it.yaml')['turn']",
     "True and '' or 'none'",
+    "'1 2 3'.split(' ')[1] + 'A b'.strip().lower()",
     "math.sqrt(2) if length &gt; 1 else 0",
 ]
 
@@ -72,7 +74,7 @@ def test_arguments_and_files(written) -> None:
 @pytest.mark.parametrize(
     ("expression", "reason"),
     [
-        ("'a'.upper()", ".upper is not evaluated: values have no attributes and methods here"),
+        ("'a'.replace('a', 'b')", ".replace is not evaluated: values have no attributes and methods here"),
         ("[x for x in [1]]", "is not evaluated: only numbers, texts, lists, and functions of math"),
         ("(lambda: 1)()", "is not evaluated"),
         ("nothing + 1", "'nothing' is not defined"),
@@ -137,7 +139,7 @@ def test_macros_that_double_each_other(written, monkeypatch: pytest.MonkeyPatch)
 
 def test_an_unknown_way_to_evaluate_fails(written) -> None:
     """As in a version of xacro that calls `eval` elsewhere; the module that others import is not changed."""
-    module = xacro_files._copy_of_xacro()
+    module = xacro_files._copy_of_xacro(Path("it.xacro"), PackagePaths())
     with pytest.raises(xacro_files.ExpressionError, match="not known to be safe"):
         module.eval("1")
     assert "eval" not in vars(xacro)

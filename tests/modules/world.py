@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 from tests.helpers.robot import described
@@ -24,6 +25,8 @@ from jauspy.modules.config import ModuleConfig
 from jauspy.modules.hosts import module_host
 from jauspy.platform.backends import find
 from jauspy.platform.chassis import chassis_of
+from jauspy.platform.contract import Robot
+from jauspy.platform.localization import EXACT, Localization, LocalizedDrive
 from jauspy.services.mobility import GlobalPose, Vehicle
 
 ME, CLIENT, OTHER = JausID(101, 1, 102), JausID(42, 1, 1), JausID(42, 2, 1)
@@ -35,12 +38,20 @@ ORIGIN = GlobalPose(38.593, -77.179, 20.0, math.radians(30.0))
 class World:
     """Time passes in steps of the robot; the component's timers run in between, and cost nothing."""
 
-    def __init__(self, backend: str, origin: GlobalPose | None = ORIGIN) -> None:
+    def __init__(
+        self,
+        backend: str,
+        origin: GlobalPose | None = ORIGIN,
+        *,
+        robot: Robot | None = None,
+        localization: Localization | None = None,
+    ) -> None:
         self.backend = backend
         _, model = described("inc1")
-        self.robot = find(backend).open(model, "empty")
+        self.robot = find(backend).open(replace(model, localization=EXACT), "empty") if robot is None else robot
         self.now = 0.0
-        self.vehicle = Vehicle(self.robot.drive, name="inc1", chassis=chassis_of(model), origin=origin)
+        drive = self.robot.drive if localization is None else LocalizedDrive(self.robot.drive, localization)
+        self.vehicle = Vehicle(drive, name="inc1", chassis=chassis_of(model), origin=origin, localization=localization)
         config = ModuleConfig(type="CM-MOB", component=102, access_control={"timeout": 0}, command_timeout="off")
         self.host = module_host(
             ME,

@@ -289,7 +289,7 @@ async def test_one_event_for_a_robot_found_and_one_for_a_robot_lost(virtual_netw
         await asyncio.sleep(20)
         ((kind, id, event),) = found
         assert (kind, id) == (Appeared, JausID(101, 0, 0))
-        assert [each.id.component for each in event.now.components] == [102, 103, 104, 105, 106, 107, 108]
+        assert [each.id.component for each in event.now.components] == [102, 103, 104, 105, 106, 107, 108, 109]
         assert all(each.name and each.services for each in event.now.components)
         found.clear()
     await asyncio.sleep(30)

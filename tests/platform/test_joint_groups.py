@@ -58,7 +58,7 @@ def test_hold_stops(robot: Robot, arm: JointGroup) -> None:
 
 def test_effort_moves_until_it_is_zero(robot: Robot, arm: JointGroup) -> None:
     arm.command([Target(ControlMode.EFFORT, 6.0), *[None] * 4])
-    robot.advance(0.5)
+    robot.advance(0.2)
     assert arm.state().efforts[0] == 6.0
     assert arm.state().velocities[0] > 0.05
     assert arm.state().positions[0] > 0.01

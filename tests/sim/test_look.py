@@ -7,7 +7,10 @@ import mujoco
 import numpy as np
 import pytest
 
+from jauspy.modules.robot_files import load, robot_model
 from jauspy_sim import rays
+from jauspy_sim.assembly import build
+from jauspy_sim.groups import VISUAL
 
 ASSETS = files("jauspy_sim") / "worlds" / "assets"
 
@@ -50,3 +53,62 @@ def test_all_textures_are_used(model: mujoco.MjModel) -> None:
     assert unused == []
     used = {int(each) for each in model.mat_texid.ravel() if each >= 0}
     assert [model.texture(number).name for number in range(model.ntex) if number not in used] == ["sky"]
+
+
+# --- robots
+
+
+@pytest.mark.parametrize("name", ["inc1", "inc1_pprm"])
+def test_every_moving_link_of_the_robots_has_a_mesh(name: str) -> None:
+    model = build(robot_model(load(name)), "empty")
+    drawn = {int(model.geom_bodyid[geom]) for geom in np.flatnonzero(model.geom_type == mujoco.mjtGeom.mjGEOM_MESH)}
+    assert {model.body(int(body)).name for body in set(model.jnt_bodyid) - drawn} == set()
+    assert set(model.geom_group[model.geom_type == mujoco.mjtGeom.mjGEOM_MESH]) == {VISUAL}
+    assert 20_000 < model.nmeshface < 80_000  # what pictures cost
+
+
+def test_physics_has_no_shapes_that_are_only_seen() -> None:
+    robot = robot_model(load("inc1"))
+    drawn, physics = build(robot, "empty"), build(robot, "empty", drawn=False)
+    assert physics.nmesh == 0
+    assert not (physics.geom_group == VISUAL).any()
+    assert (drawn.nq, drawn.nv, drawn.ncam, drawn.nbody) == (physics.nq, physics.nv, physics.ncam, physics.nbody)
+    np.testing.assert_array_equal(drawn.body_mass, physics.body_mass)
+    olive = physics.geom_rgba[physics.body("inc1/base_link").geomadr[0]]
+    assert tuple(np.round(olive, 2)) == (0.34, 0.37, 0.28, 1.0)  # rays show collision shapes in the colour of the link
+
+
+def test_meshes_have_the_dimensions_of_what_collides() -> None:
+    """After a change of the tracks' dimensions, run tools/make_robot_meshes.py."""
+    model = build(robot_model(load("inc1")), "empty")
+    data = mujoco.MjData(model)
+    mujoco.mj_kinematics(model, data)
+    for link in ("inc1/left_track", "inc1/right_track", "inc1/left_flipper", "inc1/right_flipper"):
+        body = model.body(link)
+        geoms = range(body.geomadr[0], body.geomadr[0] + body.geomnum[0])
+        seen = [geom for geom in geoms if model.geom_group[geom] == VISUAL]
+        collides = [geom for geom in geoms if model.geom_group[geom] != VISUAL]
+        low, high = bounds(model, data, seen)
+        np.testing.assert_allclose(low[[0, 2]], bounds(model, data, collides)[0][[0, 2]], atol=0.016)
+        np.testing.assert_allclose(high[[0, 2]], bounds(model, data, collides)[1][[0, 2]], atol=0.016)
+
+
+def bounds(model: mujoco.MjModel, data: mujoco.MjData, geoms: list[int]) -> tuple[np.ndarray, np.ndarray]:
+    """The box around shapes, in the world."""
+    points = []
+    for geom in geoms:
+        turn, at = data.geom_xmat[geom].reshape(3, 3), data.geom_xpos[geom]
+        if model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_MESH:
+            mesh = int(model.geom_dataid[geom])
+            begin = model.mesh_vertadr[mesh]
+            corners = model.mesh_vert[begin : begin + model.mesh_vertnum[mesh]]
+        elif model.geom_type[geom] == mujoco.mjtGeom.mjGEOM_CYLINDER:
+            radius, half = model.geom_size[geom][:2]
+            turns = np.linspace(0.0, 2.0 * np.pi, 73)
+            rim = np.stack([radius * np.cos(turns), radius * np.sin(turns), half + 0.0 * turns], axis=1)
+            corners = np.concatenate([rim, rim * (1.0, 1.0, -1.0)])
+        else:
+            corners = model.geom_size[geom] * np.array(np.meshgrid(*[[-1.0, 1.0]] * 3)).reshape(3, -1).T
+        points.append(corners @ turn.T + at)
+    every = np.concatenate(points)
+    return every.min(axis=0), every.max(axis=0)

@@ -1,6 +1,6 @@
 """Video of the whole robot, both cameras at once, as an ffmpeg, a GStreamer and jauspy itself receive it.
 
-python tools/bench/video.py [--seconds 30] [--sizes 640x480,1280x720] [--rate 15] [--backend sim]
+python tools/bench/video.py [--seconds 30] [--sizes 640x480,1280x720] [--rate 15] [--backend sim] [--quality medium]
 
 Each picture carries its number and the time of the state that it shows. From state to decoded pixels is what an
 operator waits for, but for the screen. Lost are numbers that were left out between the first and the last picture.
@@ -32,6 +32,7 @@ from jauspy.modules.config import RobotConfig
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import backends
+from jauspy.platform.camera import Quality
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.h264 import H264Decoder
@@ -168,8 +169,9 @@ def main() -> None:
     parser.add_argument("--sizes", default="640x480,1280x720")
     parser.add_argument("--rate", type=int, default=15)
     parser.add_argument("--backend", default="sim")
+    parser.add_argument("--quality", type=Quality, default=Quality.MEDIUM)
     options = parser.parse_args()
-    config = load("inc1").model_copy(update={"backend": options.backend})
+    config = load("inc1").model_copy(update={"backend": options.backend, "quality": options.quality})
     head = f"{'receiver and camera':36}{'pictures':>9}{'per s':>7}{'lost':>6}{'said':>6}"
     print(f"{head}{'median ms':>11}{'95 %':>8}{'robot time':>12}")
     for size in options.sizes.split(","):

@@ -40,6 +40,8 @@ from jauspy.modules.config import MOTIONLESS, RobotConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import config_file
 from jauspy.platform import backends
+from jauspy.platform.camera import Quality
+from jauspy.platform.lights import TimeOfDay
 from jauspy.protocol import junior
 from jauspy.transport import LocalTransport, local as local_socket
 
@@ -72,6 +74,17 @@ def up(
         str | None,
         typer.Option("--world", metavar="NAME", help="The world of the simulation. Default: the robot's own."),
     ] = None,
+    time_of_day: Annotated[
+        TimeOfDay | None,
+        typer.Option("--time-of-day", help="The light in the simulation. Default: the robot's own."),
+    ] = None,
+    quality: Annotated[
+        Quality | None,
+        typer.Option(
+            "--quality",
+            help="Of simulated camera pictures: low has no shadows, high also smooth edges. Default: the robot's own.",
+        ),
+    ] = None,
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Do not start a node manager; wait for one in the local root.")
     ] = False,
@@ -87,8 +100,8 @@ def up(
         list[str] | None,
         typer.Option(
             "--cloud",
-            metavar="[CAMERA=]ADDRESS",
-            help="Publish the point clouds of the lidars, or of a depth camera, at an address such as "
+            metavar="[SOURCE=]ADDRESS",
+            help="Publish the point clouds of all lidars, or of one lidar or depth camera, at an address such as "
             "tcp://127.0.0.1:5565; "
             "may be repeated.",
         ),
@@ -116,6 +129,8 @@ def up(
     if with_parent:
         end_with_parent()
     config = on_bus(robot_files.load(robot), bus)
+    scene = {"time_of_day": time_of_day, "quality": quality}
+    config = config.model_copy(update={key: value for key, value in scene.items() if value is not None})
     clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
         config,

@@ -24,7 +24,8 @@ from jauspy.errors import TransportError
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.node import status
-from jauspy.platform.contract import Snapshot
+from jauspy.platform.contract import PartId, Snapshot
+from jauspy.platform.localization import Localization, LocalizationState
 from jauspy.printable import printable
 from jauspy.services.core import AccessControl, Events
 from jauspy.services.core.subscriptions import Subscription
@@ -220,8 +221,11 @@ def _head(look: RobotStatus) -> Table:
 
 
 def _motion(snapshot: Snapshot) -> str:
-    """In the axes of REP-103, as all commands show poses: y and yaw grow to the left."""
+    """As the robot knows it, in the axes of REP-103, as all commands show poses: y and yaw grow to the left."""
+    known = snapshot.parts.get(PartId(Localization))
     pose, twist = snapshot.pose, snapshot.twist
+    if isinstance(known, LocalizationState):
+        pose, twist = known.local.pose, known.twist
     where = f"x {_signed(pose.x, 2)} m  y {_signed(pose.y, 2)} m  yaw {_signed(math.degrees(pose.yaw), 1)}°"
     return f"{where},  {_signed(twist.vx, 2)} m/s  {_signed(math.degrees(twist.wz), 1)}°/s  (y, yaw: left)"
 

@@ -53,6 +53,8 @@ class Joint:
     """The joint whose position this one follows: `multiplier` times it, plus `offset`."""
     multiplier: float = 1.0
     offset: float = 0.0
+    place: str = field(default="", compare=False)
+    """Where its limits are, as `arm.urdf:12`; empty for a joint that is not from a file."""
 
     @property
     def turns(self) -> bool:
@@ -80,6 +82,8 @@ class RobotDescription:
     joints: Mapping[str, Joint]
     friction: Mapping[str, float] = field(default_factory=dict)
     """Coefficients of friction by link, where given."""
+    only_link: str = ""
+    """The link of a robot without joints."""
 
     def joint(self, name: str) -> Joint:
         """The joint of that name. Raises `ConfigError`, which lists the joints that move, for an unknown one."""
@@ -90,7 +94,8 @@ class RobotDescription:
 
     def links(self) -> set[str]:
         """The names of all links."""
-        return {link for joint in self.joints.values() for link in (joint.parent, joint.child)}
+        found = {link for joint in self.joints.values() for link in (joint.parent, joint.child)}
+        return found or {self.only_link}
 
     def root(self) -> str:
         """The root link."""
@@ -114,77 +119,178 @@ Element: TypeAlias = etree._Element  # noqa: SLF001 - lxml gives its element no 
 
 KINDS = {kind.value: kind for kind in JointKind}
 
+UNGUIDED: Final = ("floating", "planar")
+"""Types of joints without a motor; they are taken as fixed."""
+
+PLACE: Final = "jauspy.place"
+"""Attribute with the file and line of an element, where the text of a URDF is not that of a file."""
+
+MAX_ELEMENTS: Final = 200_000
+"""Of a URDF: XML elements."""
+
+
+def place(element: Element) -> str:
+    """Where an element is, as `arm.urdf:12`, or `line 12` if the file is not known."""
+    return element.get(PLACE) or f"line {element.sourceline}"
+
+
+def numbers(element: Element, key: str, count: int, default: str | None = None) -> tuple[float, ...]:
+    """The finite numbers of an attribute; `default` is the text of one that is missing. Raises `ConfigError`."""
+    text = element.get(key, default)
+    if text is None:
+        raise ConfigError(f"{place(element)}: <{element.tag}> has no {key}")
+    try:
+        values = tuple(float(part) for part in text.split())
+    except ValueError:
+        values = ()
+    if len(values) != count or not all(map(math.isfinite, values)):
+        raise ConfigError(
+            f"{place(element)}: <{element.tag} {key}={text!r}>: {text!r} is not {count} finite "
+            f"number{'s' if count > 1 else ''}"
+        )
+    return values
+
+
+def origin(element: Element) -> Pose:
+    """The pose in `<origin>` of a joint, a shape or an inertia. Raises `ConfigError`."""
+    found = element.find("origin")
+    if found is None:
+        return ORIGIN
+    xyz, rpy = (numbers(found, key, 3, "0 0 0") for key in ("xyz", "rpy"))
+    return Pose(*xyz, *rpy)
+
 
 def parse_urdf(text: str) -> RobotDescription:
-    """The robot that a URDF describes. Raises `ConfigError`, which names the joint."""
-    try:
-        root = etree.fromstring(text.encode(), etree.XMLParser(resolve_entities=False, no_network=True))
-    except etree.XMLSyntaxError as error:
-        raise ConfigError(f"the URDF is not XML: {error}") from error
-    if root.tag != "robot":
-        raise ConfigError(f"the URDF begins with <{root.tag}>, not with <robot>")
-    joints = _resolve_mimics([_joint(element) for element in root.findall("joint")])
+    """The robot that a URDF describes. Raises `ConfigError`, which names the line, and the joint or link."""
+    root = parse_tree(text)
+    elements = root.findall("joint")
+    joints = _resolve_mimics([_joint(element) for element in elements], list(map(place, elements)))
+    links = [str(link.get("name")) for link in root.findall("link")]
     description = RobotDescription(
-        root.get("name", "robot"), text, {joint.name: joint for joint in joints}, _friction(root)
+        root.get("name", "robot"),
+        text,
+        {joint.name: joint for joint in joints},
+        _friction(root),
+        links[0] if len(links) == 1 else "",
     )
-    _check(description, [str(link.get("name")) for link in root.findall("link")], joints)
+    _check(description, root, links)
     return description
 
 
-def _check(description: RobotDescription, links: list[str], joints: list[Joint]) -> None:
-    if len(description.joints) != len(joints):
-        raise ConfigError(f"the URDF of {description.name} gives a joint's name twice")
-    known = set(links)
-    for joint in joints:
+def parse_tree(text: str) -> Element:
+    """The element `<robot>` of a URDF. Raises `ConfigError`, which names the line."""
+    try:
+        root = etree.fromstring(text.encode(), etree.XMLParser(resolve_entities=False, no_network=True))
+    except etree.XMLSyntaxError as error:
+        raise ConfigError(f"line {error.lineno}: the URDF is not XML: {error.msg}") from error
+    if root.tag != "robot":
+        raise ConfigError(f"{place(root)}: the URDF begins with <{root.tag}>, not with <robot>")
+    if sum(1 for _ in root.iter()) > MAX_ELEMENTS:
+        raise ConfigError(f"the URDF has more than {MAX_ELEMENTS} elements")
+    return root
+
+
+def _check(description: RobotDescription, root: Element, links: list[str]) -> None:
+    named: dict[tuple[str, str | None], Element] = {}
+    for element in root.iterchildren("joint", "link"):
+        key = (str(element.tag), element.get("name"))
+        if key in named:
+            raise ConfigError(
+                f"{place(element)}: the URDF of {description.name} gives a {element.tag}'s name twice: {key[1]!r}, "
+                f"first at {place(named[key])}"
+            )
+        named[key] = element
+    known, parents = set(links), dict[str, str]()
+    for joint in description.joints.values():
+        where = place(named["joint", joint.name])
         for link in (joint.parent, joint.child):
             if link not in known:
-                raise ConfigError(f"joint {joint.name!r} names the link {link!r}, which the URDF does not have")
-    roots = known - {joint.child for joint in joints}
+                raise ConfigError(
+                    f"{where}: joint {joint.name!r} names the link {link!r}, which the URDF does not have"
+                )
+        if joint.child in parents:
+            raise ConfigError(
+                f"{where}: joints {parents[joint.child]!r} and {joint.name!r} both have the child {joint.child!r}; "
+                "a URDF is a tree"
+            )
+        parents[joint.child] = joint.name
+    roots = known - set(parents)
     if len(roots) != 1:
-        raise ConfigError(f"the URDF of {description.name} must have one root link; it has: {', '.join(sorted(roots))}")
+        raise ConfigError(
+            f"the URDF of {description.name} must have one root link; it has: {', '.join(sorted(roots)) or 'none'}"
+        )
+    (only,) = roots
+    if len(_reached(description, only)) != len(known):
+        raise ConfigError(f"the joints of the URDF of {description.name} form a loop; a URDF is a tree")
+
+
+def _reached(description: RobotDescription, root: str) -> set[str]:
+    below: dict[str, list[str]] = {}
+    for joint in description.joints.values():
+        below.setdefault(joint.parent, []).append(joint.child)
+    found, pending = {root}, [root]
+    while pending:
+        more = below.get(pending.pop(), [])
+        found.update(more)
+        pending += more
+    return found
 
 
 def _joint(element: Element) -> Joint:
-    name = str(element.get("name"))
-    kind = KINDS.get(str(element.get("type")))
+    name, type_ = str(element.get("name")), str(element.get("type"))
+    kind = JointKind.FIXED if type_ in UNGUIDED else KINDS.get(type_)
     if kind is None:
-        raise ConfigError(f"joint {name!r} is {element.get('type')!r}; jauspy knows: {', '.join(KINDS)}")
+        raise ConfigError(f"{place(element)}: joint {name!r} is {type_!r}; jauspy knows: {', '.join(KINDS)}")
     limit, dynamics, mimic = element.find("limit"), element.find("dynamics"), element.find("mimic")
     if kind in (JointKind.REVOLUTE, JointKind.PRISMATIC) and limit is None:
-        raise ConfigError(f"joint {name!r} has no <limit>; it needs lower, upper, effort and velocity")
+        raise ConfigError(
+            f"{place(element)}: joint {name!r} has no <limit>; it needs lower, upper, effort and velocity"
+        )
     endless = kind is JointKind.CONTINUOUS
-    return Joint(
+    joint = Joint(
         name,
         kind,
         _link(element, "parent", name),
         _link(element, "child", name),
-        _origin(element, name),
+        origin(element),
         _axis(element, name),
-        lower=-math.inf if endless else _number(limit, "lower", name),
-        upper=math.inf if endless else _number(limit, "upper", name),
-        effort=_number(limit, "effort", name),
-        velocity=_number(limit, "velocity", name),
-        damping=_number(dynamics, "damping", name),
-        friction=_number(dynamics, "friction", name),
-        mimics=None if mimic is None else mimic.get("joint", ""),
-        multiplier=_number(mimic, "multiplier", name, 1.0),
-        offset=_number(mimic, "offset", name),
+        lower=-math.inf if endless else _number(limit, "lower"),
+        upper=math.inf if endless else _number(limit, "upper"),
+        effort=_number(limit, "effort"),
+        velocity=_number(limit, "velocity"),
+        damping=_number(dynamics, "damping"),
+        friction=_number(dynamics, "friction"),
+        mimics=None if mimic is None or kind is JointKind.FIXED else mimic.get("joint", ""),
+        multiplier=_number(mimic, "multiplier", 1.0),
+        offset=_number(mimic, "offset"),
+        place=place(element if limit is None else limit),
     )
+    for key, value in (("effort", joint.effort), ("velocity", joint.velocity)):
+        if value < 0.0 and limit is not None:
+            raise ConfigError(f'{place(limit)}: joint {name!r}: <limit {key}="{value:g}">: is negative')
+    for key, value in (("damping", joint.damping), ("friction", joint.friction)):
+        if value < 0.0 and dynamics is not None:
+            raise ConfigError(f'{place(dynamics)}: joint {name!r}: <dynamics {key}="{value:g}">: is negative')
+    if joint.lower > joint.upper and limit is not None:
+        raise ConfigError(
+            f"{place(limit)}: joint {name!r}: <limit>: lower {joint.lower:g} is above upper {joint.upper:g}"
+        )
+    return joint
 
 
-def _resolve_mimics(joints: list[Joint]) -> list[Joint]:
+def _resolve_mimics(joints: list[Joint], places: list[str]) -> list[Joint]:
     """The joints, of which those that mimic name an independent joint: a chain of them is shortened."""
     known = {joint.name: joint for joint in joints}
-    return [_resolved(joint, known) for joint in joints]
+    return [_resolved(joint, known, where) for joint, where in zip(joints, places, strict=True)]
 
 
-def _resolved(joint: Joint, known: Mapping[str, Joint]) -> Joint:
+def _resolved(joint: Joint, known: Mapping[str, Joint], where: str) -> Joint:
     for _ in known:
         if joint.mimics is None:
             return joint
         followed = known.get(joint.mimics)
         if followed is None or followed.kind is JointKind.FIXED:
-            raise ConfigError(f"joint {joint.name!r} mimics {joint.mimics!r}, which is not a joint that moves")
+            raise ConfigError(f"{where}: joint {joint.name!r} mimics {joint.mimics!r}, which is no joint that moves")
         if followed.mimics is None:
             return joint
         joint = replace(
@@ -193,52 +299,43 @@ def _resolved(joint: Joint, known: Mapping[str, Joint]) -> Joint:
             multiplier=joint.multiplier * followed.multiplier,
             offset=joint.multiplier * followed.offset + joint.offset,
         )
-    raise ConfigError(f"joint {joint.name!r} mimics itself")
+    raise ConfigError(f"{where}: joint {joint.name!r} mimics itself")
 
 
 def _link(element: Element, tag: str, joint: str) -> str:
     found = element.find(tag)
     if found is None or not found.get("link"):
-        raise ConfigError(f"joint {joint!r} has no <{tag} link=...>")
+        raise ConfigError(f"{place(element)}: joint {joint!r} has no <{tag} link=...>")
     return str(found.get("link"))
 
 
-def _number(element: Element | None, key: str, where: str, default: float = 0.0) -> float:
-    text = None if element is None else element.get(key)
-    return default if text is None else _numbers(text, 1, where)[0]
-
-
-def _numbers(text: str, count: int, where: str) -> tuple[float, ...]:
-    try:
-        values = tuple(float(part) for part in text.split())
-    except ValueError:
-        values = ()
-    if len(values) != count or not all(map(math.isfinite, values)):
-        raise ConfigError(f"{where!r}: {text!r} is not {count} finite number{'s' if count > 1 else ''}")
-    return values
-
-
-def _origin(element: Element, joint: str) -> Pose:
-    origin = element.find("origin")
-    if origin is None:
-        return ORIGIN
-    xyz, rpy = (_numbers(origin.get(key, "0 0 0"), 3, joint) for key in ("xyz", "rpy"))
-    return Pose(*xyz, *rpy)
+def _number(element: Element | None, key: str, default: float = 0.0) -> float:
+    return default if element is None or element.get(key) is None else numbers(element, key, 1)[0]
 
 
 def _axis(element: Element, joint: str) -> tuple[float, float, float]:
     axis = element.find("axis")
-    x, y, z = _numbers("1 0 0" if axis is None else axis.get("xyz", ""), 3, joint)
+    x, y, z = (1.0, 0.0, 0.0) if axis is None else numbers(axis, "xyz", 3)
     length = math.hypot(x, y, z)
+    if not length and element.get("type") in (JointKind.FIXED.value, *UNGUIDED):
+        return 1.0, 0.0, 0.0
     if not length:
-        raise ConfigError(f"joint {joint!r}: the axis has no direction")
+        raise ConfigError(f"{place(element)}: joint {joint!r}: the axis has no direction")
     return x / length, y / length, z / length
 
 
 def _friction(root: Element) -> dict[str, float]:
     """Coefficients of friction, from Gazebo's extension of URDF: `<gazebo reference="LINK"><mu1>`."""
-    found = ((gazebo.get("reference"), gazebo.find("mu1")) for gazebo in root.findall("gazebo"))
-    return {link: _numbers(mu.text or "", 1, link)[0] for link, mu in found if link and mu is not None}
+    links = {link.get("name") for link in root.findall("link")}
+    found = {}
+    for gazebo in root.findall("gazebo"):
+        link, mu = gazebo.get("reference"), gazebo.find("mu1")
+        if link in links and mu is not None:
+            try:
+                found[str(link)] = float(mu.get("value") or mu.text or "")
+            except ValueError:
+                raise ConfigError(f"{place(mu)}: <mu1>{mu.text}</mu1> is not a number") from None
+    return found
 
 
 @dataclass(frozen=True, slots=True)
@@ -266,7 +363,7 @@ def inertials(text: str) -> list[Inertial]:
         name, inertial = str(link.get("name")), link.find("inertial")
         if inertial is not None:
             mass = inertial.find("mass")
-            found.append(Inertial(name, 0.0 if mass is None else _number(mass, "value", name), _origin(inertial, name)))
+            found.append(Inertial(name, _number(mass, "value"), origin(inertial)))
     return found
 
 
@@ -274,20 +371,22 @@ def collision_boxes(text: str) -> list[CollisionBox]:
     """The collision shapes in a URDF that `parse_urdf` accepts, without meshes."""
     links = etree.fromstring(text.encode()).findall("link")
     pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
-    sizes = [(name, _size(collision.find("geometry"), name), _origin(collision, name)) for name, collision in pairs]
-    return [CollisionBox(name, size, origin) for name, size, origin in sizes if size is not None]
+    sizes = [(name, _size(collision.find("geometry")), origin(collision)) for name, collision in pairs]
+    return [CollisionBox(name, size, pose) for name, size, pose in sizes if size is not None]
 
 
-def _size(geometry: Element | None, link: str) -> tuple[float, float, float] | None:
+def _size(geometry: Element | None) -> tuple[float, float, float] | None:
     kind = None if geometry is None or not len(geometry) else geometry[0]
-    match None if kind is None else kind.tag:
+    if kind is None:
+        return None
+    match kind.tag:
         case "box":
-            x, y, z = _numbers("" if kind is None else kind.get("size", ""), 3, link)
+            x, y, z = numbers(kind, "size", 3)
             return x, y, z
         case "cylinder":
-            across = 2.0 * _number(kind, "radius", link)
-            return across, across, _number(kind, "length", link)
+            across = 2.0 * numbers(kind, "radius", 1)[0]
+            return across, across, numbers(kind, "length", 1)[0]
         case "sphere":
-            across = 2.0 * _number(kind, "radius", link)
+            across = 2.0 * numbers(kind, "radius", 1)[0]
             return across, across, across
     return None

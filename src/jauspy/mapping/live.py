@@ -118,7 +118,10 @@ class LiveMapping:
                 self.counters["no pose in time" if stamped is None else "tilted"] += 1
                 continue
             points = found.range_sensor_data_point_list
-            ranges = [point.range if point.range_validity else math.inf for point in points]
+            ranges = [
+                point.range * math.cos(point.inclination or 0.0) if point.range_validity else math.inf
+                for point in points
+            ]
             await self._add(stamped.pose, lidar, [-point.bearing for point in points], ranges)
             self.counters["scans"] += 1
 

@@ -13,6 +13,7 @@ from jauspy.errors import ConfigError
 from jauspy.modules.config_base import StrictConfig, UrdfName
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.imaging import ImagingSetup
+from jauspy.platform.outside_view import OutsideSetup, Viewpoint
 from jauspy.platform.video_settings import VideoSettings
 
 Coefficient: TypeAlias = Annotated[float, Field(ge=-10.0, le=10.0)]
@@ -80,11 +81,42 @@ class ImagingConfig(StrictConfig):
         return ImagingSetup(**(given | {"sensor_width": self.sensor_width / 1000.0}))
 
 
+Length: TypeAlias = Annotated[float, Field(ge=-1000.0, le=1000.0)]
+
+
+class OutsideConfig(StrictConfig):
+    """Where a camera outside of the robot is."""
+
+    view: Viewpoint
+    """"fixed" at a place of the world, "chase" behind the robot, or "orbit" around it."""
+    position: tuple[Length, Length, Length] = (-3.0, -3.0, 2.0)
+    """Of a fixed camera, in the world, in metres."""
+    target: tuple[Length, Length, Length] | None = None
+    """What a fixed camera looks at; the robot when left out."""
+    distance: Annotated[float, Field(ge=0.5, le=100.0)] = 2.6
+    """From the robot, over the ground, in metres."""
+    height: Annotated[float, Field(ge=0.0, le=100.0)] = 1.5
+    """Above the robot's base."""
+    aim: Annotated[float, Field(ge=-10.0, le=10.0)] = 0.35
+    """Height above the base at which it looks."""
+    angle: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
+    """Degrees from straight behind the robot, counterclockwise."""
+    period: Annotated[float, Field(ge=1.0, le=3600.0)] = 24.0
+    """Seconds of a turn of an orbit."""
+
+    def setup(self) -> OutsideSetup:
+        """Return the setup for the backend."""
+        given = {name: getattr(self, name) for name in type(self).model_fields}
+        return OutsideSetup(**(given | {"angle": math.radians(self.angle)}))
+
+
 class CameraConfig(StrictConfig):
-    """A camera that looks along the x axis of a link of the URDF; z is up."""
+    """A camera that looks along the x axis of a link of the URDF (z is up), or at the robot from outside."""
 
     name: UrdfName
-    link: UrdfName
+    link: UrdfName | None = None
+    outside: OutsideConfig | None = None
+    """In place of a link."""
     fov: Annotated[float, Field(ge=5.0, le=150.0)] = 80.0
     """From the left edge of the picture to the right one, in degrees."""
     size: tuple[int, int] = (640, 480)
@@ -100,6 +132,22 @@ class CameraConfig(StrictConfig):
     stamped: bool = False
     """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
 
+    @model_validator(mode="before")
+    @classmethod
+    def _expand(cls, given: object) -> object:
+        """Read `outside = "chase"` as the table of which that is all."""
+        if isinstance(given, dict) and isinstance(view := given.get("outside"), str):
+            return given | {"outside": {"view": view}}
+        return given
+
+    @model_validator(mode="after")
+    def _check_place(self) -> Self:
+        if (self.link is None) == (self.outside is None):
+            raise ValueError("link: a camera needs the link that carries it, or else `outside`, and not both")
+        if self.outside is not None and self.depth is not None:
+            raise ValueError("depth: a camera outside of the robot measures no depths; leave it out")
+        return self
+
     @model_validator(mode="after")
     def _check_encoding(self) -> Self:
         try:
@@ -110,7 +158,13 @@ class CameraConfig(StrictConfig):
 
     def setup(self) -> CameraSetup:
         """Return the setup for the backend."""
-        return CameraSetup(self.name, self.link, math.radians(self.fov), self.imaging.setup())
+        return CameraSetup(
+            self.name,
+            self.link or "",
+            math.radians(self.fov),
+            self.imaging.setup(),
+            self.outside.setup() if self.outside else None,
+        )
 
     def settings(self) -> VideoSettings:
         """Return the settings for the encoder; raises `ConfigError` for what cannot be encoded."""

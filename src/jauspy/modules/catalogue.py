@@ -14,6 +14,7 @@ from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
 from jauspy.errors import ConfigError
 from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.contract import RobotParts
+from jauspy.platform.lights import lamps_of
 from jauspy.platform.modular.cell import Conveyor, ModulePower, PartSensor
 from jauspy.platform.modular.connector import VacuumConnector
 from jauspy.platform.modular.parts import CellSetup
@@ -289,6 +290,11 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "GlobalWaypointListDriver": _global(mobility.GlobalWaypointListDriver),
         "SkidSteerDriver": _vehicle(ugv.SkidSteerDriver),
         "PlatformSpecifications": _vehicle(ugv.PlatformSpecifications),
+        "IlluminationService": ServiceEntry(
+            MobilityContext,
+            lambda context: ugv.IlluminationService(lamps) if (lamps := lamps_of(context.robot)) else None,
+            needs="lamps ([[lights]])",
+        ),
         "ParkingBrakeDriver": ServiceEntry(
             MobilityContext,
             lambda context: ParkingBrakeDriver(brake) if (brake := ParkingBrake.of(context.robot)) else None,

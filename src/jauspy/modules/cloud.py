@@ -44,12 +44,15 @@ class SensorSource(Protocol):
 class Clouds:
     """The addresses at which a robot's clouds are published.
 
-    `requested`: an address, as in `tcp://127.0.0.1:5565`, for the scans of all lidars, and `CAMERA=ADDRESS` for the
-    clouds of each depth camera. `ConfigError` for a camera without depth, or for an address that occurs twice.
+    `requested`: an address, as in `tcp://127.0.0.1:5565`, for the scans of all lidars, and `NAME=ADDRESS` for those of
+    one lidar, or the clouds of one depth camera; besides the `[[clouds]]` of the file, whose address it replaces.
+    `ConfigError` for a name that is neither, or for an address that occurs twice.
     """
 
     def __init__(self, config: RobotConfig, requested: Iterable[str]) -> None:
-        pairs = [_camera_and_address(each) for each in requested]
+        asked = [_name_and_address(each) for each in requested]
+        named = {name for name, _ in asked}
+        pairs = [*asked, *((each.source, each.address) for each in config.clouds if each.source not in named)]
         for name, address in pairs:
             if [other for _, other in pairs].count(address) > 1:
                 raise ConfigError(f"--cloud: {address} is there twice; each stream needs an address of its own")
@@ -57,13 +60,21 @@ class Clouds:
                 raise ConfigError(f"--cloud: {name or 'the lidars'} would be published twice; one address is enough")
         self._addresses = dict(pairs)
         self._settings = {each.name: each.depth.settings() for each in config.cameras if each.depth is not None}
+        self._lidars = frozenset(each.name for each in config.lidars)
         for name in self._addresses:
-            if name and name not in self._settings:
-                known = ", ".join(self._settings) or "none"
+            if name and name not in self._settings and name not in self._lidars:
+                lidars, cameras = (", ".join(sorted(each)) or "none" for each in (self._lidars, self._settings))
                 raise ConfigError(
-                    f"--cloud: {name!r} is no camera with `depth` in the robot's file; those are: {known}"
+                    f"--cloud: {name!r} is no lidar ({lidars}) and no camera with `depth` ({cameras}) in its file"
                 )
+            if name in self._settings and name in self._lidars:
+                raise ConfigError(f"--cloud: {name!r} is a lidar and a camera; give one of them another name")
         self._processes: dict[str, DepthProcess] = {}
+
+    @property
+    def addresses(self) -> Mapping[str, str]:
+        """By source; those of all lidars have the empty name."""
+        return dict(self._addresses)
 
     @property
     def counters(self) -> Mapping[str, int]:
@@ -76,16 +87,17 @@ class Clouds:
         """Publish within the context; raises `TransportError` if an address cannot be used."""
         async with AsyncExitStack() as stack:
             for name, address in self._addresses.items():
-                if name:
+                if name in self._settings:
                     depth = DepthStream(robot.cameras[name], self._settings[name], address)
                     self._processes[name] = await stack.enter_async_context(DepthProcess(depth))
                 else:
                     publisher = stack.enter_context(CloudPublisher(address))
-                    stack.push_async_callback(_stop, asyncio.create_task(stream(robot.lidars, publisher)))
+                    lidars = {name: robot.lidars[name]} if name else robot.lidars
+                    stack.push_async_callback(_stop, asyncio.create_task(stream(lidars, publisher)))
             yield
 
 
-def _camera_and_address(text: str) -> tuple[str, str]:
+def _name_and_address(text: str) -> tuple[str, str]:
     name, equals, address = text.partition("=")
     return (name, address) if equals and "/" not in name else ("", text)
 
@@ -104,9 +116,22 @@ async def stream(lidars: Mapping[str, RangeFinder], publisher: CloudPublisher) -
 
 def points(scan: RangeScan) -> bytes:
     """Return the end points of the rays with an echo, in the lidar's frame: x, y, z as float32, little-endian."""
+    if scan.layers:
+        return _layered_points(scan)
     rays = zip(scan.angles, scan.ranges, strict=True)
     ends = [(far * math.cos(angle), far * math.sin(angle), 0.0) for angle, far in rays if math.isfinite(far)]
     return struct.pack(f"<{3 * len(ends)}f", *(value for end in ends for value in end))
+
+
+def _layered_points(scan: RangeScan) -> bytes:
+    import numpy as np  # noqa: PLC0415 - comes with the extra `cloud`
+
+    image = scan.image()
+    layers, columns = np.nonzero(np.isfinite(image))
+    far, up, at = image[layers, columns], np.array(scan.inclinations)[layers], np.array(scan.angles)[columns]
+    level = far * np.cos(up)
+    ends = np.stack([level * np.cos(at), level * np.sin(at), far * np.sin(up)], axis=1)
+    return ends.astype("<f4").tobytes()
 
 
 async def _stop(task: asyncio.Task[None]) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
@@ -15,8 +16,12 @@ from jauspy.modules.camera_config import CameraConfig
 from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
+from jauspy.modules.light_config import LightConfig
+from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
+from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.lights import TimeOfDay
 from jauspy.platform.ranging import LidarSetup
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
@@ -105,12 +110,23 @@ class GroupConfig(StrictConfig):
 Groups: TypeAlias = Mapping[UrdfName, GroupConfig]
 
 
+MAX_RAYS: Final = 100_000
+"""Rays of one scan."""
+
+
 class LidarConfig(StrictConfig):
-    """A lidar that scans the x-y plane of a link of the URDF, all around."""
+    """A lidar that scans the x-y plane of a link of the URDF, all around; with several layers also above and below."""
 
     name: UrdfName
     link: UrdfName
     rays: Annotated[int, Field(ge=1, le=3600)] = 360
+    """Of a layer."""
+    layers: Annotated[int, Field(ge=1, le=128)] = 1
+    vertical: tuple[Annotated[float, Field(ge=-89.0, le=89.0)], Annotated[float, Field(ge=-89.0, le=89.0)]] = (
+        -15.0,
+        15.0,
+    )
+    """Inclinations of the lowest and the highest of several layers, in degrees, positive upwards."""
     rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
     """Scans per second."""
     range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
@@ -124,11 +140,27 @@ class LidarConfig(StrictConfig):
     def _check_range(self) -> Self:
         if self.range[0] >= self.range[1]:
             raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
+        if self.vertical[0] >= self.vertical[1]:
+            raise ValueError(f"vertical: {list(self.vertical)} is empty; give the lowest and then the highest angle")
+        if self.layers * self.rays > MAX_RAYS:
+            raise ValueError(f"layers: {self.layers} of {self.rays} rays are too many; a scan may have {MAX_RAYS}")
         return self
 
     def setup(self) -> LidarSetup:
         """Return the setup for the backend."""
-        return LidarSetup(self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed)
+        low, high = (math.radians(each) for each in self.vertical)
+        return LidarSetup(
+            self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed, self.layers, (low, high)
+        )
+
+
+class CloudConfig(StrictConfig):
+    """A stream of point clouds."""
+
+    source: UrdfName
+    """The name of a lidar, or of a camera with `depth`."""
+    address: Annotated[str, Field(min_length=1, max_length=200)]
+    """Where it is published, as in tcp://127.0.0.1:5565."""
 
 
 class ForceTorqueConfig(StrictConfig):
@@ -281,10 +313,16 @@ class RobotConfig(StrictConfig):
     package_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
     """Directories in which the packages of `package://` and `$(find ...)` are searched before those of ROS; relative
     ones start at the TOML file."""
+    xacro_arguments: Mapping[Name, str] = Field(default_factory=dict)
+    """The arguments of a xacro file, which `$(arg NAME)` is replaced by."""
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
     world: Name = "empty"
+    time_of_day: TimeOfDay = TimeOfDay.DAY
+    """Of the world, as cameras see it: "day", "dusk" or "night"."""
+    quality: Quality = Quality.MEDIUM
+    """Of simulated pictures: "low" (no shadows), "medium", "high" (also smooth edges)."""
     max_message_age: Annotated[float, Field(ge=0.0, allow_inf_nan=False)] = MAX_AGE
     """Seconds for which a command may wait while the robot's process does not run; 0 is no limit."""
     origin: OriginConfig | None = None
@@ -296,6 +334,7 @@ class RobotConfig(StrictConfig):
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded; a relative path starts at the TOML file."""
     modules: tuple[ModuleConfig, ...]
+    localization: LocalizationConfig = LocalizationConfig()
     tracks: TracksConfig | None = None
     """Without tracks the base is fixed to the world."""
     cell: CellConfig | None = None
@@ -307,6 +346,10 @@ class RobotConfig(StrictConfig):
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
     force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
     cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
+    lights: Annotated[tuple[LightConfig, ...], Field(max_length=8)] = ()
+    """Lamps of the robot."""
+    clouds: Annotated[tuple[CloudConfig, ...], Field(max_length=32)] = ()
+    """Point clouds that are published whenever the robot runs."""
     video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
     """Networks and addresses into which any client may have video sent, beside its own machine."""
 
@@ -356,6 +399,9 @@ class RobotConfig(StrictConfig):
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
+        if self.origin is None and isinstance(self.localization.gnss, GnssConfig):
+            raise ValueError(f"localization.gnss: needs {catalogue.ORIGIN}, from which its positions are counted")
+        self._check_lights()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError(
                 "modules: none has the service Discovery; without it the robot cannot be discovered; add it to services"
@@ -438,6 +484,11 @@ class RobotConfig(StrictConfig):
                 raise ValueError(f"modules: a CM-VIS names the camera {name!r}, which is not there; there are: {known}")
             if taken.count(name) > 1:
                 raise ValueError(f"modules: the camera {name!r} has two CM-VIS; one controls its stream")
+
+    def _check_lights(self) -> None:
+        names = [light.name for light in self.lights]
+        if len(set(names)) < len(names):
+            raise ValueError(f"lights: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
 
     @property
     def movers(self) -> Mapping[int, str]:

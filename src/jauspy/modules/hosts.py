@@ -19,6 +19,7 @@ from jauspy.modules.mounting import frame_of, mounted_camera, mounted_force_torq
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
 from jauspy.platform.description import RobotModel
+from jauspy.platform.localization import Localization, LocalizedDrive
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
@@ -132,7 +133,7 @@ def _context(
             robot, VideoStreams({1: camera}, config.video_targets), _pan_tilt(module, model, robot)
         )
     if module.moves is None:
-        return catalogue.MobilityContext(robot, vehicle_of(config, model, robot.drive))
+        return catalogue.MobilityContext(robot, vehicle_of(config, model, robot))
     joints = robot.groups[module.moves]
     if module.type == "CM-MAN":
         return catalogue.ManipulatorContext(robot, Arm(joints))
@@ -140,12 +141,17 @@ def _context(
     return catalogue.EndEffectorContext(robot, Arm(joints), driver)
 
 
-def vehicle_of(config: RobotConfig, model: RobotModel, drive: DriveBase) -> Vehicle:
-    """The robot's chassis as it is described, and where its world lies on the globe, as its services share them."""
+def vehicle_of(config: RobotConfig, model: RobotModel, robot: RobotParts) -> Vehicle:
+    """The robot's chassis as it is described, and where its world lies on the globe, as its services share them.
+
+    Its services see the pose that the robot estimates, unless it is exact.
+    """
     origin = None
     if (given := config.origin) is not None:
         origin = GlobalPose(given.latitude, given.longitude, given.altitude, math.radians(given.heading))
-    return Vehicle(drive, name=config.name, chassis=chassis_of(model), origin=origin)
+    localization = Localization.of(robot)
+    drive: DriveBase = robot.drive if localization is None else LocalizedDrive(robot.drive, localization)
+    return Vehicle(drive, name=config.name, chassis=chassis_of(model), origin=origin, localization=localization)
 
 
 def _pan_tilt(module: ModuleConfig, model: RobotModel, robot: RobotParts) -> PanTilt | None:

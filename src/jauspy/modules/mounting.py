@@ -43,7 +43,9 @@ def mounted_force_torque_sensors(model: RobotModel, robot: RobotParts) -> tuple[
 
 
 def mounted_camera(config: RobotConfig, model: RobotModel, source: VideoSource, robot: RobotParts) -> VideoCamera:
-    """A camera."""
+    """A camera; one outside of the robot is mounted nowhere on it."""
+    if source.setup.outside is not None:
+        return VideoCamera(Transform, is_fixed=False, source=source)
     tree, link = FrameTree(model.description), source.setup.link
     return VideoCamera(
         frame_of(tree, link, robot.groups), tree.is_fixed(link), joint_of(config, model, link), source=source

@@ -58,7 +58,7 @@ class PackagePaths:
         if scheme == "file":
             return _existing(Path(unquote(rest.removeprefix("localhost"))), name)
         if scheme in ("package", "model"):
-            package, _, path = unquote(rest).partition("/")
+            package, _, path = unquote(rest).lstrip("/").partition("/")
             folder = self.package(package, near)
             target = (folder / path).resolve()
             if not target.is_relative_to(folder.resolve()):

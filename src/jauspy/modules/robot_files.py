@@ -15,7 +15,7 @@ from pydantic_core import ErrorDetails
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, parse_urdf
+from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
 from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
@@ -112,7 +112,7 @@ MAX_AXIS_COSINE: Final = 1e-3
 
 def robot_model(config: RobotConfig) -> RobotModel:
     """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
-    description = _read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))))
+    description = read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))), config.xacro_arguments)
     if config.tracks is not None:
         _check_tracks(config.tracks, description)
     for name, group in config.groups.items():
@@ -126,9 +126,12 @@ def robot_model(config: RobotConfig) -> RobotModel:
         _check_carried(f"force_torque[{number}].link", sensor.link, description)
     cameras = tuple(camera.setup() for camera in config.cameras)
     for number, camera in enumerate(cameras):
-        _check_link(f"cameras[{number}].link", camera.link, description)
+        if camera.outside is None:
+            _check_link(f"cameras[{number}].link", camera.link, description)
     for module in config.modules:
         if module.group is not None and module.camera is not None:
+            if any(camera.outside and camera.name == module.camera for camera in cameras):
+                raise ConfigError(f"modules: nothing turns {module.camera!r}, a camera outside of the robot: no group")
             (link,) = (camera.link for camera in cameras if camera.name == module.camera)
             _check_pan_tilt(f"groups.{module.group}", config.groups[module.group], link, description)
     if (cell := config.cell) is not None and cell.gripper:
@@ -136,7 +139,24 @@ def robot_model(config: RobotConfig) -> RobotModel:
     tracks = config.tracks.setup() if config.tracks else None
     setup = cell.setup() if cell else None
     drives = _can_setup(config.can, description, tracks, groups) if config.can else None
-    return RobotModel(description, tracks, groups, lidars, cameras, force_torque, setup, drives)
+    localization = config.localization.setup(has_origin=config.origin is not None)
+    lamps = tuple(light.setup() for light in config.lights)
+    for number, lamp in enumerate(lamps):
+        _check_link(f"lights[{number}].link", lamp.link, description)
+    return RobotModel(
+        description,
+        tracks,
+        groups,
+        lidars,
+        cameras,
+        force_torque,
+        cell=setup,
+        can=drives,
+        lamps=lamps,
+        time_of_day=config.time_of_day,
+        localization=localization,
+        quality=config.quality,
+    )
 
 
 def _can_setup(
@@ -149,22 +169,29 @@ def _can_setup(
         return str(error)
 
 
-def _read_urdf(path: str, packages: PackagePaths) -> RobotDescription:
-    text = expand(path)
+def read_urdf(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None) -> RobotDescription:
+    """The robot of a URDF or xacro file, with the paths of its meshes on this machine.
+
+    Raises `ConfigError` with file and line.
+    """
+    text = expand(path, packages, arguments, with_places=True)
     try:
-        parse_urdf(text)
-        return parse_urdf(_with_absolute_paths(text, Path(path), packages))
+        root = parse_tree(text)
+        for element in root.iter("mesh", "texture"):
+            if name := element.get("filename"):
+                element.set("filename", str(_found(element, name, Path(path), packages)))
+        return parse_urdf(etree.tostring(root, encoding="unicode"))
     except ConfigError as error:
-        raise ConfigError(f"urdf: {path}: {error}") from error
+        text = str(error)
+        own = f"{Path(path).name}:"
+        raise ConfigError(f"urdf: {path}" + (text[len(own) - 1 :] if text.startswith(own) else f": {text}")) from error
 
 
-def _with_absolute_paths(text: str, path: Path, packages: PackagePaths) -> str:
-    """The URDF with the paths of its meshes and textures on this machine."""
-    root = etree.fromstring(text.encode())
-    for element in root.iter("mesh", "texture"):
-        if name := element.get("filename"):
-            element.set("filename", str(packages.file(name, path).absolute()))
-    return etree.tostring(root, encoding="unicode")
+def _found(element: Element, name: str, path: Path, packages: PackagePaths) -> Path:
+    try:
+        return packages.file(name, path).absolute()
+    except ConfigError as error:
+        raise ConfigError(f"{place(element)}: <{element.tag}>: {error}") from error
 
 
 def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
@@ -221,6 +248,8 @@ def check_motor(key: str, joint: Joint) -> None:
         raise ConfigError(
             f'{key}: the joint {joint.name!r} needs <limit effort="..." velocity="..."> above zero in the URDF, '
             f"and has effort {joint.effort:g} and velocity {joint.velocity:g}"
+            + (f" at {joint.place}" if joint.place else "")
+            + "; or give effort and velocity of that joint in the TOML file"
         )
 
 

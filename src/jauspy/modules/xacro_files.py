@@ -16,10 +16,13 @@ from io import StringIO
 from itertools import count, pairwise
 from pathlib import Path
 from typing import Any, Final, NoReturn
+from xml.dom import expatbuilder
 
 import xacro
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import PLACE
+from jauspy.modules.package_paths import PackagePaths
 from jauspy.printable import printable
 from jauspy.user_files import read_file
 
@@ -86,6 +89,11 @@ def _sequence(value: Any) -> Any:
     return value
 
 
+_TEXT_METHODS: Final[Mapping[str, Callable[..., Any]]] = {
+    name: getattr(str, name) for name in ("endswith", "lower", "split", "startswith", "strip", "upper")
+}
+"""Methods of texts that are called by name; what they return is not longer than the text."""
+
 _MATH: Final = {
     name: value
     for name, value in vars(math).items()
@@ -95,18 +103,31 @@ _BUILTIN: Final = {**{each.__name__: each for each in (bool, float, int, len, ma
 _PYTHON: Final = {**_BUILTIN, **{each.__name__: each for each in (abs, all, any, sorted)}, "sum": _sum}
 
 
-def expand(path: str) -> str:
-    """The URDF that a xacro file describes, or a URDF as it is. Raises `ConfigError` in one line."""
+def expand(
+    path: str,
+    packages: PackagePaths | None = None,
+    arguments: Mapping[str, str] | None = None,
+    *,
+    with_places: bool = False,
+) -> str:
+    """The URDF that a xacro file describes, or a URDF as it is. Raises `ConfigError` in one line.
+
+    `packages` finds the directories of `$(find ...)`; `arguments` are those of `$(arg ...)`. `with_places` gives each
+    element the attribute `PLACE`.
+    """
     if not Path(path).is_file():
         raise ConfigError(f"urdf: {path}: there is no such file")
     try:
-        return str(_copy_of_xacro().process_file(path).toxml())
+        module = _copy_of_xacro(Path(path), packages or PackagePaths())
+        if with_places:
+            module.parse = partial(_parse, module.parse)
+        return str(module.process_file(path, mappings=dict(arguments or {})).toxml())
     except Exception as error:  # xacro leaves it to Python to find some mistakes
         reason = printable(" ".join(str(error).split())) or type(error).__name__
         raise ConfigError(f"urdf: {path}: xacro cannot expand it: {reason}") from error
 
 
-def _copy_of_xacro() -> Any:
+def _copy_of_xacro(path: Path, packages: PackagePaths) -> Any:
     """The module for one file, with evaluation as described here. What others import as `xacro` stays as it is."""
     spec = xacro.__spec__
     assert spec.loader is not None
@@ -121,7 +142,7 @@ def _copy_of_xacro() -> Any:
     module.eval = module.exec = _refuse
     module.open = _open
     module.safe_eval = lambda text, names, _=None: evaluator.evaluate(text, names)
-    module.eval_extension = partial(_extension, module.eval_extension)
+    module.eval_extension = partial(_extension, module.eval_extension, lambda name: packages.package(name, path))
     module.handle_macro_call = _counted(module.handle_macro_call)
     module._global_symbols = symbols  # noqa: SLF001 - xacro offers no other way
     return module
@@ -136,11 +157,37 @@ def _open(path: str) -> StringIO:
     return StringIO(read_file(Path(path)).decode())
 
 
-def _extension(resolve: Callable[[str], object], text: str) -> object:
+def _extension(resolve: Callable[[str], object], package: Callable[[str], Path], text: str) -> object:
     """`$(arg NAME)`, `$(find PACKAGE)` and others, which evaluate nothing."""
-    if text.removeprefix("$(").split()[:1] == ["eval"]:
+    words = text.removeprefix("$(").removesuffix(")").split()
+    if words[:1] == ["eval"]:
         raise ExpressionError(f"{text}: write ${{...}}")
+    if words[:1] == ["find"] and len(words) == 2:
+        return str(package(words[1]))
     return resolve(text)
+
+
+def _parse(parse: Callable[..., Any], text: Any, filename: str | None = None) -> Any:
+    """As xacro's `parse`: the document of a file, whose elements have their places."""
+    if text is not None or filename is None:
+        return parse(text, filename)
+    builder = _PlacedElements(Path(filename).name)
+    return builder.parseString(read_file(Path(filename)))
+
+
+class _PlacedElements(expatbuilder.ExpatBuilderNS):
+    """Makes documents whose elements, except those of xacro, have the attribute `PLACE`."""
+
+    def __init__(self, name: str) -> None:
+        super().__init__()
+        self._name = name.replace("$", "")
+
+    def start_element_handler(self, name: str, attributes: Any) -> None:
+        """Called by the parser at each start of an element."""
+        super().start_element_handler(name, attributes)
+        element: Any = self.curNode
+        if ":" not in element.tagName:
+            element.setAttribute(PLACE, f"{self._name}:{self.getParser().CurrentLineNumber}")
 
 
 def _counted(handle_macro_call: Callable[..., object]) -> Callable[..., object]:
@@ -204,6 +251,10 @@ class Evaluator:
                 return all(_OPERATORS[type(op)](*pair) for op, pair in zip(ops, pairwise(values), strict=True))
             case ast.IfExp(test=test, body=body, orelse=other):
                 return value(body if value(test) else other)
+            case ast.Call(func=ast.Attribute(value=holder, attr=name), args=arguments, keywords=[]) if (
+                name in _TEXT_METHODS and isinstance(text := value(holder), str)
+            ):
+                return self._bounded(_TEXT_METHODS[name](text, *map(value, arguments)))
             case ast.Call(func=function, args=arguments, keywords=[]):
                 called = value(function)
                 if any(called is each for each in self._functions):

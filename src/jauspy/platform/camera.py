@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from enum import Enum
 from typing import TYPE_CHECKING, Protocol, TypeAlias
 
 from jauspy.platform.imaging import IDEAL, ImagingSetup
+from jauspy.platform.outside_view import OutsideSetup
 
 if TYPE_CHECKING:
     import numpy as np
@@ -17,16 +19,27 @@ if TYPE_CHECKING:
     """Depth of each pixel along the camera's x axis, in metres; inf where nothing is; shape (height, width)."""
 
 
+class Quality(Enum):
+    """How pictures are rendered: without shadows, with shadows, or with finer shadows and smooth edges."""
+
+    LOW = "low"
+    MEDIUM = "medium"
+    HIGH = "high"
+
+
 @dataclass(frozen=True, slots=True)
 class CameraSetup:
-    """A camera of a robot: it looks along its link's x axis, z is up."""
+    """A camera of a robot: it looks along its link's x axis, z is up; or one outside of it."""
 
     name: str
     link: str
+    """Empty for a camera outside of the robot."""
     fov: float
     """Horizontal field of view, in radians; the widest of a camera that zooms."""
     imaging: ImagingSetup = IDEAL
     """Limits and faults of its lens and sensor."""
+    outside: OutsideSetup | None = None
+    """Where a camera outside of the robot is."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,6 +76,10 @@ class CameraSession(Protocol):
     @property
     def reduced(self) -> bool:
         """True if pictures are of lower quality than on other machines; the description says why."""
+        ...
+
+    def simplify(self) -> bool:
+        """Render at the next lower quality, because pictures take too long; False if there is none."""
         ...
 
     def look(

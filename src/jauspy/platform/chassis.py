@@ -16,6 +16,9 @@ from jauspy.geometry.vectors import Vector
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
 from jauspy.platform.description import RobotModel
 
+SLIP_FACTOR: Final = 2.4
+"""Distance of two wheels that turn as the tracks do, as a multiple of the tracks' distance; slip makes it larger."""
+
 SPEED_ON_GROUND: Final = 0.95
 """Speed on the ground as a fraction of the tracks' speed without resistance."""
 
@@ -212,7 +215,9 @@ class FixedBase:
 class SkidSteerDrive(ABC):
     """A `DriveBase` with two tracks, without an inertial sensor: what the drives of both backends share."""
 
-    def __init__(self) -> None:
+    def __init__(self, slip_width: float = 1.0) -> None:
+        self.slip_width = slip_width
+        """Distance of two wheels, in metres, that turn as the tracks do; larger than theirs because of slip."""
         self._acceleration = Acceleration()
         self._brake = _HoldingBrake(self)
         self.optional_parts: tuple[OptionalPart, ...] = (self._brake,)
@@ -228,6 +233,19 @@ class SkidSteerDrive(ABC):
     @abstractmethod
     def twist(self) -> Twist:
         """Velocity of the base in its own frame."""
+
+    def track_speeds(self) -> tuple[float, float]:
+        """Speeds of the left and right track, as encoders in their drives measure them: m/s, positive forward.
+
+        By default, those of tracks that do not slip.
+        """
+        twist = self.twist()
+        return twist.vx - twist.wz * self.slip_width / 2.0, twist.vx + twist.wz * self.slip_width / 2.0
+
+    def odometry(self) -> tuple[float, float, float]:
+        """Velocity by the tracks, as if they did not slip: m/s forward and to the left, rad/s to the left."""
+        left, right = self.track_speeds()
+        return (left + right) / 2.0, 0.0, (right - left) / self.slip_width
 
     def set_effort(self, linear_x: float, rotational_z: float) -> None:
         """Drive with fractions of the full effort, -1..1, clamped; positive z turns left."""

@@ -11,8 +11,10 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
 from jauspy.geometry.urdf import RobotDescription
-from jauspy.platform.camera import CameraSetup
+from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.platform.force_torque import ForceTorqueSetup
+from jauspy.platform.lights import LampSetup, TimeOfDay
+from jauspy.platform.localization import EXACT, LocalizationSetup
 from jauspy.platform.ranging import LidarSetup
 
 if TYPE_CHECKING:
@@ -78,3 +80,10 @@ class RobotModel:
     """What is in the factory cell around it; None for a robot that is not in one."""
     can: CanSetup | str | None = None
     """The drives on its CAN bus, for the backend `can`; a sentence if they do not match the robot."""
+    localization: LocalizationSetup = EXACT
+    """How it measures where it is; for robots with a chassis."""
+    lamps: tuple[LampSetup, ...] = ()
+    time_of_day: TimeOfDay = TimeOfDay.DAY
+    """Of the simulated world."""
+    quality: Quality = Quality.MEDIUM
+    """Of the pictures of its cameras in a simulation."""

@@ -20,6 +20,9 @@ A braking gain of effort / (ROTOR_ACCELERATION * dt) stops within one step at th
 oscillate.
 """
 
+RESISTANCE_TIME: Final = 5.0
+"""Seconds in which the effort fades by which a joint resists being driven back."""
+
 
 class JointController:
     """Computes the effort of a joint at each step of its control loop (N m or N)."""
@@ -31,6 +34,7 @@ class JointController:
         self._velocity_pid = Pid(gains.velocity, joint.effort)
         self._holding = True
         self._braking = 0.0
+        self._integral = self._resistance = 0.0
 
     @property
     def mode(self) -> ControlMode:
@@ -43,6 +47,9 @@ class JointController:
 
     def follow(self, target: Target, position: float, velocity: float) -> None:
         """Follow a target; a change of mode starts at the present `position` and `velocity`, without a jerk."""
+        if target.compensated and not target.value:
+            self.hold(position)
+            return
         if target.mode is not self.mode:
             self._reset()
             self._setpoint.start(position, velocity)
@@ -64,7 +71,8 @@ class JointController:
             return self._brake(position, velocity, dt, feed_forward)
         mode = setpoint.target.mode
         if mode is ControlMode.EFFORT:
-            return self._limited(setpoint.target.value)
+            push = self._compensated if setpoint.target.compensated else self._uncompensated
+            return self._limited(push(setpoint.target.value, position, velocity, dt, feed_forward))
         setpoint.advance(dt)
         desired_velocity = setpoint.velocity
         feed_forward += joint.damping * desired_velocity
@@ -74,6 +82,37 @@ class JointController:
             )
         setpoint.position = position  # the limits apply to the present position, not to the commanded one
         return self._velocity_pid.update(desired_velocity - velocity, 0.0, dt, feed_forward)
+
+    def _compensated(self, value: float, position: float, velocity: float, dt: float, gravity: float) -> float:
+        """Follow the setpoint's velocity with at most the commanded effort in its direction, in addition to gravity.
+
+        A joint that is driven back resists, as a gear does, with more than the commanded effort.
+        """
+        setpoint, gains = self._setpoint, self._velocity_pid.gains
+        setpoint.position = position  # the limits apply to the present position
+        setpoint.advance(dt)
+        sign, most = math.copysign(1.0, value), min(abs(value), self._joint.effort)
+        back = max(0.0, -sign * velocity)
+        fading = math.exp(-dt / RESISTANCE_TIME)
+        self._resistance = min(2.0 * self._joint.effort, fading * self._resistance + gains.i * back * dt)
+        ceiling = most + gains.p * back + self._resistance
+        error = sign * (setpoint.velocity - velocity)
+        wanted = self._joint.damping * abs(setpoint.velocity) + gains.p * error + sign * self._integral
+        if wanted < ceiling or error < 0.0:
+            integral = sign * self._integral + gains.i * error * dt
+            self._integral = sign * min(most, max(-most, integral))
+        return gravity + sign * min(wanted, ceiling)
+
+    def _uncompensated(self, value: float, position: float, velocity: float, dt: float, gravity: float) -> float:
+        """The commanded effort, less of it as the joint comes near its speed limit, which falls towards its ends."""
+        joint, gain = self._joint, self._velocity_pid.gains.p
+        forward = self._setpoint.fastest(joint.upper - position, dt)
+        backward = self._setpoint.fastest(position - joint.lower, dt)
+        if velocity > forward / 2.0:
+            return min(value, gravity + joint.damping * forward + gain * (forward - velocity))
+        if velocity < -backward / 2.0:
+            return max(value, gravity - joint.damping * backward - gain * (backward + velocity))
+        return value
 
     def _brake(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
         """Return an effort against the motion, up to the limit; the position PID alone would overshoot."""
@@ -87,6 +126,7 @@ class JointController:
     def _reset(self) -> None:
         self._position_pid.reset()
         self._velocity_pid.reset()
+        self._integral = self._resistance = 0.0
 
 
 class Pid:

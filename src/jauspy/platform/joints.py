@@ -23,11 +23,14 @@ class Target:
     """The target of one joint: newton metres or newtons; rad/s or m/s; radians or metres.
 
     A position is approached at most at `speed`, with at most `acceleration` and `deceleration`; the joint's own limits
-    when not given.
+    when not given. An effort never moves a joint faster than its limit.
     """
 
     mode: ControlMode
     value: float
+    compensated: bool = False
+    """Of an effort: in addition to what gravity needs, at the same share of the speed limit as of the greatest effort;
+    zero holds the position."""
     speed: float | None = None
     acceleration: float | None = None
     deceleration: float | None = None

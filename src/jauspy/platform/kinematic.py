@@ -12,12 +12,14 @@ from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
 from jauspy.platform.camera import Camera
-from jauspy.platform.chassis import FixedBase, SkidSteerDrive
+from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
+from jauspy.platform.lights import switched_lamps
+from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
 
@@ -26,9 +28,6 @@ WORLDS: Final = ("empty", "rough", "yard")
 
 MAX_STEP: Final = 0.005
 """Longest integration step, seconds."""
-
-SLIP_FACTOR: Final = 2.4
-"""Distance of two wheels that turn as the tracks do, as a multiple of the tracks' distance; slip makes it larger."""
 
 
 class KinematicBackend:
@@ -55,8 +54,12 @@ class KinematicRobot:
         tracks = robot.tracks
         self._tracked = KinematicDrive(skid_steer_parameters(robot.description, tracks)) if tracks else None
         self._drive = self._tracked or FixedBase()
+        self._localizer: Localizer | None = None
+        if self._tracked is not None and not robot.localization.is_exact(default=True):
+            self._localizer = Localizer(robot.localization, self._tracked)
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
+        self._lamps = switched_lamps(robot.lamps)
         self._lidars = {setup.name: Scanner(setup) for setup in robot.lidars}
         self._force_torque = {
             setup.name: SampledForceTorque(setup, gravity_wrench(robot.description, setup.link, self._positions))
@@ -92,8 +95,9 @@ class KinematicRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis."""
-        return self._drive.optional_parts
+        """Those of the chassis, the localisation unless exact, and the lamps, whose light its cameras do not show."""
+        located = () if self._localizer is None else (self._localizer,)
+        return (*self._drive.optional_parts, *located, *self._lamps)
 
     @property
     def time(self) -> float:
@@ -106,11 +110,13 @@ class KinematicRobot:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         before = self._drive.twist()
         steps = math.ceil(dt / MAX_STEP)
-        for _ in range(steps):
+        for number in range(steps):
             if self._tracked is not None:
                 self._tracked.step(dt / steps)
             for group in self._groups.values():
                 group.step(dt / steps)
+            if self._localizer is not None:
+                self._localizer.step(self._time + (number + 1) * dt / steps)
         if steps and self._tracked is not None:
             self._tracked.update_acceleration(before, dt)
         self._time += dt
@@ -138,7 +144,7 @@ class KinematicRobot:
 class SkidSteerParameters:
     """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
 
-    free_speed: float = 1.55
+    free_speed: float = 1.9
     """Track speed at full effort without resistance."""
     response: float = 0.15
     """Time constant with which a track follows its effort (drag against drive force)."""
@@ -154,7 +160,7 @@ class KinematicDrive(SkidSteerDrive):
     """The chassis of a kinematic robot: a `DriveBase`."""
 
     def __init__(self, parameters: SkidSteerParameters) -> None:
-        super().__init__()
+        super().__init__(parameters.slip_width)
         self._parameters = parameters
         self._efforts = (0.0, 0.0)
         self._left = self._right = 0.0
@@ -174,6 +180,10 @@ class KinematicDrive(SkidSteerDrive):
             vx=(self._left + self._right) / 2.0,
             wz=(self._right - self._left) / self._parameters.slip_width,
         )
+
+    def track_speeds(self) -> tuple[float, float]:
+        """As `SkidSteerDrive.track_speeds`."""
+        return self._left, self._right
 
     def step(self, dt: float) -> None:
         """Move for `dt` seconds along the arc that the tracks' mean speeds describe."""
@@ -257,5 +267,6 @@ class KinematicJoints:
 
 def _to_velocity(joint: Joint, target: Target) -> Target:
     fraction = target.value / joint.effort if joint.effort else 0.0
-    speed = joint.velocity * min(1.0, max(-1.0, fraction)) if math.isfinite(fraction) else 0.0
+    fastest = min(joint.velocity, target.speed or math.inf)
+    speed = fastest * min(1.0, max(-1.0, fraction)) if math.isfinite(fraction) else 0.0
     return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)

@@ -17,6 +17,7 @@ from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup, joint_positions
+from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
 
 if TYPE_CHECKING:
@@ -71,8 +72,13 @@ class FloorCameraSession:
 
         self._np = numpy
         self._fov = camera.setup.fov
+        self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
         self._palette = numpy.array(_palette(), numpy.uint8)
         self._state = StateReader(camera.descriptor)
+
+    def simplify(self) -> bool:
+        """Return False: there is one quality."""
+        return False
 
     def look(
         self,
@@ -100,7 +106,12 @@ class FloorCameraSession:
         taken, data = self._state.read()
         numbers = struct.unpack(f"={STATE_LENGTH}d", data)
         spread = math.tan((self._fov if fov is None else fov) / 2.0)
-        return taken, *self._picture(numbers[:9], numbers[9:], spread, width, height)
+        rotation, origin = numbers[:9], numbers[9:]
+        if self._outside is not None:
+            base = Transform((rotation[:3], rotation[3:6], rotation[6:]), origin)
+            frame = looking(*self._outside.ends(taken, base))
+            rotation, origin = tuple(chain(*frame.rotation)), frame.position
+        return taken, *self._picture(rotation, origin, spread, width, height)
 
     def _picture(
         self, rotation: Sequence[float], origin: Sequence[float], spread: float, width: int, height: int
@@ -137,7 +148,10 @@ def _palette() -> list[tuple[int, ...]]:
 
 
 class KinematicCameras:
-    """The cameras, and a shared state with the frame in the world for each link that carries cameras."""
+    """The cameras, and a shared state with the frame in the world for each link that carries cameras.
+
+    Cameras outside of the robot share one with the frame of its base.
+    """
 
     def __init__(self, robot: RobotModel, drive: DriveBase, groups: Mapping[str, JointGroup]) -> None:
         self._drive, self._groups = drive, groups
@@ -158,7 +172,7 @@ class KinematicCameras:
         positions = joint_positions(self._groups.values())
         if positions != self._positions or not self._frames:
             self._positions = positions
-            self._frames = {link: self._tree.pose(link, positions) for link in self._states}
+            self._frames = {link: self._tree.pose(link, positions) if link else Transform() for link in self._states}
         base = Transform.from_pose(self._drive.pose())
         for link, state in self._states.items():
             frame = base @ self._frames[link]

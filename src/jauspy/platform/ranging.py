@@ -1,11 +1,16 @@
-"""The contract with what measures distances in a plane: lidars."""
+"""The contract with what measures distances around it: lidars of one layer or of several."""
 
 from __future__ import annotations
 
 import math
+from array import array
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Final, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Final, Protocol, TypeAlias
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
 DUE_TOLERANCE: Final = 1e-6
 """Seconds by which a sample may be early, because sums of steps are not exact."""
@@ -34,11 +39,12 @@ class ScanSettings:
 
 @dataclass(frozen=True, slots=True)
 class LidarSetup:
-    """A lidar that scans the x-y plane of its link, all around."""
+    """A lidar that scans the x-y plane of its link, all around; with several layers also cones above and below it."""
 
     name: str
     link: str
     rays: int = 360
+    """Of a layer."""
     rate: float = 10.0
     """Scans per second, at most."""
     min_range: float = 0.1
@@ -48,6 +54,16 @@ class LidarSetup:
     """Standard deviation of a distance, in metres."""
     seed: int = 0
     """Seed of the noise: the same seed gives the same noise."""
+    layers: int = 1
+    vertical: tuple[float, float] = (0.0, 0.0)
+    """Inclinations of the lowest and the highest layer, if there are several: radians, positive upwards."""
+
+    def inclinations(self) -> tuple[float, ...]:
+        """Those of the layers, ascending: radians, positive upwards."""
+        if self.layers == 1:
+            return (0.0,)
+        low, high = self.vertical
+        return tuple(low + (high - low) * layer / (self.layers - 1) for layer in range(self.layers))
 
     def angles(self) -> tuple[float, ...]:
         """The angles of all rays: radians counterclockwise from the link's x axis, from -pi on."""
@@ -69,7 +85,32 @@ class RangeScan:
     angles: tuple[float, ...]
     """Radians counterclockwise from the frame's x axis, ascending."""
     ranges: tuple[float, ...]
-    """Metres; inf where nothing is within reach, -inf where something is too close (REP-117)."""
+    """Metres; inf where nothing is within reach, -inf where something is too close (REP-117).
+
+    Of several layers, those of the one that is nearest to the x-y plane.
+    """
+    inclinations: tuple[float, ...] = (0.0,)
+    """Of the layers, ascending: radians, positive upwards."""
+    layers: bytes = b""
+    """The ranges of all layers, if there are several: float32 in native order, layer by layer, lowest first."""
+
+    @property
+    def inclination(self) -> float:
+        """That of `ranges`."""
+        return self.inclinations[nearest_layer(self.inclinations)]
+
+    def image(self) -> NDArray[np.float32]:
+        """The range image, metres: a row for each of `inclinations`, a column for each of `angles`. Needs numpy."""
+        import numpy as np  # noqa: PLC0415 - only robots with a simulation have it
+
+        if not self.layers:
+            return np.array([self.ranges], np.float32)
+        return np.frombuffer(self.layers, np.float32).reshape(len(self.inclinations), len(self.angles))
+
+
+def nearest_layer(inclinations: Sequence[float]) -> int:
+    """The layer nearest to the x-y plane; of two, the upper one, which meets the ground later."""
+    return min(range(len(inclinations)), key=lambda layer: (round(abs(inclinations[layer]), 9), -layer))
 
 
 class RangeFinder(Protocol):
@@ -127,7 +168,7 @@ def no_obstacles(angles: Sequence[float]) -> list[float]:
 
 
 class Scanner:
-    """A `RangeFinder` that scans in `step`."""
+    """A `RangeFinder` that scans in `step`; if it has several layers, all measure the same."""
 
     def __init__(self, setup: LidarSetup, measure: Measure = no_obstacles) -> None:
         self._setup = setup
@@ -184,8 +225,14 @@ class Scanner:
         self._now = now
         if not self._settings.active or not self._sampling.is_due(now):
             return
+        self._begin(now)
+
+    def _begin(self, now: float) -> None:
+        """Make a scan."""
         ranges = _limited(self._measure(self._angles), self._settings.min_range, self._settings.max_range)
-        self._scan = RangeScan(now, self._setup.link, self._angles, ranges)
+        layers = self._setup.layers
+        image = b"" if layers == 1 else array("f", ranges * layers).tobytes()
+        self._scan = RangeScan(now, self._setup.link, self._angles, ranges, self._setup.inclinations(), image)
 
 
 def _limited(distances: Sequence[float], min_range: float, max_range: float) -> tuple[float, ...]:

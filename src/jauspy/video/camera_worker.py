@@ -29,6 +29,10 @@ if TYPE_CHECKING:
 
 COUNTER_INTERVAL: Final = 1.0
 """Seconds between two reports of the counters."""
+PACE_WINDOW: Final = 5.0
+"""Seconds over which it is measured whether a camera keeps its rate."""
+MAX_MISSING: Final = 0.2
+"""Share of pictures that may be missing until the camera renders at a lower quality."""
 JPEG_QUALITY: Final = 90
 """Out of 100."""
 SUPERSAMPLING: Final = 2
@@ -64,6 +68,7 @@ class CameraWorker:
         self._encoder = H264Encoder(start.settings)
         self._sender = RtpSender(start.camera.setup.name)
         self._number = 0
+        self._pace = Pace()
         self._due = clock()
         self._counters_due = clock()
         report(WorkerReady(self._camera.description, self._camera.reduced))
@@ -96,6 +101,8 @@ class CameraWorker:
         self._sender.counters["skipped"] += skipped
         self._due += period * (1 + skipped)
         self._send_frame(now)
+        if self._pace.is_too_slow(now, skipped) and self._camera.simplify():
+            self._report(WorkerReady(self._camera.description, self._camera.reduced))
         if now >= self._counters_due:
             self._counters_due = now + COUNTER_INTERVAL
             self._report(CountersReport(dict(self._sender.counters)))
@@ -131,6 +138,31 @@ class CameraWorker:
         frame = self._imaging.take(self._camera, width, height, supersampling=factor, thoroughly=True)
         content = _file_content(frame.image, command.settings.format.value)
         self._report(StillTaken(command.number, content, frame.taken))
+
+
+class Pace:
+    """Watches how many pictures are left out."""
+
+    def __init__(self) -> None:
+        self._began: float | None = None
+        self._taken = self._skipped = 0
+
+    def is_too_slow(self, now: float, skipped: int) -> bool:
+        """Count a picture at that time (monotonic seconds), and those left out before it.
+
+        True when too many of the last `PACE_WINDOW` seconds are missing. The first pictures of a camera, and those
+        after a pause, do not count: it takes a while to be ready for them.
+        """
+        if self._began is None or now - self._began > 2.0 * PACE_WINDOW:
+            self._began, self._taken, self._skipped = now, 0, 0
+            return False
+        self._taken += 1
+        self._skipped += skipped
+        if now - self._began < PACE_WINDOW:
+            return False
+        too_slow = self._skipped > MAX_MISSING * (self._taken + self._skipped)
+        self._began, self._taken, self._skipped = now, 0, 0
+        return too_slow
 
 
 def _file_content(image: Image, suffix: str) -> bytes:

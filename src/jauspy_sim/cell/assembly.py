@@ -32,8 +32,9 @@ from jauspy.platform.modular.parts import (
     Shape,
     Solid,
 )
-from jauspy_sim.assembly import COLLISION, TIMESTEP, prefix, robot_spec
+from jauspy_sim.assembly import TIMESTEP, prefix, robot_spec
 from jauspy_sim.cell.looks import Dresser
+from jauspy_sim.groups import COLLISION
 from jauspy_sim.world_files import world_spec
 
 GRIPPER: Final = "gripper"

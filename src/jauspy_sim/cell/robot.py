@@ -90,7 +90,7 @@ class SimulatedCell:
         self._run(SETTLING_STEPS)
         self._sensor.step(0.0)
         self._parts = tuple(self._list_parts())
-        self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot.cameras)
+        self._cameras = SimulatedCameras(cell.model, data, cell.prefix, robot)
 
     @classmethod
     def open(cls, robot: RobotModel, world: str) -> SimulatedCell:

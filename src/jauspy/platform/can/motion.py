@@ -30,6 +30,9 @@ class JointMotion:
 
     def follow(self, target: Target, drive: Drive) -> None:
         """Follow a target; after a stop and in another mode it begins at the present position and velocity."""
+        if target.compensated and not target.value:
+            self.hold()
+            return
         if self._holding or target.mode is not self._setpoint.target.mode:
             self._setpoint.start(drive.position, 0.0 if self._holding else drive.velocity)
         self._setpoint.target = target

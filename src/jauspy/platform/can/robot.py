@@ -21,13 +21,13 @@ from jauspy.platform.can.master import Master
 from jauspy.platform.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.can.simulated.fleet import Fleet, plant_of
-from jauspy.platform.chassis import FixedBase, SkidSteerDrive
+from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointState, Target
-from jauspy.platform.kinematic import SLIP_FACTOR
 from jauspy.platform.kinematic_camera import KinematicCameras
+from jauspy.platform.localization import Localization
 from jauspy.platform.ranging import RangeFinder, Scanner
 
 _LOG: Final = get_logger("jauspy.can")
@@ -267,8 +267,10 @@ class CanRobot:
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
-        """The optional parts of the chassis."""
-        return self._drive_base.optional_parts
+        """The optional parts of the chassis, and the localisation of the simulation."""
+        robot = self._ticker.plant_robot
+        located = None if robot is None else Localization.of(robot)
+        return self._drive_base.optional_parts if located is None else (*self._drive_base.optional_parts, located)
 
     @property
     def time(self) -> float:
@@ -322,7 +324,7 @@ class CanRobot:
 
 
 class _Located:
-    """The chassis by CAN, and its pose by the simulation, as by a good localisation."""
+    """The chassis by CAN, and its true pose by the simulation."""
 
     def __init__(self, chassis: CanTracks | FixedBase, robot: Robot) -> None:
         self.set_effort = chassis.set_effort

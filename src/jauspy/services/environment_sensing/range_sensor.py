@@ -87,6 +87,8 @@ _ERROR_TEXTS: Final = {
 class RangeSensor(Service, urn="urn:jaus:jss:environmentSensing:RangeSensor"):
     """The lidars of a vehicle; their ids count from 1 in the order they are given.
 
+    Of a lidar of several layers, the one that is nearest to the horizontal is reported.
+
     Bearings are clockwise, inclinations positive upwards (JAUS's z is down). A ray without an echo is reported only
     when the query asks for RangeValidity: then with the largest distance, and not valid.
     """
@@ -253,16 +255,19 @@ def points(scan: RangeScan, lidar: RangeFinder, presence_vector: int, frame: Tra
     with_validity = bool(presence_vector & VALIDITY_BIT)
     rays = enumerate(zip(scan.angles, scan.ranges, strict=True))
     found = [(number, ray) for number, ray in rays if with_validity or math.isfinite(ray[1])]
-    return [requested_fields(_point(number, ray, lidar, frame), presence_vector) for number, ray in found]
+    up = scan.inclination
+    return [requested_fields(_point(number, ray, up, lidar, frame), presence_vector) for number, ray in found]
 
 
-def _point(number: int, ray: tuple[float, float], lidar: RangeFinder, frame: Transform | None) -> Point:
+def _point(
+    number: int, ray: tuple[float, float], inclination: float, lidar: RangeFinder, frame: Transform | None
+) -> Point:
     angle, distance = ray
     limits = lidar.settings
     metres = min(limits.max_range, max(limits.min_range, distance))
-    bearing, inclination = -angle, 0.0  # JAUS counts clockwise
+    bearing = -angle  # JAUS counts clockwise
     if frame is not None:
-        metres, bearing, inclination = _polar(frame, metres, bearing)
+        metres, bearing, inclination = _polar(frame, metres, bearing, inclination)
     return Point(
         point_id=number,
         range=metres,
@@ -277,8 +282,9 @@ def _point(number: int, ray: tuple[float, float], lidar: RangeFinder, frame: Tra
     )
 
 
-def _polar(frame: Transform, distance: float, bearing: float) -> tuple[float, float, float]:
-    x, y, z = frame.apply((distance * math.cos(bearing), distance * math.sin(bearing), 0.0))
+def _polar(frame: Transform, distance: float, bearing: float, inclination: float) -> tuple[float, float, float]:
+    level, down = distance * math.cos(inclination), -distance * math.sin(inclination)
+    x, y, z = frame.apply((level * math.cos(bearing), level * math.sin(bearing), down))
     across = math.hypot(x, y)
     return math.hypot(across, z), math.atan2(y, x), math.atan2(-z, across)  # about y, which is right: up is positive
 

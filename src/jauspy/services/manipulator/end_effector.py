@@ -261,7 +261,9 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
             self._gripper.hold()
             return
         share = -self._effort / 100.0
-        self._gripper.command([Target(ControlMode.EFFORT, share * joint.effort) for joint in self._gripper.joints])
+        self._gripper.command(
+            [Target(ControlMode.EFFORT, share * joint.effort, compensated=True) for joint in self._gripper.joints]
+        )
 
     def report_end_effector_effort(self) -> ReportEndEffectorEffort:
         """The commanded effort, in percent."""

@@ -10,6 +10,7 @@ from typing import Final, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.geometry.denavit_hartenberg import DHLink
+from jauspy.geometry.urdf import Joint
 from jauspy.messages.manipulator import (
     ActuatorForceTorqueRec,
     JointEffortRec,
@@ -28,7 +29,7 @@ from jauspy.messages.manipulator import (
     SetJointVelocity,
 )
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.services.manipulator.arm import Arm, ArmDriver
+from jauspy.services.manipulator.arm import Arm, ArmDriver, MotionProfile
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
 from jauspy.services.units import effort_or_zero
@@ -176,7 +177,10 @@ class JointForceTorqueSensor(Service, urn="urn:jaus:jss:manipulator:ManipulatorJ
 
 
 class EffortDriver(ArmDriver):
-    """The base of open-loop drivers, in percent of each joint's greatest effort; a joint with zero effort holds."""
+    """The base of drivers by effort, in percent of each joint's greatest effort; a joint with zero effort holds.
+
+    The efforts are in addition to what gravity needs, and move a joint at most at that share of its speed limit.
+    """
 
     def __init__(self, arm: Arm) -> None:
         super().__init__(arm)
@@ -186,8 +190,8 @@ class EffortDriver(ArmDriver):
     def apply(self, efforts: Sequence[float]) -> None:
         """Apply efforts, in percent."""
         shares = [effort_or_zero(effort) for effort in efforts]
-        rows = zip(shares, self.arm.joints.joints, self.arm.state().positions, strict=True)
-        self.arm.move(self, [_effort_target(share, joint.effort, position) for share, joint, position in rows])
+        rows = zip(shares, self.arm.joints.joints, self.arm.profiles, strict=True)
+        self.arm.move(self, [_effort_target(share, joint, profile) for share, joint, profile in rows])
         self.efforts = shares
         self.on_endless_motion()
 
@@ -197,7 +201,7 @@ class EffortDriver(ArmDriver):
 
 
 class PrimitiveManipulator(EffortDriver, urn="urn:jaus:jss:manipulator:PrimitiveManipulator"):
-    """Open-loop efforts, in percent of what each joint can do."""
+    """Efforts in percent of what each joint can do, in addition to what gravity needs; zero holds."""
 
     def set_joint_effort(self, msg: SetJointEffort) -> None:
         """Apply these until the next command; ignored, and counted, unless there is one for each joint."""
@@ -212,10 +216,15 @@ class PrimitiveManipulator(EffortDriver, urn="urn:jaus:jss:manipulator:Primitive
         return ReportJointEffort(percent_records(self.efforts))
 
 
-def _effort_target(share: float, greatest: float, position: float) -> Target:
-    if not share:
-        return Target(ControlMode.POSITION, position)
-    return Target(ControlMode.EFFORT, greatest * share / 100.0)
+def _effort_target(share: float, joint: Joint, profile: MotionProfile) -> Target:
+    return Target(
+        ControlMode.EFFORT,
+        joint.effort * share / 100.0,
+        compensated=True,
+        speed=profile.speed,
+        acceleration=profile.acceleration,
+        deceleration=profile.deceleration,
+    )
 
 
 def joint_values(choices: Choices, links: Sequence[DHLink]) -> list[float] | None:

@@ -5,6 +5,7 @@ Most messages have a form with narrow fields and an `Ext` form with wide ones.
 
 from __future__ import annotations
 
+import math
 from typing import Final
 
 from jauspy.messages.mobility import Speed, ZPosition
@@ -18,6 +19,8 @@ MAX_Z_EXT: Final = 50_000.0
 MIN_ALTITUDE: Final = -10_000.0
 MAX_ALTITUDE: Final = 35_000.0
 """Metres, in global poses and in vectors."""
+MAX_RMS: Final = 100.0
+"""Of errors, in every message: metres, m/s, m/s^2."""
 MAX_SPEED: Final = 327.67
 """m/s, in every message."""
 _GROUND_SPEEDS: Final = (Speed.Choice.SPEED_OVER_GROUND, Speed.Choice.SPEED_RELATIVE_TO_MEDIUM)
@@ -26,6 +29,16 @@ _GROUND_SPEEDS: Final = (Speed.Choice.SPEED_OVER_GROUND, Speed.Choice.SPEED_RELA
 def encodable(value: float, limit: float) -> float | None:
     """The value if it is within -limit..limit, else None, so that its optional field is left out."""
     return value if abs(value) <= limit else None
+
+
+def encodable_rms(error: float | None, limit: float = MAX_RMS) -> float | None:
+    """An error of a position, velocity or acceleration; the largest that its field holds for a larger one."""
+    return None if error is None else min(error, limit)
+
+
+def encodable_angle_rms(error: float | None) -> float | None:
+    """As `encodable_rms`, for an attitude in radians, or a rate in the narrow form."""
+    return encodable_rms(error, math.pi)
 
 
 def encodable_altitude(value: float) -> float | None:

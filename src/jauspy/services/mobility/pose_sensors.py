@@ -20,7 +20,16 @@ from jauspy.messages.mobility import (
     SetLocalPoseExt,
     ZPosition,
 )
-from jauspy.services.mobility.field_ranges import MAX_XY_EXT, MAX_XYZ, MAX_Z_EXT, encodable, encodable_altitude
+from jauspy.platform.localization import PoseEstimate
+from jauspy.services.mobility.field_ranges import (
+    MAX_XY_EXT,
+    MAX_XYZ,
+    MAX_Z_EXT,
+    encodable,
+    encodable_altitude,
+    encodable_angle_rms,
+    encodable_rms,
+)
 from jauspy.services.mobility.reference_frames import GlobalPose
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.service import Service
@@ -46,7 +55,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         self._vehicle.global_frame()
 
     def _pose(self) -> GlobalPose:
-        return self._vehicle.global_frame().from_world(self._vehicle.pose)
+        return self._vehicle.global_frame().from_world(self._vehicle.pose_on_globe)
 
     def update_global_pose(self, msg: SetGlobalPose) -> None:
         """Move the global frame so that the platform has this pose; the local frame stays."""
@@ -61,7 +70,7 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
     ) -> None:
         given = {"latitude": latitude, "longitude": longitude, "altitude": altitude, "heading": heading}
         shown = replace(self._pose(), **{name: value for name, value in given.items() if value is not None})
-        self._vehicle.global_frame().set(self._vehicle.pose, shown)
+        self._vehicle.global_frame().set(self._vehicle.pose_on_globe, shown)
 
     def update_geomagnetic_property(self, msg: SetGeomagneticProperty) -> None:
         """Keep the magnetic variation for reports; headings are true ones and do not change."""
@@ -72,32 +81,41 @@ class GlobalPoseSensor(Service, urn="urn:jaus:jss:mobility:GlobalPoseSensor"):
         return ReportGeomagneticProperty(magnetic_variation=self._magnetic_variation)
 
     def report_global_pose(self) -> ReportGlobalPose:
-        """All fields but the errors (RMS), which are not estimated."""
-        shown, attitude = self._pose(), self._vehicle.pose
+        """All fields; the errors (RMS) if they are estimated."""
+        shown, attitude, errors = self._pose(), self._vehicle.pose_on_globe, self._errors()
         return ReportGlobalPose(
             latitude=shown.latitude,
             longitude=shown.longitude,
             altitude=encodable_altitude(shown.altitude),
+            position_rms=encodable_rms(errors and errors.position_rms),
             roll=attitude.roll,
             pitch=attitude.pitch,
             yaw=shown.heading,
+            attitude_rms=encodable_angle_rms(errors and errors.attitude_rms),
             time_stamp=time_stamp(self.host.utc_time),
         )
 
     def report_global_pose_ext(self) -> ReportGlobalPoseExt:
         """As `report_global_pose`, with the course while the platform moves, and epoch time."""
-        shown, attitude = self._pose(), self._vehicle.pose
+        shown, attitude, errors = self._pose(), self._vehicle.pose_on_globe, self._errors()
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportGlobalPoseExt(
             latitude=shown.latitude,
             longitude=shown.longitude,
+            xy_position_rms=encodable_rms(errors and errors.horizontal_rms),
+            z_position_rms=encodable_rms(errors and errors.vertical_rms),
             roll=attitude.roll,
             pitch=attitude.pitch,
             heading=shown.heading,
+            attitude_rms=encodable_angle_rms(errors and errors.attitude_rms),
             course=self._course(shown.heading),
             time_seconds=seconds,
             time_nano_seconds=nanoseconds,
         )
+
+    def _errors(self) -> PoseEstimate | None:
+        localization = self._vehicle.localization
+        return None if localization is None else localization.state().globe
 
     def _course(self, heading: float) -> float | None:
         twist = jaus_twist(self._vehicle.drive.twist())
@@ -122,44 +140,62 @@ class LocalPoseSensor(Service, urn="urn:jaus:jss:mobility:LocalPoseSensor"):
         return self._vehicle.local_frame.from_world(self._vehicle.pose)
 
     def update_local_pose(self, msg: SetLocalPose) -> None:
-        """Move the local frame so that the platform has this pose."""
+        """Move the local frame so that the platform has this pose. Its errors are counted anew, from those given."""
         self._set(msg.x, msg.y, msg.z, msg.yaw)
+        self._declare(msg, msg.position_rms, msg.yaw)
 
     def update_local_pose_ext(self, msg: SetLocalPoseExt) -> None:
         """As `update_local_pose`; a height above a datum is ignored."""
         z = msg.z_position
         local = z is not None and z.choice == ZPosition.Choice.Z_LOCAL
         self._set(msg.x, msg.y, z.value if z is not None and local else None, msg.heading)
+        self._declare(msg, msg.xy_position_rms, msg.heading)
+
+    def _declare(self, msg: SetLocalPose | SetLocalPoseExt, position_rms: float | None, yaw: float | None) -> None:
+        if (localization := self._vehicle.localization) is not None:
+            whole = msg.x is not None and msg.y is not None
+            localization.declare(
+                (position_rms or 0.0) if whole else None, None if yaw is None else msg.attitude_rms or 0.0
+            )
 
     def _set(self, x: float | None, y: float | None, z: float | None, yaw: float | None) -> None:
         given = {"x": x, "y": y, "z": z, "yaw": yaw}
         shown = replace(self.pose, **{name: value for name, value in given.items() if value is not None})
         self._vehicle.local_frame.set(self._vehicle.pose, shown)
 
+    def _errors(self) -> PoseEstimate | None:
+        localization = self._vehicle.localization
+        return None if localization is None else localization.state().local
+
     def report_local_pose(self) -> ReportLocalPose:
-        """All fields that fit, but the errors (RMS), which are not estimated."""
-        pose = self.pose
+        """All fields that fit; the errors (RMS) if they are estimated."""
+        pose, errors = self.pose, self._errors()
         return ReportLocalPose(
             x=encodable(pose.x, MAX_XYZ),
             y=encodable(pose.y, MAX_XYZ),
             z=encodable(pose.z, MAX_XYZ),
+            position_rms=encodable_rms(errors and errors.position_rms),
             roll=pose.roll,
             pitch=pose.pitch,
             yaw=pose.yaw,
+            attitude_rms=encodable_angle_rms(errors and errors.attitude_rms),
             time_stamp=time_stamp(self.host.utc_time),
         )
 
     def report_local_pose_ext(self) -> ReportLocalPoseExt:
         """As `report_local_pose`, with epoch time."""
-        pose = self.pose
+        pose, errors = self.pose, self._errors()
         seconds, nanoseconds = epoch_seconds(self.host.utc_time)
         return ReportLocalPoseExt(
             x=encodable(pose.x, MAX_XY_EXT),
             y=encodable(pose.y, MAX_XY_EXT),
             z_local=encodable(pose.z, MAX_Z_EXT),
+            xy_position_rms=encodable_rms(errors and errors.horizontal_rms),
+            z_position_rms=encodable_rms(errors and errors.vertical_rms),
             roll=pose.roll,
             pitch=pose.pitch,
             heading=pose.yaw,
+            attitude_rms=encodable_angle_rms(errors and errors.attitude_rms),
             time_seconds=seconds,
             time_nano_seconds=nanoseconds,
         )

@@ -84,11 +84,11 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
 
     def present_heading(self) -> float:
         """The true heading, rad."""
-        return self.vehicle.global_frame().from_world(self.vehicle.pose).heading
+        return self.vehicle.global_frame().from_world(self.vehicle.pose_on_globe).heading
 
     def heading_in_world(self, heading: float) -> Callable[[], float]:
         """From the global frame."""
-        return lambda: self.vehicle.global_frame().heading_to_world(heading)
+        return lambda: self.vehicle.heading_on_globe(heading)
 
     def set_global_vector(self, msg: SetGlobalVector) -> None:
         """A speed that is left out is zero."""

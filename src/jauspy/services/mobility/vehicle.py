@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
+import math
+
 from jauspy.errors import ConfigError
-from jauspy.geometry.poses import Pose, jaus_pose
+from jauspy.geometry.poses import PlanarPoint, Pose, jaus_pose, wrap_angle
 from jauspy.platform.chassis import Chassis
 from jauspy.platform.contract import DriveBase
+from jauspy.platform.localization import Localization
 from jauspy.services.mobility.pilot import Pilot
 from jauspy.services.mobility.reference_frames import GlobalFrame, GlobalPose, LocalFrame
 from jauspy.services.mobility.waypoints import Waypoint
 
 
 class Vehicle:
-    """One platform. `origin`: global pose of the world's origin; services on the globe need it."""
+    """One platform. `origin`: global pose of the world's origin; services on the globe need it.
+
+    `localization`: where the platform believes to be, if it does not know exactly; `drive` then has its local pose.
+    """
 
     def __init__(
         self,
@@ -21,8 +27,10 @@ class Vehicle:
         name: str = "",
         chassis: Chassis | None = None,
         origin: GlobalPose | None = None,
+        localization: Localization | None = None,
     ) -> None:
         self.drive = drive
+        self.localization = localization
         self.name = name
         self.chassis = chassis or Chassis()
         self.pilot = Pilot(drive, self.chassis)
@@ -35,8 +43,13 @@ class Vehicle:
 
     @property
     def pose(self) -> Pose:
-        """The pose in the world, in JAUS axes."""
+        """The pose in the world, in JAUS axes, by dead reckoning: it never jumps, and the pilot steers by it."""
         return jaus_pose(self.drive.pose())
+
+    @property
+    def pose_on_globe(self) -> Pose:
+        """The pose in the world, in JAUS axes, as far as the platform knows its place on the globe: it may jump."""
+        return self.pose if self.localization is None else jaus_pose(self.localization.state().globe.pose)
 
     @property
     def has_origin(self) -> bool:
@@ -48,3 +61,18 @@ class Vehicle:
         if self._global_frame is None:
             raise ConfigError("services on the globe need an origin: latitude, longitude, altitude and heading")
         return self._global_frame
+
+    def point_on_globe(self, latitude: float, longitude: float) -> PlanarPoint:
+        """A point of the globe (degrees) in the frame of `pose`, by what the platform knows now."""
+        point = self.global_frame().to_world(latitude, longitude)
+        if self.localization is None:
+            return point
+        there, here = self.pose_on_globe, self.pose
+        distance, direction = PlanarPoint(there.x, there.y).to(point)
+        direction += here.yaw - there.yaw
+        return PlanarPoint(here.x + distance * math.cos(direction), here.y + distance * math.sin(direction))
+
+    def heading_on_globe(self, heading: float) -> float:
+        """A true heading (rad) in the frame of `pose`, by what the platform knows now."""
+        turn = self.pose.yaw - self.pose_on_globe.yaw
+        return wrap_angle(self.global_frame().heading_to_world(heading) + turn)

@@ -53,7 +53,7 @@ class WaypointFollower(Driver):
 
 
 def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> Goal:
-    """A waypoint in the world, as its frame is set now."""
+    """A waypoint in the world, as its frame is set now, and for a global one as far as the platform knows its place."""
     attitude = waypoint.attitude
     point, heading = _point_and_heading(vehicle, waypoint)
     tolerance = DEFAULT_TOLERANCE if attitude.tolerance is None else attitude.tolerance
@@ -65,8 +65,8 @@ def _point_and_heading(vehicle: Vehicle, waypoint: Waypoint) -> tuple[PlanarPoin
     if isinstance(waypoint, LocalWaypoint):
         frame = vehicle.local_frame
         return frame.to_world(waypoint.x, waypoint.y), None if yaw is None else frame.heading_to_world(yaw)
-    globe = vehicle.global_frame()
-    return globe.to_world(waypoint.latitude, waypoint.longitude), None if yaw is None else globe.heading_to_world(yaw)
+    point = vehicle.point_on_globe(waypoint.latitude, waypoint.longitude)
+    return point, None if yaw is None else vehicle.heading_on_globe(yaw)
 
 
 class WaypointDriver(WaypointFollower):

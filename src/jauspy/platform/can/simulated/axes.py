@@ -8,10 +8,10 @@ from typing import Final, Protocol
 
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.can.setup import DriveSetup
+from jauspy.platform.chassis import SLIP_FACTOR
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.kinematic import SLIP_FACTOR
 
 DAMPING: Final = 0.5
 """Effort of friction at full speed, as a fraction of the full effort."""

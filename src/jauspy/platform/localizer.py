@@ -1,0 +1,366 @@
+"""Estimates the pose of a simulated robot from its simulated sensors, as the computer of a real one does.
+
+The local pose is dead reckoning: the way by encoders, the attitude by the inertial measurement unit. At rest it
+measures the bias of the gyroscope. A Kalman filter follows the errors; a second one corrects the global pose by GNSS.
+See docs/adr/0111-localisation.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from dataclasses import replace
+from typing import Final, Protocol
+
+from jauspy.geometry.poses import UNACCELERATED, Acceleration, Pose, Twist
+from jauspy.geometry.vectors import Vector, add, difference, dot, scaled
+from jauspy.platform.attitude import AttitudeFilter
+from jauspy.platform.localization import (
+    GnssSetup,
+    ImuSetup,
+    Localization,
+    LocalizationSetup,
+    LocalizationState,
+    PoseEstimate,
+)
+from jauspy.platform.motion_sensors import (
+    GRAVITY,
+    Encoders,
+    GnssReceiver,
+    InertialSensor,
+    PlanarSpeeds,
+    Travel,
+    generator,
+)
+from jauspy.platform.pose_filter import BIAS, DRIFT_X, DRIFT_Y, YAW, Motion, PoseFilter, X, Y
+from jauspy.platform.ranging import Sampling
+
+FILTER_PERIOD: Final = 0.2
+"""Seconds between two steps of the filters; dead reckoning has the rate of the inertial measurement unit."""
+RATE: Final = 50.0
+"""Hertz of dead reckoning without one."""
+
+SLIP: Final = 0.01
+"""Metres after one metre, along each axis, that tracks slip; grows with the square root of the way."""
+TURN_SLIP: Final = 0.02
+"""Metres after one radian, along each axis, that a turn on the spot shifts the robot."""
+TURN_ERROR: Final = 0.15
+"""Standard deviation of a turn by odometry alone, as a part of it: tracks skid, more or less by the ground."""
+TILT_ERROR: Final = math.radians(0.2)
+"""Standard deviation of roll and pitch besides what the accelerometer's bias causes: shocks, accelerations."""
+
+REST_TIME: Final = 0.5
+"""Seconds without a count after which the robot is at rest."""
+MAX_REST_RATE: Final = math.radians(1.0)
+"""rad/s above which it is not: somebody turns it."""
+FIRST_FIX_DEVIATION: Final = 1000.0
+"""Metres: where the robot is before its first fix."""
+
+
+MAX_SURPRISE: Final = 6.0
+"""Standard deviations between fix and dead reckoning above which the fix counts: the robot slid, or was carried."""
+
+
+class MeasuredDrive(Protocol):
+    """A simulated chassis."""
+
+    def pose(self) -> Pose:
+        """The true pose in the world."""
+        ...
+
+    def twist(self) -> Twist:
+        """The true velocity in the frame of the base."""
+        ...
+
+    def odometry(self) -> PlanarSpeeds:
+        """The velocity at which tracks or wheels turn, as if nothing slipped."""
+        ...
+
+
+class Localizer(Localization):
+    """The localisation of a simulated chassis; `step` is to be called after each step of the simulation.
+
+    The robot is at rest when it is made, and its time is zero.
+    """
+
+    def __init__(self, setup: LocalizationSetup, drive: MeasuredDrive) -> None:
+        self._drive = drive
+        self._imu_setup = setup.imu or _NO_IMU
+        pose, twist = drive.pose(), drive.twist()
+        self._encoders = Encoders(setup.odometry, generator(setup.seed, "encoders"))
+        self._imu = None
+        self._bias: Vector = (0.0, 0.0, 0.0)
+        force: Vector = (0.0, 0.0, GRAVITY)
+        if setup.imu is not None:
+            self._imu = InertialSensor(setup.imu, generator(setup.seed, "imu"), pose, twist)
+            self._bias, force = self._imu.align()
+        self._attitude = AttitudeFilter(force, pose.yaw)
+        self._angles = self._attitude.angles()
+        self._x, self._y, self._z = pose.x, pose.y, pose.z
+        self._rates: Vector = (0.0, 0.0, 0.0)
+        self._speed = 0.0
+        self._rest = 0.0
+        self._sampling = Sampling(self._imu_setup.rate)
+        self._counted_at = self._read_at = self._moved_at = 0.0
+        self._moved = _Moved(self._angles[2])
+        odometry = setup.odometry
+        self._position_noise = odometry.noise**2 + SLIP**2
+        self._scale_error = math.hypot(odometry.scale_error, SLIP)
+        self._resolution = odometry.resolution
+        self._tilt_rms = math.hypot(self._imu_setup.acceleration_bias / GRAVITY, TILT_ERROR)
+        aligned = self._imu_setup.gyro_noise / math.sqrt(self._imu_setup.alignment)
+        errors = (odometry.scale_error, aligned, self._imu_setup.gyro_scale_error)
+        self._local = PoseFilter(pose.x, pose.y, pose.yaw, (0.0, 0.0, 0.0, *errors, 0.0, 0.0))
+        self._height_rms = 0.0
+        self._globe = _Globe(setup.gnss, setup.seed, drive, pose.yaw, errors) if setup.gnss is not None else None
+        self._sampling.is_due(0.0)
+        self._state = self._estimate(Travel(0.0, 0.0, 0.0), UNACCELERATED, 1.0 / self._imu_setup.rate)
+
+    def state(self) -> LocalizationState:
+        """The estimate after the last measurement."""
+        return self._state
+
+    def declare(self, position_rms: float | None, heading_rms: float | None) -> None:
+        """As `Localization.declare`."""
+        self._move_filters(self._read_at)
+        if position_rms is not None:
+            self._local.declare((X, Y), position_rms / math.sqrt(3.0))
+            self._height_rms = position_rms / math.sqrt(3.0)
+        if heading_rms is not None:
+            self._local.declare((YAW,), heading_rms)
+        here = PoseEstimate(self._state.local.pose, *self._errors(self._local))
+        self._state = replace(self._state, local=here, globe=self._state.globe if self._globe else here)
+
+    def step(self, now: float) -> None:
+        """The robot's time is `now`, in seconds; never earlier than in the call before."""
+        self._encoders.count(self._drive.odometry(), now - self._counted_at)
+        self._counted_at = now
+        if self._sampling.is_due(now) and now > self._read_at:
+            dt, self._read_at = now - self._read_at, now
+            self._update(dt)
+            if now - self._moved_at >= FILTER_PERIOD:
+                self._move_filters(now)
+            if self._globe is not None and self._globe.is_due(now):
+                self._move_filters(now)
+                self._globe.fix(now, self._z)
+
+    # --- dead reckoning
+
+    def _update(self, dt: float) -> None:
+        """Take the measurements of the last `dt` seconds."""
+        travel = self._encoders.read()
+        speed = travel.forward / dt
+        if self._imu is not None:
+            measured, force = self._imu.measure(self._drive.pose(), self._drive.twist(), dt)
+        else:
+            measured, force = (0.0, 0.0, travel.turn / dt), (0.0, 0.0, GRAVITY)
+        rates = difference(measured, self._bias)
+        self._rest = self._rest + dt if self._stands(travel, rates) else 0.0
+        up, before = self._attitude.up(), self._attitude.forward()
+        linear = difference(force, scaled(up, GRAVITY))
+        angular = scaled(difference(rates, self._rates), 1.0 / dt)
+        at_rest = self._rest > REST_TIME
+        self._rates = rates
+        turned = difference(rates, scaled(up, dot(rates, up))) if at_rest else rates
+        curving = ((speed - self._speed) / dt, rates[2] * speed, -rates[1] * speed)
+        self._speed = speed
+        if self._imu is None:
+            curving = (0.0, 0.0, 0.0)
+        self._attitude.turn(turned, difference(force, curving), dt)
+        self._advance(travel, before)
+        self._moved.add(self._angles[2], travel, measured if at_rest else None, dt)
+        acceleration = Acceleration(*linear, *angular)
+        self._state = self._estimate(travel, acceleration, dt)
+
+    def _stands(self, travel: Travel, rates: Vector) -> bool:
+        counts = max(abs(travel.forward), abs(travel.left)) / self._resolution
+        return max(counts, abs(travel.turn) / self._resolution) < 1.5 and max(map(abs, rates)) < MAX_REST_RATE
+
+    def _advance(self, travel: Travel, before: Vector) -> None:
+        """Move along the mean of the directions before and after a turn."""
+        after, self._angles = self._attitude.forward(), self._attitude.angles()
+        dx, dy, dz = scaled(add(before, after), travel.forward / 2.0)
+        if travel.left:
+            yaw = self._angles[2]
+            dx, dy = dx - math.sin(yaw) * travel.left, dy + math.cos(yaw) * travel.left
+        self._x, self._y, self._z = self._x + dx, self._y + dy, self._z + dz
+        self._moved.shift(dx, dy)
+
+    # --- errors
+
+    def _move_filters(self, now: float) -> None:
+        """Move both filters by what happened since the last call; at rest, correct the bias of the gyroscope."""
+        moved, dt = self._moved, now - self._moved_at
+        if dt <= 0.0:
+            return
+        setup = self._imu_setup
+        motion = moved.motion(dt, self._position_noise, setup)
+        self._local.move(motion)
+        self._height_rms += self._tilt_rms * moved.way
+        if self._globe is not None:
+            self._globe.move(motion, moved.start, self._tilt_rms * moved.way)
+        if moved.at_rest > 0.0 and self._imu is not None:
+            self._correct_bias(moved)
+        self._moved, self._moved_at = _Moved(self._angles[2]), now
+
+    def _correct_bias(self, moved: _Moved) -> None:
+        noise = self._imu_setup.gyro_noise / math.sqrt(moved.at_rest)
+        variance = self._local.covariance[BIAS][BIAS]
+        gain = variance / (variance + noise**2)
+        mean = scaled(moved.rates, 1.0 / moved.at_rest)
+        step = scaled(difference(mean, self._bias), gain)
+        if self._globe is not None:
+            self._globe.correct_bias(mean[2] - self._bias[2], noise, step[2])
+        x, y, z = self._bias
+        self._bias = (x + step[0], y + step[1], z + step[2])
+        self._local.declare((BIAS,), math.sqrt(variance * (1.0 - gain)))
+
+    def _errors(self, local: PoseFilter) -> tuple[float, float, float]:
+        return local.horizontal_rms, self._height_rms, math.hypot(self._tilt_rms, self._tilt_rms, local.yaw_rms)
+
+    def _estimate(self, travel: Travel, acceleration: Acceleration, dt: float) -> LocalizationState:
+        roll, pitch, yaw = self._angles
+        setup, local = self._imu_setup, self._local
+        pose = Pose(self._x, self._y, self._z, roll, pitch, yaw)
+        here = PoseEstimate(pose, *self._errors(local))
+        gyro_noise = setup.gyro_noise / math.sqrt(dt)
+        bias_rms = math.sqrt(local.covariance[BIAS][BIAS])
+        force_noise = setup.acceleration_noise / math.sqrt(dt)
+        return LocalizationState(
+            here,
+            here if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
+            Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
+            math.hypot(self._scale_error * self._speed, self._resolution / dt),
+            math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
+            acceleration,
+            math.sqrt(3.0) * math.hypot(force_noise, setup.acceleration_bias, GRAVITY * self._tilt_rms),
+            math.sqrt(6.0) * gyro_noise / dt,
+        )
+
+
+_NO_IMU: Final = ImuSetup(
+    rate=RATE, gyro_noise=0.0, gyro_scale_error=TURN_ERROR, acceleration_bias=GRAVITY * math.radians(3.0)
+)
+"""What is known of the attitude without one."""
+
+
+class _Moved:
+    """Dead reckoning since the last step of the filters; it began with the heading `start`."""
+
+    def __init__(self, start: float) -> None:
+        self.start = start
+        self.x = self.y = self.yaw = self.way = self.turned = self.at_rest = 0.0
+        self.rates: Vector = (0.0, 0.0, 0.0)
+        """Integral at rest, radians."""
+        self._heading = start
+
+    def shift(self, dx: float, dy: float) -> None:
+        """Metres in the local frame."""
+        self.x += dx
+        self.y += dy
+
+    def add(self, heading: float, travel: Travel, rates: Vector | None, dt: float) -> None:
+        """The heading after the travel; `rates` as measured if the robot is at rest."""
+        turn = math.remainder(heading - self._heading, math.tau)
+        self._heading = heading
+        self.yaw += turn
+        self.turned += abs(turn)
+        self.way += math.hypot(travel.forward, travel.left)
+        if rates is not None:
+            self.at_rest += dt
+            x, y, z = self.rates
+            self.rates = (x + rates[0] * dt, y + rates[1] * dt, z + rates[2] * dt)
+
+    def motion(self, dt: float, position_noise: float, imu: ImuSetup) -> Motion:
+        """What the filters need, in the local frame. At rest the heading does not change."""
+        moving = max(0.0, dt - self.at_rest)
+        return Motion(
+            self.x,
+            self.y,
+            self.yaw,
+            moving,
+            position_noise * self.way + TURN_SLIP**2 * self.turned,
+            imu.gyro_noise**2 * moving,
+            imu.gyro_bias_walk**2 * dt,
+        )
+
+
+class _Globe:
+    """The global pose: its horizontal part by a filter, its height by an offset to that of dead reckoning."""
+
+    def __init__(self, setup: GnssSetup, seed: int, drive: MeasuredDrive, yaw: float, errors: Iterable[float]) -> None:
+        self._setup = setup
+        self._drive = drive
+        self._receiver = GnssReceiver(setup, generator(seed, "gnss"))
+        self._sampling = Sampling(setup.rate)
+        x, y, z = self._receiver.fix(drive.pose(), 0.0)
+        far, drift = FIRST_FIX_DEVIATION, setup.drift
+        self._filter = PoseFilter(
+            x, y, yaw + self._receiver.heading_error, (far, far, setup.heading_error, *errors, drift, drift)
+        )
+        self._observe(x, y)
+        self._sampling.is_due(0.0)
+        self._height_noise = setup.vertical * math.hypot(setup.noise, setup.drift)
+        self._offset = z - drive.pose().z
+        self._offset_variance = self._height_noise**2
+        self._fixed_at = 0.0
+
+    def is_due(self, now: float) -> bool:
+        """True when a fix is due."""
+        return self._sampling.is_due(now)
+
+    def fix(self, now: float, height: float) -> None:
+        """Correct by a fix; `height` is that of dead reckoning, metres."""
+        x, y, z = self._receiver.fix(self._drive.pose(), now)
+        self._filter.fade(math.exp((self._fixed_at - now) / self._setup.drift_time), self._setup.drift)
+        self._fixed_at = now
+        self._observe(x, y)
+        gain = self._offset_variance / (self._offset_variance + self._height_noise**2)
+        self._offset += gain * (z - height - self._offset)
+        self._offset_variance *= 1.0 - gain
+
+    def move(self, motion: Motion, heading: float, climbed: float) -> None:
+        """Move by dead reckoning, which began with `heading` in the local frame; `climbed` is an error in metres."""
+        c, s = self._rotation(heading)
+        self._filter.move(
+            Motion(
+                c * motion.x - s * motion.y,
+                s * motion.x + c * motion.y,
+                motion.yaw,
+                motion.dt,
+                motion.position_variance,
+                motion.yaw_variance,
+                motion.bias_variance,
+            )
+        )
+        self._offset_variance += climbed**2
+
+    def correct_bias(self, residual: float, noise: float, step: float) -> None:
+        """The residual bias that was measured, rad/s; dead reckoning uses `step` of it from now on."""
+        self._filter.observe((BIAS,), residual, noise)
+        self._filter.state[BIAS] -= step
+
+    def estimate(self, pose: Pose, moved: _Moved, tilt_rms: float) -> PoseEstimate:
+        """The pose, where `moved` is what the filter does not know yet."""
+        c, s = self._rotation(moved.start)
+        state = self._filter.state
+        x, y = state[X] + c * moved.x - s * moved.y, state[Y] + s * moved.x + c * moved.y
+        yaw = math.remainder(state[YAW] + moved.yaw, math.tau)
+        height_rms = math.hypot(math.sqrt(self._offset_variance), self._setup.vertical * self._setup.drift)
+        attitude_rms = math.hypot(tilt_rms, tilt_rms, self._filter.yaw_rms)
+        there = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw)
+        return PoseEstimate(there, self._filter.horizontal_rms, height_rms, attitude_rms)
+
+    def _rotation(self, heading: float) -> tuple[float, float]:
+        turn = self._filter.state[YAW] - heading
+        return math.cos(turn), math.sin(turn)
+
+    def _observe(self, x: float, y: float) -> None:
+        lost = max(
+            self._filter.surprise((X, DRIFT_X), x, self._setup.noise),
+            self._filter.surprise((Y, DRIFT_Y), y, self._setup.noise),
+        )
+        if lost > MAX_SURPRISE:
+            self._filter.declare((X, Y), FIRST_FIX_DEVIATION)
+        self._filter.observe((X, DRIFT_X), x, self._setup.noise)
+        self._filter.observe((Y, DRIFT_Y), y, self._setup.noise)

@@ -1,0 +1,95 @@
+"""What links look like: the gloss of their materials, and a robot without what is only seen."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+from typing import Final
+
+import mujoco
+from lxml import etree
+
+from jauspy.geometry.urdf import Element, RobotDescription
+
+GLOSS: Final[Mapping[str, tuple[float, float]]] = {
+    "olive": (0.25, 0.3),
+    "black": (0.3, 0.35),
+    "rubber": (0.12, 0.15),
+    "steel": (0.75, 0.55),
+    "dark": (0.4, 0.4),
+    "brass": (0.7, 0.6),
+    "amber": (0.4, 0.45),
+    "red": (0.6, 0.6),
+    "lens": (1.0, 0.95),
+    "lamp": (0.9, 0.9),
+}
+"""Specular reflection and shininess of materials by their name in the URDF, which has no words for them."""
+
+SHADOWLESS: Final = frozenset({"black", "brass", "lamp", "lens"})
+"""Materials of small parts, whose shadows would cost more than they show."""
+
+NO_SHADOW_ALPHA: Final = 0.999
+"""MuJoCo draws no shadows of what is not quite opaque."""
+
+
+def without_visuals(description: RobotDescription) -> RobotDescription:
+    """The robot without its visual shapes. Lines keep their numbers, which errors name."""
+    root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
+    for link in root.findall("link"):
+        for visual in link.findall("visual"):
+            lines = "\n" * etree.tostring(visual, with_tail=False).count(b"\n")
+            before, tail = visual.getprevious(), lines + (visual.tail or "")
+            if before is None:
+                link.text = (link.text or "") + tail
+            else:
+                before.tail = (before.tail or "") + tail
+            link.remove(visual)
+    return replace(description, urdf=etree.tostring(root, encoding="unicode"))
+
+
+def polish(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    """Give the visual shapes of a robot the gloss of their materials."""
+    root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
+    for name in GLOSS:
+        _add_material(spec, name)
+    for link in root.findall("link"):
+        materials = [_material(visual) for visual in link.findall("visual")]
+        body = spec.body(str(link.get("name")))
+        drawn = [] if body is None else [geom for geom in body.geoms if not (geom.contype or geom.conaffinity)]
+        if len(drawn) != len(materials):
+            continue  # a mesh with several colours of its own
+        for geom, material in zip(drawn, materials, strict=True):
+            if material in GLOSS and not geom.material:
+                geom.material = material
+                if material in SHADOWLESS:
+                    geom.rgba = (*geom.rgba[:3], NO_SHADOW_ALPHA)
+
+
+def colour_solids(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    """Give collision shapes the colour of the first visual shape of their link: ray casts show them."""
+    root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
+    known = {str(each.get("name")): colour for each in root.findall("material") if (colour := _colour(each))}
+    for link in root.findall("link"):
+        body, visual = spec.body(str(link.get("name"))), link.find("visual")
+        if body is None or visual is None:
+            continue
+        material = visual.find("material")
+        colour = None if material is None else _colour(material) or known.get(str(material.get("name")))
+        for geom in body.geoms if colour else ():
+            if geom.contype or geom.conaffinity:
+                geom.rgba = colour
+
+
+def _add_material(spec: mujoco.MjSpec, name: str) -> None:
+    specular, shininess = GLOSS[name]
+    spec.add_material(name=name, specular=specular, shininess=shininess)
+
+
+def _material(visual: Element) -> str:
+    found = visual.find("material")
+    return "" if found is None else str(found.get("name"))
+
+
+def _colour(material: Element) -> tuple[float, ...] | None:
+    colour = material.find("color")
+    return None if colour is None else tuple(float(each) for each in (colour.get("rgba") or "").split())

@@ -1,0 +1,284 @@
+"""Adds geometries to the bodies of a model: primitives, meshes, colours, textures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+
+import mujoco
+import numpy as np
+from numpy.typing import NDArray
+
+from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import quaternion
+from jauspy_sim.mesh_files import Image, MeshPart, joined, read_image, read_mesh, with_volume
+
+RGBA = tuple[float, float, float, float]
+
+GREY: Final[RGBA] = (0.6, 0.6, 0.6, 1.0)
+"""Of shapes and meshes without a colour."""
+
+DENSITY: Final = 1000.0
+"""kg/m^3, as MuJoCo's."""
+
+
+@dataclass(frozen=True, slots=True)
+class Look:
+    """Colour and texture of a geometry. A colour of None leaves those that a mesh's file has."""
+
+    colour: RGBA | None = None
+    texture: Path | None = None
+    repeat: tuple[float, float] | None = None
+    """Repetitions of a texture in each metre; None stretches one over the whole surface."""
+    shininess: float = 0.3
+    specular: float = 0.2
+    emission: float = 0.0
+    yields: bool = False
+    """Whether colours and textures of a mesh's file come first, as in ROS."""
+
+
+PLAIN: Final = Look()
+
+Primitive = mujoco.mjtGeom
+_FLAT: Final = (mujoco.mjtGeom.mjGEOM_PLANE, mujoco.mjtGeom.mjGEOM_HFIELD)
+
+
+@dataclass(frozen=True, slots=True)
+class Solid:
+    """How a geometry collides, and what it weighs."""
+
+    friction: float | None = None
+    mass: float | None = None
+    """Kilograms; None computes it from the density."""
+    density: float = DENSITY
+
+
+class ShapeBuilder:
+    """Adds geometries to the bodies of one model. Names of assets begin with `prefix`.
+
+    Visual geometries are in group `visual` and collide with nothing; those that collide are in group `collision`.
+    """
+
+    def __init__(self, spec: mujoco.MjSpec, *, visual: int, collision: int, prefix: str = "") -> None:
+        self._spec = spec
+        self._visual, self._collision = visual, collision
+        self._prefix = prefix
+        self._materials: dict[tuple[object, ...], str] = {}
+        self._textures: dict[tuple[object, ...], str] = {}
+        self._meshes: dict[tuple[object, ...], list[tuple[str, MeshPart]]] = {}
+        self._fields = 0
+
+    def draw(
+        self, body: mujoco.MjsBody, kind: mujoco.mjtGeom, size: Sequence[float], pose: Transform, look: Look
+    ) -> mujoco.MjsGeom:
+        """Add a primitive that is only seen."""
+        geom = self._primitive(body, kind, size, pose)
+        self._paint(geom, look, cube=kind not in _FLAT)
+        self._only_seen(geom)
+        return geom
+
+    def collide(
+        self, body: mujoco.MjsBody, kind: mujoco.mjtGeom, size: Sequence[float], pose: Transform, solid: Solid
+    ) -> mujoco.MjsGeom:
+        """Add a primitive that collides."""
+        geom = self._primitive(body, kind, size, pose)
+        self._make_solid(geom, solid)
+        return geom
+
+    def draw_mesh(
+        self,
+        body: mujoco.MjsBody,
+        path: Path,
+        pose: Transform,
+        look: Look,
+        *,
+        scale: Sequence[float] = (1.0, 1.0, 1.0),
+        submesh: str | None = None,
+        centred: bool = False,
+    ) -> None:
+        """Add a mesh that is only seen: a geometry for each of its colours."""
+        for name, part in self._mesh(path, tuple(scale), submesh, centred=centred, hull=False):
+            geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
+            _place(geom, pose)
+            self._paint_part(geom, look, part)
+            self._only_seen(geom)
+
+    def collide_mesh(
+        self,
+        body: mujoco.MjsBody,
+        path: Path,
+        pose: Transform,
+        solid: Solid,
+        *,
+        scale: Sequence[float] = (1.0, 1.0, 1.0),
+        submesh: str | None = None,
+        centred: bool = False,
+    ) -> mujoco.MjsGeom:
+        """Add the convex hull of a mesh, which collides."""
+        ((name, _),) = self._mesh(path, tuple(scale), submesh, centred=centred, hull=True)
+        geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
+        _place(geom, pose)
+        self._make_solid(geom, solid)
+        return geom
+
+    def height_field(
+        self, body: mujoco.MjsBody, heights: NDArray[np.float64], size: Sequence[float], pose: Transform, look: Look
+    ) -> mujoco.MjsGeom:
+        """Add a height field: `heights` 0..1, the first row at the largest y; `size` in metres along x, y, z."""
+        self._fields += 1
+        name = f"{self._prefix}height_map_{self._fields}"
+        rows, columns = heights.shape
+        x, y, z = size
+        base = max(0.1, 0.05 * z)
+        low, high = float(heights.min()), float(heights.max())
+        spread = high - low
+        flat = (heights[::-1] - low) / spread if spread else np.zeros_like(heights)
+        self._spec.add_hfield(
+            name=name,
+            nrow=rows,
+            ncol=columns,
+            size=(x / 2.0, y / 2.0, max(1e-6, z * spread), base),
+            userdata=flat.ravel().tolist(),
+        )
+        geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_HFIELD, hfieldname=name)
+        _place(geom, pose @ Transform(position=(0.0, 0.0, z * low)))
+        self._paint(geom, look, cube=False)
+        return geom
+
+    def material(self, look: Look, image: Image | None = None, *, cube: bool = False) -> str:
+        """The name of a material with this look."""
+        key = (look, None if image is None else id(image), cube)
+        if key in self._materials:
+            return self._materials[key]
+        name = self._materials[key] = f"{self._prefix}material_{len(self._materials)}"
+        material = self._spec.add_material(
+            name=name,
+            rgba=look.colour or (1.0, 1.0, 1.0, 1.0),
+            shininess=look.shininess,
+            specular=look.specular,
+            emission=look.emission,
+        )
+        if image is None and look.texture is not None:
+            image = read_image(look.texture)
+        if image is not None:
+            textures = list(material.textures)
+            textures[int(mujoco.mjtTextureRole.mjTEXROLE_RGB)] = self._texture(image, look, cube=cube)
+            material.textures = textures
+            if look.repeat is not None and not cube:
+                material.texuniform, material.texrepeat = True, look.repeat
+        return name
+
+    def _texture(self, image: Image, look: Look, *, cube: bool) -> str:
+        key = (look.texture or id(image), cube)
+        if key in self._textures:
+            return self._textures[key]
+        name = self._textures[key] = f"{self._prefix}texture_{len(self._textures)}"
+        pixels = _square(image.pixels) if cube else image.pixels
+        kind = mujoco.mjtTexture.mjTEXTURE_CUBE if cube else mujoco.mjtTexture.mjTEXTURE_2D
+        if cube:
+            pixels = np.concatenate([pixels] * 6)
+        texture = self._spec.add_texture(
+            name=name, type=kind, nchannel=3, width=pixels.shape[1], height=pixels.shape[0]
+        )
+        texture.data = np.ascontiguousarray(pixels).tobytes()
+        return name
+
+    def _primitive(
+        self, body: mujoco.MjsBody, kind: mujoco.mjtGeom, size: Sequence[float], pose: Transform
+    ) -> mujoco.MjsGeom:
+        geom = body.add_geom(type=kind, size=[*size, 0.0, 0.0, 0.0][:3])
+        _place(geom, pose)
+        return geom
+
+    def _only_seen(self, geom: mujoco.MjsGeom) -> None:
+        geom.contype = geom.conaffinity = 0
+        geom.group = self._visual
+        geom.mass = 0.0
+
+    def _make_solid(self, geom: mujoco.MjsGeom, solid: Solid) -> None:
+        geom.group = self._collision
+        geom.density = solid.density
+        if solid.mass is not None:
+            geom.mass = solid.mass
+        if solid.friction is not None:
+            geom.friction = (solid.friction, *geom.friction[1:])
+
+    def _paint(self, geom: mujoco.MjsGeom, look: Look, *, cube: bool) -> None:
+        if look.texture is None and look.emission == 0.0:
+            geom.rgba = look.colour or GREY
+        else:
+            geom.material = self.material(look, cube=cube)
+
+    def _paint_part(self, geom: mujoco.MjsGeom, look: Look, part: MeshPart) -> None:
+        own = part.texture is not None or part.colour is not None
+        if look.yields and own:
+            look = PLAIN
+        if look.texture is not None and part.texcoords is not None:
+            geom.material = self.material(look)
+        elif look.colour is None and part.texture is not None:
+            geom.material = self.material(PLAIN, part.texture)
+        elif look.emission:
+            geom.material = self.material(look)
+        else:
+            geom.rgba = look.colour or part.colour or GREY
+
+    def _mesh(
+        self, path: Path, scale: tuple[float, ...], submesh: str | None, *, centred: bool, hull: bool
+    ) -> list[tuple[str, MeshPart]]:
+        """Names of the meshes of a file; of its convex hull, one."""
+        key = (path, scale, submesh, centred, hull)
+        if key not in self._meshes:
+            parts = read_mesh(path)
+            if submesh is not None:
+                parts = tuple(part for part in parts if part.name == submesh) or parts
+            parts = (joined(parts),) if hull else parts
+            centre = _middle(parts) if centred else np.zeros(3)
+            self._meshes[key] = [(self._add_mesh(path, part, centre, scale, hull=hull), part) for part in parts]
+        return self._meshes[key]
+
+    def _add_mesh(
+        self, path: Path, part: MeshPart, centre: NDArray[np.float64], scale: Sequence[float], *, hull: bool
+    ) -> str:
+        name = f"{self._prefix}{path.stem}_{sum(map(len, self._meshes.values()))}_{len(self._spec.meshes)}"
+        factors = np.asarray(scale, np.float64)
+        vertices = (part.vertices - centre) * factors
+        faces = part.faces[:, ::-1] if np.prod(factors) < 0.0 else part.faces
+        mesh = self._spec.add_mesh(name=name)
+        mesh.inertia = (
+            mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX if hull else mujoco.mjtMeshInertia.mjMESH_INERTIA_SHELL
+        )
+        if hull:
+            solid = with_volume(vertices)
+            mesh.uservert = solid.ravel()
+            if len(solid) == len(vertices):
+                mesh.userface = faces.ravel()
+            return name
+        mesh.uservert, mesh.userface = vertices.ravel(), faces.ravel()
+        if part.normals is not None:
+            normals = part.normals / factors
+            mesh.usernormal = (normals / np.linalg.norm(normals, axis=1, keepdims=True)).ravel()
+            mesh.userfacenormal = faces.ravel()
+        if part.texcoords is not None:
+            mesh.usertexcoord = np.column_stack([part.texcoords[:, 0], 1.0 - part.texcoords[:, 1]]).ravel()
+            mesh.userfacetexcoord = faces.ravel()
+        return name
+
+
+def _middle(parts: Sequence[MeshPart]) -> NDArray[np.float64]:
+    every = np.concatenate([part.vertices for part in parts])
+    middle: NDArray[np.float64] = (every.min(axis=0) + every.max(axis=0)) / 2.0
+    return middle
+
+
+def _square(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """The picture with as many rows as columns, by repeating pixels."""
+    side = max(pixels.shape[:2])
+    rows, columns = (np.arange(side) * count // side for count in pixels.shape[:2])
+    squared: NDArray[np.uint8] = pixels[rows][:, columns]
+    return squared
+
+
+def _place(geom: mujoco.MjsGeom, pose: Transform) -> None:
+    geom.pos, geom.quat = pose.position, quaternion(pose.rotation)

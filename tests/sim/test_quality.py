@@ -1,0 +1,67 @@
+"""The quality of rendered pictures: shadows, and what is left out when pictures take too long."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from contextlib import contextmanager
+
+import pytest
+
+pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+
+from jauspy.modules.robot_files import load, robot_model
+from jauspy.platform.camera import CameraSetup, Quality
+from jauspy_sim.backend import choose_gl
+from jauspy_sim.robot import SimulatedRobot
+
+FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
+
+
+@pytest.fixture(scope="module")
+def robots():
+    if choose_gl() is None:
+        pytest.skip("there is neither libegl1 nor libosmesa6")
+    model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT,))
+    opened = {
+        quality: SimulatedRobot.open(dataclasses.replace(model, quality=quality), "yard")
+        for quality in (Quality.LOW, Quality.MEDIUM)
+    }
+    yield opened
+    for robot in opened.values():
+        robot.close()
+
+
+@contextmanager
+def opened(robot):
+    """A session; one at a time, because GL has one present context in a thread."""
+    eye = robot.cameras["front"].open()
+    if "rays" in eye.description:
+        pytest.skip("GL does not work here")
+    yield eye
+    eye.close()
+
+
+def picture(robot):
+    with opened(robot) as eye:
+        return eye.look(320, 240).image.astype(int)
+
+
+def test_shadows_are_darker_and_nothing_else_changes(robots):
+    plain, shaded = (picture(robot).mean(axis=2) for robot in robots.values())
+    darker = shaded < 0.85 * plain
+    same = abs(shaded - plain) < 3.0
+    assert 0.01 < darker.mean() < 0.5
+    assert (darker | same).mean() > 0.9
+
+
+def test_a_camera_that_is_too_slow_leaves_shadows_out_and_says_so(robots):
+    plain = picture(robots[Quality.LOW])
+    with opened(robots[Quality.MEDIUM]) as eye:
+        assert not eye.reduced
+        before = eye.description
+        assert eye.simplify()
+        assert eye.reduced
+        assert eye.description == f"{before}, without shadows: better pictures take too long here"
+        assert abs(eye.look(320, 240).image - plain).mean() < 0.5
+        assert not eye.simplify()

@@ -1,0 +1,114 @@
+"""Make the visual meshes of inc1 and inc1_pprm, and the xacro macros that place them.
+
+    python tools/make_robot_meshes.py [-o FOLDER]
+
+writes `meshes/LINK.MATERIAL.obj` and `looks.xacro` to `src/jauspy/robots/urdf`, or to FOLDER. The shapes are in
+`tools/robot_parts`; dimensions come from the properties of `chassis.xacro`. For each link there is a macro with its
+visuals, as in `<xacro:look_gripper_link/>`; colours are those of `shapes.xacro`. Collision shapes are apart: in the
+other files. The right side mirrors the meshes of the left.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+
+import numpy as np
+
+from mesh_shapes import Mesh, merged, mirrored
+from robot_parts import arms, chassis, gripper, tracks
+from robot_parts.dimensions import URDF, Dimensions, Look, read
+
+HEADER = """<?xml version="1.0"?>
+<!-- What the links look like: written by tools/make_robot_meshes.py, as are the meshes. -->
+<robot xmlns:xacro="http://www.ros.org/wiki/xacro">
+  <xacro:macro name="look" params="link material scale:='1 1 1'">
+    <visual>
+      <geometry><mesh filename="meshes/${link}.${material}.obj" scale="${scale}"/></geometry>
+      <material name="${material}"/>
+    </visual>
+  </xacro:macro>
+"""
+
+MIRRORED = {"left_track": "right_track", "left_flipper": "right_flipper", "left_finger": "right_finger"}
+"""The other sides of these."""
+
+
+def looks(size: Dimensions) -> dict[str, Look]:
+    """The looks of links, in their frames."""
+    left = tracks.moved(tracks.suspension(size), 0.0, size.gauge / 2.0)
+    right = {name: mirrored(mesh) for name, mesh in left.items()}
+    flipper = tracks.merge({"rubber": tracks.flipper_belt(size)}, tracks.flipper_frame(size))
+    return {
+        "base_link": tracks.merge(
+            chassis.body(size), left, right, chassis.camera_bracket(size), chassis.lidar_mast(size)
+        ),
+        "left_track": tracks.merge(
+            {"rubber": tracks.belt(tracks.track_loop(size), size.belt_width)}, tracks.running_gear(size)
+        ),
+        "left_flipper": flipper,
+        "flippers": tracks.flipper_shaft(size),
+        "pan_link": chassis.pan_head(),
+        "tilt_link": chassis.camera_head(),
+        "gripper_link": gripper.palm(),
+        "left_finger": gripper.jaw(),
+        "turret": arms.turret(),
+        "upper_arm": arms.upper_arm(),
+        "forearm": arms.forearm(),
+        "wrist": arms.wrist(),
+        "roll": arms.roll(),
+        "mast": arms.mast(),
+        "carriage": arms.carriage(),
+        "telescope": arms.telescope(),
+        "turning_wrist": arms.turning_wrist(),
+    }
+
+
+def obj(mesh: Mesh) -> str:
+    """A mesh as Wavefront OBJ: hundredths of millimetres, hundredths of unit normals."""
+    mesh = merged(mesh)
+    points, point = np.unique(np.round(mesh.vertices, 5), axis=0, return_inverse=True)
+    normals, normal = np.unique(np.round(mesh.normals, 2) + 0.0, axis=0, return_inverse=True)
+    lines = [f"v {x:.5g} {y:.5g} {z:.5g}" for x, y, z in points + 0.0]
+    lines += [f"vn {x:.2g} {y:.2g} {z:.2g}" for x, y, z in normals]
+    corners = np.stack([point.reshape(-1)[mesh.triangles], normal.reshape(-1)[mesh.triangles]], axis=-1) + 1
+    for a, b, c in corners.tolist():
+        if len({a[0], b[0], c[0]}) == 3:
+            lines.append(f"f {a[0]}//{a[1]} {b[0]}//{b[1]} {c[0]}//{c[1]}")
+    return "\n".join(lines) + "\n"
+
+
+def macros(made: dict[str, Look]) -> str:
+    """The text of `looks.xacro`."""
+    lines = [HEADER]
+    for link, look in made.items():
+        for name, scale in ((link, ""), (MIRRORED.get(link, ""), ' scale="1 -1 1"')):
+            if name:
+                lines.append(f'  <xacro:macro name="look_{name}">')
+                lines += [f'    <xacro:look link="{link}" material="{material}"{scale}/>' for material in look]
+                lines.append("  </xacro:macro>\n")
+    return "\n".join([*lines[:-1], "  </xacro:macro>\n</robot>\n"])
+
+
+def main() -> None:
+    """Write the files."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("-o", "--output", type=Path, default=URDF, metavar="FOLDER")
+    folder = parser.parse_args().output
+    (folder / "meshes").mkdir(parents=True, exist_ok=True)
+    made = looks(read())
+    for old in (folder / "meshes").glob("*.obj"):
+        old.unlink()
+    sizes = []
+    for link, look in made.items():
+        for material, mesh in look.items():
+            file = folder / "meshes" / f"{link}.{material}.obj"
+            file.write_text(obj(mesh))
+            sizes.append(file.stat().st_size)
+        print(f"{link:14} {sum(len(mesh.triangles) for mesh in look.values()):6} triangles")
+    (folder / "looks.xacro").write_text(macros(made))
+    print(f"{len(sizes)} meshes, {sum(sizes) / 1e6:.2f} MB")
+
+
+if __name__ == "__main__":
+    main()
