@@ -25,7 +25,7 @@ SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot settles on the ground."""
 
 MAX_STEPS_AT_ONCE: Final = 2
-"""Maximal number of physics steps in one call of MuJoCo; the belts travel 6 mm in it before they are reset."""
+"""Maximal number of physics steps in one call of MuJoCo."""
 
 ROUNDING: Final = 1e-9
 """Tolerance for rounding errors of times, as a fraction of a step."""
@@ -153,11 +153,13 @@ class SimulatedRobot:
             if not phase:
                 self._control()
             count = min(every - phase, end - self._steps)
-            mujoco.mj_step(self._model, self._data, count)
+            if self._tracked is None:
+                mujoco.mj_step(self._model, self._data, count)
+            else:
+                for _ in range(count):
+                    self._tracked.step()
             self._steps += count
             if phase + count == every:
-                if self._tracked is not None:
-                    self._tracked.reset_belts()
                 self._update_sensors()
 
     def _control(self) -> None:

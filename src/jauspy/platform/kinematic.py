@@ -144,7 +144,7 @@ class KinematicRobot:
 class SkidSteerParameters:
     """A tracked chassis. Speeds in m/s, accelerations in m/s^2, lengths in metres, times in seconds."""
 
-    free_speed: float = 1.55
+    free_speed: float = 1.9
     """Track speed at full effort without resistance."""
     response: float = 0.15
     """Time constant with which a track follows its effort (drag against drive force)."""
