@@ -152,6 +152,7 @@ def test_standard_input_accepts_captures_and_hex(tmp_path, kind):
     assert json.loads(done.stdout)["messages"][0]["message"] == "QueryStatus"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["--json", ""])
 def test_closed_pipe_causes_no_failure_or_traceback(form):
     command = f"{sys.executable} -m jauspy.cli.main decode - {form} | head -1"
@@ -163,6 +164,7 @@ def test_closed_pipe_causes_no_failure_or_traceback(form):
     assert len(done.stdout.splitlines()) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("command", "sentence"),
     [

@@ -93,6 +93,7 @@ async def test_unknown_machine_asks_for_an_address(robot, ocu, monkeypatch):
         await anext((await ocu.robot(101)).camera("arm").frames())
 
 
+@pytest.mark.slow
 async def test_loop_that_is_left_by_break_ends_the_video_when_the_ocu_is_closed(node_manager, robot):
     async with node_manager.ocu() as ocu:
         async for _ in (await ocu.robot(101)).camera("arm").frames():
