@@ -128,6 +128,7 @@ def shares(robot: SimulatedRobot, mapper: Mapper) -> tuple[float, float, float]:
     return float(right.mean()), float(near(true)[marked].mean()), float(marked[true & observed].mean())
 
 
+@pytest.mark.slow
 def test_map_matches_the_floor_plan(tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]) -> None:
     robot, mappers, errors, drift = tour
     assert drift > 0.2, "odometry was to be wrong"
