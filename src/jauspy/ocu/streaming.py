@@ -34,8 +34,8 @@ class CommandStream:
     """Sends the last command again at `rate` Hz, only while the event loop of the program turns.
 
     When the loop stood still for a second, the command is dropped and the robot is stopped; the next `send`
-    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero, and
-    the speed of a vector, whose heading stays. A command of positions is not repeated any more; it ends by itself.
+    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero,
+    and the speed of a vector, whose heading stays. A command of positions is not repeated any more.
     """
 
     def __init__(self, connection: Connection, id: JausID, rate: float) -> None:
