@@ -20,6 +20,7 @@ from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.look import colour_solids, polish, without_visuals
 from jauspy_sim.urdf import body_name, urdf_spec
+from jauspy_sim.wheel_joints import add_wheels
 from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
@@ -75,18 +76,22 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
 
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
-    """The robot alone, with a motor at each joint; free to move if it has tracks, or else fixed to the world."""
+    """The robot alone, with a motor at each joint; free to move on tracks or wheels, or else fixed to the world."""
     spec = urdf_spec(robot.description)
     tracks = robot.tracks
     belts = tracks.left + tracks.right if tracks else ()
+    unpowered = {*belts, *_rolling_freely(robot)}
     for joint in robot.description.joints.values():
-        _dynamics(spec, joint)
-        if joint.mimics is None and joint.effort and joint.kind is not JointKind.FIXED and joint.name not in belts:
+        _dynamics(spec, joint, unpowered)
+        if joint.is_independent and joint.effort and joint.name not in unpowered:
             _motor(spec, joint)
     if tracks is not None:
         spec.body(body_name(robot.description.root())).add_freejoint(name="base")
         for side in (tracks.left, tracks.right):
             _track(spec, [robot.description.joint(belt) for belt in side], tracks.inertia)
+    if robot.wheels is not None:
+        spec.body(body_name(robot.description.root())).add_freejoint(name="base")
+        add_wheels(spec, robot.wheels, TIMESTEP)
     for link, coefficient in robot.description.friction.items():
         _set_friction(spec, link, coefficient)
     for camera in robot.cameras:
@@ -98,13 +103,22 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     return spec
 
 
-def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
+def _rolling_freely(robot: RobotModel) -> set[str]:
+    """The continuous joints that nothing drives: casters, and the other wheels of a car."""
+    driven = {wheel.joint.name for wheel in robot.wheels.wheels} if robot.wheels else set()
+    driven |= {name for group in robot.groups.values() for name in group.joints}
+    rolling = {joint.name for joint in robot.description.joints.values() if joint.kind is JointKind.CONTINUOUS}
+    return rolling - driven
+
+
+def _dynamics(spec: mujoco.MjSpec, joint: Joint, unpowered: set[str]) -> None:
+    """Damping, friction and motor of a joint; those that roll freely have neither rotor nor motor."""
     if joint.kind is JointKind.FIXED:
         return
     found = spec.joint(joint.name)
     found.damping = _same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
-    found.armature = ROTOR_INERTIA * joint.effort
+    found.armature = 0.0 if joint.name in unpowered else ROTOR_INERTIA * joint.effort
 
 
 def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
