@@ -85,6 +85,9 @@ def up(
             help="Of simulated camera pictures: low has no shadows, high also smooth edges. Default: the robot's own.",
         ),
     ] = None,
+    view: Annotated[
+        bool, typer.Option("--view", help="Open MuJoCo's window on the simulation; needs a display.")
+    ] = False,
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Do not start a node manager; wait for one in the local root.")
     ] = False,
@@ -137,6 +140,7 @@ def up(
         lambda component: LocalTransport(component, local_root),
         backend=backend,
         world=world,
+        view=view,
     )
     if bus is not None and runner.config.backend != CAN:
         raise ConfigError(f"--bus is for the backend can; this one is {runner.config.backend}")
