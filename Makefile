@@ -39,10 +39,10 @@ cell: dev
 test: check wheel-test unit
 
 coverage: dev
-	$(BIN)/pytest -n 2 --cov --cov-report=term $(PYTEST_ARGS)
+	$(BIN)/pytest -n 3 --cov --cov-report=term $(PYTEST_ARGS)
 
 test-slow: dev
-	$(BIN)/pytest -n 2 -m slow $(PYTEST_ARGS)
+	$(BIN)/pytest -n 3 -m slow $(PYTEST_ARGS)
 
 check: lint types imports docs
 
@@ -61,7 +61,7 @@ docs: dev
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build -q --strict
 
 unit: dev
-	$(BIN)/pytest -n 2 $(PYTEST_ARGS)
+	$(BIN)/pytest -n 3 $(PYTEST_ARGS)
 
 wheel-test: dev
 	$(BIN)/python tools/wheel_test.py

@@ -14,12 +14,13 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.description import RobotModel, TrackSetup
+from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.look import colour_solids, polish, without_visuals
 from jauspy_sim.urdf import body_name, urdf_spec
+from jauspy_sim.wheel_joints import add_wheels
 from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
@@ -32,6 +33,9 @@ TIMESTEP: Final = 0.002
 
 ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 """Armature of a joint as a fraction of its maximal effort: the reflected inertia of geared rotors."""
+
+BELT_PRIORITY: Final = 1
+"""Contact priority of belts: their friction replaces that of the ground, unless its priority is higher."""
 
 
 def prefix(robot: str) -> str:
@@ -72,14 +76,22 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
 
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
-    """The robot alone, with a motor at each joint; free to move if it has tracks, or else fixed to the world."""
+    """The robot alone, with a motor at each joint; free to move on tracks or wheels, or else fixed to the world."""
     spec = urdf_spec(robot.description)
+    tracks = robot.tracks
+    belts = tracks.left + tracks.right if tracks else ()
+    unpowered = {*belts, *_rolling_freely(robot)}
     for joint in robot.description.joints.values():
-        _dynamics(spec, joint)
-    if (tracks := robot.tracks) is not None:
+        _dynamics(spec, joint, unpowered)
+        if joint.is_independent and joint.effort and joint.name not in unpowered:
+            _motor(spec, joint)
+    if tracks is not None:
         spec.body(body_name(robot.description.root())).add_freejoint(name="base")
-        for belt in tracks.left + tracks.right:
-            _belt(spec, robot.description.joint(belt), tracks)
+        for side in (tracks.left, tracks.right):
+            _track(spec, [robot.description.joint(belt) for belt in side], tracks.inertia)
+    if robot.wheels is not None:
+        spec.body(body_name(robot.description.root())).add_freejoint(name="base")
+        add_wheels(spec, robot.wheels, TIMESTEP)
     for link, coefficient in robot.description.friction.items():
         _set_friction(spec, link, coefficient)
     for camera in robot.cameras:
@@ -91,15 +103,22 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     return spec
 
 
-def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
+def _rolling_freely(robot: RobotModel) -> set[str]:
+    """The continuous joints that nothing drives: casters, and the other wheels of a car."""
+    driven = {wheel.joint.name for wheel in robot.wheels.wheels} if robot.wheels else set()
+    driven |= {name for group in robot.groups.values() for name in group.joints}
+    rolling = {joint.name for joint in robot.description.joints.values() if joint.kind is JointKind.CONTINUOUS}
+    return rolling - driven
+
+
+def _dynamics(spec: mujoco.MjSpec, joint: Joint, unpowered: set[str]) -> None:
+    """Damping, friction and motor of a joint; those that roll freely have neither rotor nor motor."""
     if joint.kind is JointKind.FIXED:
         return
     found = spec.joint(joint.name)
     found.damping = _same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
-    found.armature = ROTOR_INERTIA * joint.effort
-    if joint.mimics is None and joint.effort:
-        _motor(spec, joint)
+    found.armature = 0.0 if joint.name in unpowered else ROTOR_INERTIA * joint.effort
 
 
 def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
@@ -108,15 +127,38 @@ def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
     motor.ctrlrange = (-joint.effort, joint.effort)
 
 
-def _belt(spec: mujoco.MjSpec, joint: Joint, tracks: TrackSetup) -> None:
-    """Add the body of a belt; its position is reset to zero after every step, so that only its surface speed acts."""
-    found = spec.joint(joint.name)
-    found.armature = tracks.inertia
-    found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
-    found.solref_friction = (2.0 * TIMESTEP, 1.0)
-    for geom in spec.body(joint.child).geoms:
-        geom.priority = 1  # the belt's friction has priority over that of the ground
-    spec.add_exclude(bodyname1=joint.parent, bodyname2=joint.child)
+def _track(spec: mujoco.MjSpec, belts: Sequence[Joint], inertia: float) -> None:
+    """Add the belts of one side: a motor drives the first, and the others run as fast as it."""
+    for joint in belts:
+        found = spec.joint(joint.name)
+        found.damping = _same_shape(found.damping, 0.0)
+        found.armature = 0.0
+        found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
+        found.solref_friction = (2.0 * TIMESTEP, 1.0)
+        found.solimp_friction = (0.999, 0.999, 0.001, 0.5, 2.0)  # a brake that holds does not creep
+        for geom in spec.body(body_name(joint.child)).geoms:
+            geom.priority = BELT_PRIORITY
+        spec.add_exclude(bodyname1=body_name(joint.parent), bodyname2=body_name(joint.child))
+    first, *others = belts
+    spec.joint(first.name).armature = inertia
+    _belt_motor(spec, first)
+    for joint in others:
+        coupling = spec.add_equality(type=mujoco.mjtEq.mjEQ_JOINT, name1=joint.name, name2=first.name)
+        coupling.objtype = mujoco.mjtObj.mjOBJ_JOINT
+        coupling.data[:5] = (0.0, 1.0, 0.0, 0.0, 0.0)
+        coupling.solref = (2.0 * TIMESTEP, 1.0)
+
+
+def _belt_motor(spec: mujoco.MjSpec, joint: Joint) -> None:
+    """A motor with a voltage, whose control is its speed without load; its current, and so its force, is limited."""
+    lost = joint.damping or joint.effort / joint.velocity
+    motor = spec.add_actuator(name=joint.name, target=joint.name, trntype=mujoco.mjtTrn.mjTRN_JOINT)
+    motor.ctrllimited = motor.forcelimited = True
+    motor.ctrlrange = (-joint.velocity, joint.velocity)
+    motor.forcerange = (-joint.effort, joint.effort)
+    motor.gainprm[0] = lost
+    motor.biastype = mujoco.mjtBias.mjBIAS_AFFINE
+    motor.biasprm[:3] = (0.0, 0.0, -lost)
 
 
 def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:

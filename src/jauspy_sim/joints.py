@@ -15,6 +15,7 @@ from jauspy.platform.description import GroupSetup, TrackSetup
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
+from jauspy_sim.belts import Belts
 
 
 class SimulatedJoints:
@@ -125,23 +126,31 @@ class TrackedDrive(SkidSteerDrive):
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
         names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
-        self._lefts, self._rights = len(tracks.left), len(tracks.right)
-        belts = [model.joint(name) for name in names]
-        self._belt_positions = [int(belt.qposadr[0]) for belt in belts]
-        self._belt_dofs = [int(belt.dofadr[0]) for belt in belts]
-        self._motors = [int(model.actuator(name).id) for name in names]
-        self._forces = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
-        self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._belt_dofs]
+        self._belts = Belts(model, data, names)
+        self._belt_positions = [int(model.joint(name).qposadr[0]) for name in names]
+        driven = [f"{prefix}{side[0]}" for side in (tracks.left, tracks.right)]
+        self._dofs = [int(model.joint(name).dofadr[0]) for name in driven]
+        self._motors = [int(model.actuator(name).id) for name in driven]
+        self._speeds = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
+        self._brakes = [float(model.actuator_forcerange[motor][1]) for motor in self._motors]
+        self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._dofs]
         self.stop()
 
     def set_track_efforts(self, left: float, right: float) -> None:
-        """Drive the belts with fractions of the motors' full force, -1..1; zero for both brakes, with all of it."""
+        """Drive the belts with fractions of the motors' voltage, -1..1; zero for both brakes with their full force."""
         braking = not (left or right)
-        efforts = (left,) * self._lefts + (right,) * self._rights
-        rows = zip(self._motors, self._forces, self._belt_dofs, self._gear_friction, efforts, strict=True)
-        for motor, force, dof, friction, effort in rows:
-            self._data.ctrl[motor] = -force * effort  # on the ground a belt runs backward when the robot drives forward
-            self._model.dof_frictionloss[dof] = force if braking else friction
+        rows = zip(self._motors, self._speeds, self._dofs, self._brakes, self._gear_friction, strict=True)
+        for (motor, speed, dof, brake, friction), effort in zip(rows, (left, right), strict=True):
+            self._data.ctrl[motor] = -speed * effort  # on the ground a belt runs backward when the robot drives forward
+            self._model.dof_frictionloss[dof] = brake if braking else friction
+
+    def step(self) -> None:
+        """Advance the physics by one step, in which the belts run around their shapes."""
+        mujoco.mj_step1(self._model, self._data)
+        self._belts.run_around()
+        mujoco.mj_step2(self._model, self._data)
+        for position in self._belt_positions:
+            self._qpos[position] = 0.0
 
     def pose(self) -> Pose:
         """Pose of `base_link` in the world."""
@@ -158,9 +167,5 @@ class TrackedDrive(SkidSteerDrive):
 
     def track_speeds(self) -> tuple[float, float]:
         """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""
-        return -self._qvel[self._belt_dofs[0]], -self._qvel[self._belt_dofs[self._lefts]]
-
-    def reset_belts(self) -> None:
-        """Reset the belts to position zero, so that only their surface speed acts."""
-        for position in self._belt_positions:
-            self._qpos[position] = 0.0
+        left, right = self._dofs
+        return -self._qvel[left], -self._qvel[right]

@@ -48,6 +48,7 @@ async def test_a_grasp_that_fails_is_tried_again(cell: FakeCell) -> None:
     assert result.parts[0].attempts == ["servo_1: no vacuum"]
 
 
+@pytest.mark.slow
 async def test_a_part_that_cannot_be_grasped_is_replaced(cell: FakeCell) -> None:
     cell.fails = lambda connector, part: "no vacuum" if (connector, part) == (GRIPPER, "bracket_1") else ""
     result = await build(cell)
@@ -56,6 +57,7 @@ async def test_a_part_that_cannot_be_grasped_is_replaced(cell: FakeCell) -> None
     assert len(result.parts[1].attempts) == GRASPS
 
 
+@pytest.mark.slow
 async def test_a_dropped_part_is_replaced(cell: FakeCell) -> None:
     count = Counter[str]()
 
@@ -79,6 +81,7 @@ async def test_a_connector_that_does_not_attach_is_tried_beside_and_then_with_an
     assert sum("not aligned" in each for each in result.parts[1].attempts) >= 2
 
 
+@pytest.mark.slow
 async def test_a_hidden_part_is_not_looked_for(cell: FakeCell) -> None:
     cell.hidden.add("bracket_1")
     result = await build(cell)
@@ -93,6 +96,7 @@ async def test_without_any_part_it_ends_with_the_reason_and_at_rest(cell: FakeCe
     assert cell.attached["platform_1/top"][0] == "servo_1", "what was built stays"
 
 
+@pytest.mark.slow
 async def test_equal_seeds_give_equal_results(layout: Layout) -> None:
     one, other = await build(FakeCell(layout)), await build(FakeCell(layout))
     assert repr(one) == repr(other)

@@ -74,6 +74,7 @@ def test_missing_target_ends_with_status_2(free_port):
     assert "7.1.255 answers nothing" in result.stderr
 
 
+@pytest.mark.slow
 def test_closed_output_pipe_keeps_the_exit_status(free_port):
     where = ("--target", "7.1.255", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.1")
     command = [*JAUSPY, "conformance", "igvc-2015", *where, "--json"]
@@ -137,6 +138,7 @@ def test_two_reports_in_one_file_are_rejected(tmp_path):
     assert not both.exists()
 
 
+@pytest.mark.slow
 def test_failed_report_does_not_prevent_the_others(tmp_path, free_port):
     where = ("--target", "7.1.1", "--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.1")
     files = ("--html", "/dev/full", "--pcapng", str(tmp_path / "run.pcapng"))
@@ -150,6 +152,7 @@ def test_failed_report_does_not_prevent_the_others(tmp_path, free_port):
     assert is_capture((tmp_path / "run.pcapng").read_bytes()[:4])
 
 
+@pytest.mark.slow
 def test_ctrl_c_writes_the_report_and_releases_the_robot(robot, tmp_path):
     _, port = robot
     where = ("--target", "105.1.1", "--connect", f"udp://127.0.0.1:{port}")
@@ -198,6 +201,7 @@ def test_current_directory_is_searched_for_profiles_of_ones_own_only(monkeypatch
         assert ("" in sys.path) == searched
 
 
+@pytest.mark.slow
 def test_user_defined_profile_runs(tmp_path, monkeypatch):
     (tmp_path / "my_test.py").write_text(OWN)
     command = [Path(sys.executable).with_name("jauspy"), "conformance", "my_test:PROFILE", "--list"]

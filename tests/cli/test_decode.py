@@ -152,6 +152,7 @@ def test_standard_input_accepts_captures_and_hex(tmp_path, kind):
     assert json.loads(done.stdout)["messages"][0]["message"] == "QueryStatus"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("form", ["--json", ""])
 def test_closed_pipe_causes_no_failure_or_traceback(form):
     command = f"{sys.executable} -m jauspy.cli.main decode - {form} | head -1"
@@ -163,6 +164,7 @@ def test_closed_pipe_causes_no_failure_or_traceback(form):
     assert len(done.stdout.splitlines()) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("command", "sentence"),
     [
@@ -227,6 +229,26 @@ def test_explain_shows_offsets_and_bytes():
     text = run("--explain", REPORT_STATUS).stdout
     assert "02 40" in text
     assert "STANDBY" in text
+
+
+def test_explain_shows_the_fields_up_to_the_damage():
+    result = run("--explain", "--as", "message", "024403000000", status=1)
+    rows = [line.split() for line in result.stdout.splitlines()]
+    assert ["2", "03", "00", "presence_vector", "3", "latitude,", "longitude"] in rows
+    (damage,) = (line for line in result.stdout.splitlines() if line.split()[:1] == ["4"])
+    assert damage.endswith("latitude                needs 4 bytes (u32, -90 to 90 degree), 2 left")
+    [item] = objects("--explain", "--as", "message", "024403000000", status=1)
+    [*_, presence, last] = item["messages"][0]["explained"]
+    assert (presence["value"], presence["damaged"]) == (["latitude", "longitude"], False)
+    assert (last["offset"], last["field"], last["damaged"]) == (4, "latitude", True)
+
+
+def test_explain_shows_damage_in_messages_of_a_vendor(tmp_path):
+    xml = str(tmp_path / "battery.xml")
+    made = CliRunner().invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent", "-o", xml])
+    assert made.exit_code == 0, made.output
+    text = run("--explain", "--as", "message", "--schemas", xml, "02d00100ff", status=1).stdout
+    assert "needs 8 bytes (f64 percent), 2 left" in text
 
 
 @pytest.mark.parametrize(

@@ -46,6 +46,7 @@ def test_all_components_stop_beside_the_client_that_drives_and_are_released(robo
             assert abs(ocu.query("101.1.102", QueryVelocityState(0x1FF)).velocity_x) < 0.02
 
 
+@pytest.mark.slow
 def test_one_component_stops_and_only_the_id_that_stopped_it_releases_it(robot):
     assert lines("101.1.104", "--connect", robot.local).keys() == {"101.1.104"}
     refused = jauspy("estop", "101.1.104", "--release", "--id", "42.1.99", "--connect", robot.local, status=1)

@@ -53,6 +53,7 @@ async def test_child_is_stopped_if_the_supervisor_never_ran(root: Path, free_por
     assert children() == []
 
 
+@pytest.mark.slow
 async def test_repeated_start_error_is_logged_once(
     root: Path, free_port: int, capsys: pytest.CaptureFixture[str]
 ) -> None:

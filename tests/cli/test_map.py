@@ -11,6 +11,7 @@ from jauspy.cli.main import app
 from jauspy.testing import LocalNode
 
 
+@pytest.mark.slow
 def test_map_of_the_surroundings_is_written(robot, node_manager: LocalNode, tmp_path):
     command = [*JAUSPY, "map", "yard", "--seconds", "2", "--connect", node_manager.local, "--id", "42.7.1"]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False, timeout=60)

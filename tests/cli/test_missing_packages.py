@@ -14,6 +14,7 @@ main()
 """
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("package", "command", "extra"),
     [("typer", "ls", "cli"), ("xacro", "up inc1", "robot"), ("numpy", "map yard", "map")],

@@ -41,6 +41,7 @@ def test_stop_is_orderly_and_prints_counters(node_manager, local_root, number, s
     assert not list(local_root.iterdir())
 
 
+@pytest.mark.slow
 def test_sigint_stops_what_a_script_started_in_the_background(free_port, local_root):
     """A shell without job control starts it with SIGINT ignored, which it would inherit."""
     options = f"--port {free_port} --local-root {local_root} --interface 127.0.0.1"
@@ -89,12 +90,14 @@ def test_invalid_settings_cause_one_sentence():
     assert "write an IPv4 multicast address" in done.stderr
 
 
+@pytest.mark.slow
 def test_status_has_a_json_form():
     ended = subprocess.run([*COMMAND, "--json"], check=False, capture_output=True, text=True, timeout=20)
     assert ended.returncode == 2
     assert "it requires --status" in ended.stderr
 
 
+@pytest.mark.slow
 def test_file_limit_is_raised_for_all_components(free_port, local_root):
     limited = ["bash", "-c", 'ulimit -S -n 100; exec "$@"', "--", *COMMAND]
     where = ["--port", str(free_port), "--local-root", str(local_root)]
@@ -108,6 +111,7 @@ def test_file_limit_is_raised_for_all_components(free_port, local_root):
         process.communicate()
 
 
+@pytest.mark.slow
 def test_socket_mode_is_applied(free_port, local_root):
     arguments = ["--port", str(free_port), "--local-root", str(local_root), "--socket-mode"]
     wide = {**os.environ, "COLUMNS": "200"}
@@ -176,6 +180,7 @@ def test_sighup_reloads_the_file_and_rejects_an_invalid_one(free_port, local_roo
         assert process.wait(20) == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("text", "told"),
     [
@@ -192,6 +197,7 @@ def test_robot_rejects_the_gateway_of_another_subsystem(tmp_path, local_root, te
     assert told in done.stderr
 
 
+@pytest.mark.slow
 def test_robot_runs_behind_a_gateway(tmp_path, local_root, free_port):
     file = tmp_path / "gateway.toml"
     file.write_text(f'port = {free_port}\n[gateway]\nsubsystem = 101\n[[gateway.rules]]\nsource = "42.*.*"\n')

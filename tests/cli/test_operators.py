@@ -107,6 +107,7 @@ def robot(folder, free_port, local_root):
     assert not psutil.wait_procs(family, timeout=30)[1]
 
 
+@pytest.mark.slow
 def test_a_robot_that_requires_operators(robot, folder, local_root, capsys):
     def drive(*more):
         command = [*JAUSPY, *DRIVE, "--connect", f"local:{local_root}", *more]

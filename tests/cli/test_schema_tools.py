@@ -64,6 +64,7 @@ def change(path, old, new):
 # --- lint -----------------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.slow
 def test_lint_of_the_built_in_definitions():
     """They have the mistakes of the published ones: those are on the wire."""
     assert "presence vector of 'CBRNRec' has 8 bits" in run("lint", status=1).stdout

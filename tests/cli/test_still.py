@@ -18,6 +18,7 @@ def robot():
         yield ["--connect", running.local]
 
 
+@pytest.mark.slow
 def test_picture_format_follows_the_file_suffix(robot, tmp_path):
     jpeg, png = tmp_path / "arm.jpg", tmp_path / "front.PNG"
     run = jauspy("still", "101.1.106", "--save", str(jpeg), "--timeout", "100", *robot)

@@ -109,6 +109,7 @@ def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
         process.communicate()
 
 
+@pytest.mark.slow
 def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(beside):
     for where in (beside.local, beside.udp):
         asked = [start("query", "101.255.255", "QueryStatus", "--timeout", "2", "--connect", where) for _ in range(2)]
@@ -143,6 +144,7 @@ def test_send_in_control_tells_that_a_command_is_ignored(beside):
     assert "does not offer SetWrenchEffort" in missing.stderr
 
 
+@pytest.mark.slow
 def test_send_tells_that_the_robot_was_ended_meanwhile():
     with shared_robot() as robot:
         process = start(
@@ -157,6 +159,7 @@ def test_send_tells_that_the_robot_was_ended_meanwhile():
     assert "did not acknowledge Standby and ReleaseControl" in " ".join(error.split())
 
 
+@pytest.mark.slow
 def test_send_waits_for_the_completion_of_a_command(beside):
     pan = ("send", "101.1.107", "SetPanTiltJointPositions", "joint1_position=0.3", "joint2_position=0.1")
     where = ("--control", "200", "--connect", beside.local)
@@ -203,6 +206,7 @@ def test_killed_up_leaves_no_process(robot):
     assert_gone(robot.family)
 
 
+@pytest.mark.slow
 def test_up_passes_node_manager_options_and_prints_all_counters(free_port, local_root):
     process = start(
         *("up", "inc1", "--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root)),
@@ -244,6 +248,7 @@ def test_up_suggests_only_possible_commands(beside, tmp_path):
     assert not [line for line in lines if "drive it" in line or "see it" in line]
 
 
+@pytest.mark.slow
 def test_up_uses_a_running_node_manager(beside, tmp_path):
     copy = tmp_path / "other.toml"
     copy.write_text("extends = 'inc1'\nsubsystem = 102\n")
@@ -253,6 +258,7 @@ def test_up_uses_a_running_node_manager(beside, tmp_path):
     second.communicate(timeout=20)
 
 
+@pytest.mark.slow
 def test_dead_node_manager_is_restarted(robot, local_root):
     robot.family[0].kill()
     assert robot.process.stderr.readline() == "node manager: ended by signal 9; starting it again\n"

@@ -100,6 +100,7 @@ def test_readiness_and_stop_are_notified(service: Service) -> None:
     assert service.process.wait(20) == 0
 
 
+@pytest.mark.slow
 def test_hanging_event_loop_does_not_feed_the_watchdog(service: Service) -> None:
     """Stopped as by a debugger: systemd would restart it after WatchdogSec."""
     assert service.told() == "READY=1"
@@ -112,6 +113,7 @@ def test_hanging_event_loop_does_not_feed_the_watchdog(service: Service) -> None
     assert service.told() == "WATCHDOG=1"
 
 
+@pytest.mark.slow
 def test_failed_start_never_notifies_readiness(service: Service, free_port: int, other_root: Path) -> None:
     assert service.told() == "READY=1"
     name = str(other_root / "notify")

@@ -170,6 +170,7 @@ async def test_keys_drive_the_robot_and_it_stops_without_them(node_manager, robo
         terminal.close()
 
 
+@pytest.mark.slow
 async def test_lost_control_ends_teleop_with_the_reason(node_manager, robot, ocu):
     terminal = Terminal("101", "--connect", node_manager.local)
     try:

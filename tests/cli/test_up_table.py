@@ -94,6 +94,7 @@ async def test_table_shows_controllers_and_losses() -> None:
     assert "1 (20 Hz)" in text
 
 
+@pytest.mark.slow
 def test_table_is_drawn_on_a_terminal_and_ends_in_order(free_port, local_root) -> None:
     ours, theirs = pty.openpty()
     options = ("--backend", "kinematic", "--port", str(free_port), "--local-root", str(local_root))

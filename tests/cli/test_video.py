@@ -72,6 +72,7 @@ def test_component_without_cameras_is_an_error(robot, port, tmp_path):
     assert not film.exists()
 
 
+@pytest.mark.slow
 def test_players_are_printed_and_the_robot_sends_until_the_end(robot, tmp_path):
     file = tmp_path / "chassis.sdp"
     with RtpReceiver() as receiver:
@@ -136,6 +137,7 @@ async def test_the_address_of_this_machine_is_that_of_its_loopback_interface(rob
         assert await video.own_address(ocu, JausID(101, 1, 106), ("10.0.0.1", 6000)) == ("10.0.0.1", 6000)
 
 
+@pytest.mark.slow
 async def test_missing_picture_is_explained_after_three_seconds(monkeypatch, capsys, tmp_path, port):
     assert video.FIRST_NOTE == 3.0
     monkeypatch.setattr(video, "FIRST_NOTE", 0.05)

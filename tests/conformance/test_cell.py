@@ -101,6 +101,7 @@ MISTAKES = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", MISTAKES)
 def test_a_service_that_does_nothing_fails(kind, monkeypatch):
     service, action, message = MISTAKES[kind]

@@ -77,6 +77,7 @@ def test_state_that_is_reported_a_little_later_is_right(step):
     assert {each.verdict for each in report.results} == {Verdict.PASS}, report.failures
 
 
+@pytest.mark.slow
 def test_component_without_an_answer_to_query_control_is_tested_otherwise_within_a_minute():
     part, target, _ = deaf_to(QueryControl)()
     healthy = examined("core-1.1", robot(timeout=5), COMPONENT)

@@ -98,6 +98,7 @@ async def offers(cell: World, id: str) -> set[str]:
     return {f"201.{node}.{each.component_id}" for node, components in nodes for each in components}
 
 
+@pytest.mark.slow
 async def test_all_modules_at_once_are_discovered():
     async with world() as cell:
         parts = [module.part for module in CONFIG.modules if module.node == 2 and module.part not in BASE_PARTS]

@@ -35,6 +35,7 @@ def folder(tmp_path: Path) -> Path:
     return tmp_path
 
 
+@pytest.mark.slow
 async def test_a_robot_that_requires_operators(virtual_network: VirtualNetwork, folder: Path) -> None:
     async with (
         virtual_network.robot(str(folder / "robot.toml")) as robot,

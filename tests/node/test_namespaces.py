@@ -110,6 +110,7 @@ def test_late_network_is_joined(cable: tuple[str, str], root: Path) -> None:
         until_heard(a, near, b)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("chosen", ["all", "10.77.0.2"])
 def test_returning_interface_is_joined_again(cable: tuple[str, str], root: Path, chosen: str) -> None:
     """The whole interface is deleted, as when an adapter is pulled out, and made anew: another one to the kernel."""
@@ -130,6 +131,7 @@ def test_returning_interface_is_joined_again(cable: tuple[str, str], root: Path,
         until_heard(a, near, b)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "own",
     [{}, {"multicast_interfaces": ["all"]}, {"address6": "fd77::{}", "multicast_interfaces": ["fd77::{}"]}],

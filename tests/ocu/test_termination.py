@@ -100,15 +100,18 @@ STOPPED = (ReportStatus.Status.STANDBY, 0.0)
     [
         ASYNCHRONOUS.format(what="await asyncio.sleep(60)"),
         SYNCHRONOUS.format(what="control.until_lost()"),
-        SYNCHRONOUS.format(what="time.sleep(60)"),
+        pytest.param(SYNCHRONOUS.format(what="time.sleep(60)"), marks=pytest.mark.slow),
         WITHOUT_BLOCKS.format(what="await asyncio.sleep(60)", run="asyncio.run(main())"),
-        WITHOUT_BLOCKS.format(
-            what="await asyncio.sleep(60)", run="asyncio.new_event_loop().run_until_complete(main())"
+        pytest.param(
+            WITHOUT_BLOCKS.format(
+                what="await asyncio.sleep(60)", run="asyncio.new_event_loop().run_until_complete(main())"
+            ),
+            marks=pytest.mark.slow,
         ),
     ],
     ids=["async", "sync", "sync-sleeping", "without-blocks", "own-loop"],
 )
-@pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=lambda number: number.name)
+@pytest.mark.parametrize("number", [signal.SIGTERM, pytest.param(signal.SIGHUP, marks=pytest.mark.slow)])
 async def test_signal_stops_the_robot_before_the_program_ends(node_manager, program, number):
     async with driving(node_manager, program) as (runner, process):
         process.send_signal(number)
@@ -117,6 +120,7 @@ async def test_signal_stops_the_robot_before_the_program_ends(node_manager, prog
         await until(lambda: state(runner) == STOPPED, within=2.0)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     "program",
     [
@@ -156,6 +160,7 @@ async def until_released(other: OCU) -> None:
             await asyncio.sleep(0.1)
 
 
+@pytest.mark.slow
 async def test_program_that_handles_sigterm_itself_keeps_its_handler(node_manager):
     program = ASYNCHRONOUS.format(what="await asyncio.sleep(60)").replace(
         "asyncio.run", "import signal; signal.signal(signal.SIGTERM, lambda *_: sys.exit(7)); asyncio.run"

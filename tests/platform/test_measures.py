@@ -75,6 +75,6 @@ def test_chassis_of_inc1_matches_its_description() -> None:
     chassis = chassis_of(robot_model(load("inc1")))
     assert 40.0 < chassis.mass < 60.0
     assert chassis.track_separation == pytest.approx(0.46)
-    assert chassis.max_speed == pytest.approx(0.95 * 1.55)
-    assert (chassis.back, chassis.bottom) == (pytest.approx(0.345), pytest.approx(0.0, abs=1e-6))
+    assert chassis.max_speed == pytest.approx(0.95 * 1.9)
+    assert (chassis.back, chassis.bottom) == (pytest.approx(0.45), pytest.approx(0.0, abs=1e-6))
     assert chassis.top > 0.4, "its arm is folded on top"

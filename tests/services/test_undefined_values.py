@@ -177,6 +177,7 @@ def _quiet() -> None:
     logging.getLogger("jauspy.services").setLevel(logging.ERROR)
 
 
+@pytest.mark.slow
 async def test_every_service_of_a_robot() -> None:
     running: set[str] = set()
     backend = MemoryBackend()

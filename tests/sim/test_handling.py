@@ -12,7 +12,7 @@ from jauspy_sim.robot import SimulatedRobot
 
 INC1 = robot_model(load("inc1"))
 UPPER, FORE, HAND = 0.40, 0.34, 0.28
-SHOULDER = (0.12, 0.36)
+SHOULDER = (0.12, 0.28)
 
 
 def reach(forward: float, height: float, turn: float = 0.0) -> list[Target]:

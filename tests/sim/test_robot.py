@@ -29,7 +29,8 @@ def yard() -> SimulatedRobot:
 @pytest.mark.parametrize("robot", known())
 def test_all_robots_stand_in_all_worlds(robot: str, world: str) -> None:
     pose = SimulatedRobot.open(robot_model(load(robot)), world).drive.pose()
-    assert max(map(abs, (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw))) < 1e-3
+    assert max(map(abs, (pose.x, pose.y, pose.z, pose.yaw))) < 1e-3
+    assert max(abs(pose.roll), abs(pose.pitch)) < (0.01 if world == "rough" else 1e-3)
 
 
 def test_masses_are_plausible() -> None:
@@ -43,20 +44,20 @@ def test_masses_are_plausible() -> None:
 
 
 def test_climbs_the_ramp_onto_the_deck(yard: SimulatedRobot) -> None:
-    yard.drive.set_effort(0.4, 0.0)
-    yard.advance(8.0)
+    yard.drive.set_effort(0.3, 0.0)
+    yard.advance(9.0)
     on_ramp = yard.drive.pose()
     assert on_ramp.z > 0.15
     assert on_ramp.pitch == pytest.approx(-math.radians(12), abs=0.02)
-    yard.advance(3.0)
+    yard.advance(4.0)
     on_deck = yard.drive.pose()
     assert on_deck.z == pytest.approx(0.4, abs=0.005)
     assert on_deck.pitch == pytest.approx(0.0, abs=0.01)
 
 
 def test_the_brake_holds_it_on_the_ramp(yard: SimulatedRobot) -> None:
-    yard.drive.set_effort(0.4, 0.0)
-    yard.advance(8.0)
+    yard.drive.set_effort(0.3, 0.0)
+    yard.advance(9.0)
     yard.drive.stop()
     yard.advance(1.0)
     before = yard.drive.pose()

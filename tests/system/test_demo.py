@@ -37,6 +37,7 @@ from jauspy.transport import LocalTransport
 INC1 = load("inc1")
 
 
+@pytest.mark.slow
 @pytest.mark.timeout(300)
 def test_demo_drives_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
     folder = tmp_path / "out"

@@ -143,6 +143,7 @@ def robot_model(config: RobotConfig) -> RobotModel:
     lamps = tuple(light.setup() for light in config.lights)
     for number, lamp in enumerate(lamps):
         _check_link(f"lights[{number}].link", lamp.link, description)
+    wheels = config.wheels.setup(description) if config.wheels else None
     return RobotModel(
         description,
         tracks,
@@ -152,6 +153,7 @@ def robot_model(config: RobotConfig) -> RobotModel:
         force_torque,
         cell=setup,
         can=drives,
+        wheels=wheels,
         lamps=lamps,
         time_of_day=config.time_of_day,
         localization=localization,

@@ -25,8 +25,11 @@ if TYPE_CHECKING:
 class DriveBase(Protocol):
     """A chassis that drives on the ground."""
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left. Holds until changed."""
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
+        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left. Holds until changed.
+
+        Of a chassis that steers, z is the angle as a fraction of the greatest; y (left) is for one that moves sideways.
+        """
         ...
 
     def stop(self) -> None:

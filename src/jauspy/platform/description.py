@@ -20,6 +20,7 @@ from jauspy.platform.ranging import LidarSetup
 if TYPE_CHECKING:
     from jauspy.platform.can.setup import CanSetup
     from jauspy.platform.modular.parts import CellSetup
+    from jauspy.platform.wheels import WheelSetup
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,7 +72,7 @@ class RobotModel:
 
     description: RobotDescription
     tracks: TrackSetup | None
-    """None: the base is fixed to the world."""
+    """None, without wheels either: the base is fixed to the world."""
     groups: Mapping[str, GroupSetup] = field(default_factory=dict)
     lidars: tuple[LidarSetup, ...] = ()
     cameras: tuple[CameraSetup, ...] = ()
@@ -80,6 +81,8 @@ class RobotModel:
     """What is in the factory cell around it; None for a robot that is not in one."""
     can: CanSetup | str | None = None
     """The drives on its CAN bus, for the backend `can`; a sentence if they do not match the robot."""
+    wheels: WheelSetup | None = None
+    """In place of tracks."""
     localization: LocalizationSetup = EXACT
     """How it measures where it is; for robots with a chassis."""
     lamps: tuple[LampSetup, ...] = ()

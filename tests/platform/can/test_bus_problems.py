@@ -124,7 +124,7 @@ def test_an_encoder_that_wraps_drives_on(open_can: OpenCan) -> None:
     counts = robot.drives["left_track"].counts
     assert counts is not None
     assert counts > 2**31
-    assert robot.drive.pose().x == pytest.approx(1.4, abs=0.1)
+    assert robot.drive.pose().x == pytest.approx(1.8, abs=0.1)
     assert robot.drive.pose().yaw == pytest.approx(0.0, abs=1e-3)
 
 

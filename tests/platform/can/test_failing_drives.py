@@ -151,4 +151,4 @@ def test_one_percent_of_lost_frames_stops_nothing(open_can: OpenCan) -> None:
     robot.wire.loses = lambda message: chance.random() < 0.01
     set_in_motion(robot)
     robot.advance(5.0)
-    assert robot.drive.twist().vx == pytest.approx(0.5 * 1.55, abs=0.01)
+    assert robot.drive.twist().vx == pytest.approx(0.5 * 1.9, abs=0.01)

@@ -102,6 +102,7 @@ async def test_the_modules_of_an_arm_are_components_and_move_together():
         assert report.claimed_by == "arm"
 
 
+@pytest.mark.slow
 async def test_a_module_without_power_disappears_and_ends_the_motion():
     async with simulated() as cell:
         robot = await cell.ocu.discover(201)
@@ -125,6 +126,7 @@ async def test_a_module_without_power_disappears_and_ends_the_motion():
         assert (await held.query(m.QueryConnectorState(0xFFFFFFFF, 1))).attached_to == "servo_4"
 
 
+@pytest.mark.slow
 async def test_the_car_appears_and_is_driven_over_jaus():
     async with simulated() as cell:
         joint = cell.robot.model.joint("car")
