@@ -24,12 +24,14 @@ from jauspy.cli.options import (
     Bus,
     Interface,
     LocalRoot,
+    ModelPath,
     MulticastGroup,
     OwnRoot,
     Port,
     SocketMode,
     Verbose,
     WithParent,
+    World,
     file_mode,
 )
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, remove_if_empty, run
@@ -70,10 +72,8 @@ def up(
     socket_mode: SocketMode = DEFAULT_MODE,
     multicast_group: MulticastGroup = DEFAULT_GROUP,
     interface: Interface = None,
-    world: Annotated[
-        str | None,
-        typer.Option("--world", metavar="NAME", help="The world of the simulation. Default: the robot's own."),
-    ] = None,
+    world: World = None,
+    model_path: ModelPath = None,
     time_of_day: Annotated[
         TimeOfDay | None,
         typer.Option("--time-of-day", help="The light in the simulation. Default: the robot's own."),
@@ -132,7 +132,9 @@ def up(
     if with_parent:
         end_with_parent()
     config = on_bus(robot_files.load(robot), bus)
-    scene = {"time_of_day": time_of_day, "quality": quality}
+    scene: dict[str, object] = {"time_of_day": time_of_day, "quality": quality}
+    if model_path:
+        scene["model_path"] = (*map(str, model_path), *config.model_path)
     config = config.model_copy(update={key: value for key, value in scene.items() if value is not None})
     clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
