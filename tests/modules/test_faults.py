@@ -53,7 +53,7 @@ async def test_a_part_that_cannot_be_commanded(
         await asyncio.sleep(1.0)
         assert runner.snapshot.twist.vx > 0.1
 
-        def no_bus(self: KinematicDrive, linear_x: float, rotational_z: float) -> None:
+        def no_bus(self: KinematicDrive, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
             raise OSError("no such bus")
 
         with monkeypatch.context() as broken:
@@ -112,7 +112,7 @@ def test_a_fault_stops_every_other_part(fake_robot: FakeRobot) -> None:
     runner.open()
     try:
         holds = arm.holds
-        fake_robot.drive.set_effort = lambda linear_x, rotational_z: 1 / 0  # type: ignore[assignment]
+        fake_robot.drive.set_effort = lambda *_: 1 / 0  # type: ignore[assignment]
         runner.drive.set_effort(1.0, 0.0)
         fake_robot.wait_for_steps(3)
         assert set(runner.faults) == {CHASSIS}
