@@ -79,11 +79,10 @@ class Scene:
         self.root.append(etree.Comment(about))
         etree.SubElement(self.root, "include", file="assets/look.xml")
         etree.SubElement(self.root, "statistic", center=numbers(middle), extent=numbers([extent]))
-        defaults = etree.SubElement(etree.SubElement(self.root, "default"), "default", {"class": "seen"})
-        etree.SubElement(
-            defaults, "geom", type="mesh", contype="0", conaffinity="0", group=str(SEEN), mass="0"
-        )
-        solid = etree.SubElement(self.root.find("default"), "default", {"class": "solid"})
+        kinds = etree.SubElement(self.root, "default")
+        defaults = etree.SubElement(kinds, "default", {"class": "seen"})
+        etree.SubElement(defaults, "geom", type="mesh", contype="0", conaffinity="0", group=str(SEEN), mass="0")
+        solid = etree.SubElement(kinds, "default", {"class": "solid"})
         etree.SubElement(solid, "geom", group=str(SOLID), rgba="0.6 0.5 0.4 1")
         self.assets = etree.SubElement(self.root, "asset")
         self.world = Part(etree.SubElement(self.root, "worldbody"), "scenery")

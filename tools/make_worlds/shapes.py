@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
@@ -47,9 +48,7 @@ class Mesh:
 
     def flat(self) -> Mesh:
         """The mesh with no shared vertices, so that each triangle is shaded on its own."""
-        return Mesh(
-            self.vertices[self.triangles.ravel()], np.arange(3 * len(self.triangles)).reshape(-1, 3), self.uv
-        )
+        return Mesh(self.vertices[self.triangles.ravel()], np.arange(3 * len(self.triangles)).reshape(-1, 3), self.uv)
 
 
 def rotation(roll: float, pitch: float, yaw: float) -> Array:
@@ -159,7 +158,7 @@ def lathe(profile: Sequence[Point], segments: int = SEGMENTS) -> Mesh:
     vertices: list[Array] = []
     triangles: list[tuple[int, int, int]] = []
     before: Array | None = None
-    for low, high in zip(points, points[1:], strict=False):
+    for low, high in itertools.pairwise(points):
         edge = (high - low) / np.linalg.norm(high - low)
         if before is None or float(before @ edge) < math.cos(math.radians(40.0)):
             vertices.append(np.column_stack([circle * low[0], np.full(segments, low[1])]))
@@ -241,8 +240,10 @@ def prism(outline: Sequence[Point], low: float, high: float) -> Mesh:
 
 def wall(length: float, height: float, thickness: float, holes: Sequence[tuple[float, float, float, float]]) -> Mesh:
     """A wall along x from the origin, its middle at y = 0, with rectangular holes (left, right, low, high)."""
-    return joined(box(x1 - x0, thickness, z1 - z0).at((x0 + x1) / 2.0, 0.0, (z0 + z1) / 2.0)
-                  for x0, x1, z0, z1 in wall_pieces(length, height, holes))
+    return joined(
+        box(x1 - x0, thickness, z1 - z0).at((x0 + x1) / 2.0, 0.0, (z0 + z1) / 2.0)
+        for x0, x1, z0, z1 in wall_pieces(length, height, holes)
+    )
 
 
 def wall_pieces(

@@ -1,4 +1,4 @@
-"""Meshes of smooth solids: the zero surface of a distance function, by surface nets, with fewer triangles where flat."""
+"""Meshes of smooth solids: the zero surface of a distance function, by surface nets, decimated."""
 
 from __future__ import annotations
 
@@ -22,7 +22,8 @@ def block(size: Vector, radius: float, at: Vector = (0.0, 0.0, 0.0)) -> Field:
     def field(x: Array, y: Array, z: Array) -> Array:
         px, py, pz = (np.abs(c - o) - h for c, o, h in zip((x, y, z), at, half, strict=True))
         outside = np.sqrt(np.maximum(px, 0.0) ** 2 + np.maximum(py, 0.0) ** 2 + np.maximum(pz, 0.0) ** 2)
-        return outside + np.minimum(np.maximum(px, np.maximum(py, pz)), 0.0) - radius
+        distance: Array = outside + np.minimum(np.maximum(px, np.maximum(py, pz)), 0.0) - radius
+        return distance
 
     return field
 
