@@ -49,6 +49,8 @@ class Belts:
         rows = contacts.efc_address[which]
         keep = (rows >= 0) & (contacts.dim[which] >= 3)
         which, side, rows = which[keep], side[keep], rows[keep]
+        if not len(which):
+            return
         belt = belts[which, side]
         frames = contacts.frame[which].reshape(-1, 3, 3)
         axes = np.einsum("bij,bj->bi", data.xmat[self._bodies].reshape(-1, 3, 3), self._lateral)[belt]
