@@ -27,6 +27,7 @@ from jauspy.modules.running import RunningModules
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot
+from jauspy.platform.contract_check import check_robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
@@ -258,7 +259,16 @@ class RobotRunner:
             raise ConfigError(
                 f"the backend {self.config.backend!r} cannot open the robot: {type(error).__name__}: {error}"
             ) from error
-        stack.callback(_close, robot)
+        if hasattr(robot, "close"):
+            stack.callback(_close, robot)
+        try:
+            check_robot(robot)
+        except ConfigError as error:
+            raise ConfigError(f"the backend {self.config.backend!r}: {error}") from error
+        except Exception as error:
+            raise ConfigError(
+                f"the backend {self.config.backend!r} cannot read the robot: {type(error).__name__}: {error}"
+            ) from error
         return stack.enter_context(self._make_realtime(robot))
 
 
