@@ -24,12 +24,14 @@ from jauspy.cli.options import (
     Bus,
     Interface,
     LocalRoot,
+    ModelPath,
     MulticastGroup,
     OwnRoot,
     Port,
     SocketMode,
     Verbose,
     WithParent,
+    World,
     file_mode,
 )
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, remove_if_empty, run
@@ -70,10 +72,8 @@ def up(
     socket_mode: SocketMode = DEFAULT_MODE,
     multicast_group: MulticastGroup = DEFAULT_GROUP,
     interface: Interface = None,
-    world: Annotated[
-        str | None,
-        typer.Option("--world", metavar="NAME", help="The world of the simulation. Default: the robot's own."),
-    ] = None,
+    world: World = None,
+    model_path: ModelPath = None,
     time_of_day: Annotated[
         TimeOfDay | None,
         typer.Option("--time-of-day", help="The light in the simulation. Default: the robot's own."),
@@ -85,6 +85,9 @@ def up(
             help="Of simulated camera pictures: low has no shadows, high also smooth edges. Default: the robot's own.",
         ),
     ] = None,
+    view: Annotated[
+        bool, typer.Option("--view", help="Open MuJoCo's window on the simulation; needs a display.")
+    ] = False,
     no_node_manager: Annotated[
         bool, typer.Option("--no-node-manager", help="Do not start a node manager; wait for one in the local root.")
     ] = False,
@@ -129,7 +132,9 @@ def up(
     if with_parent:
         end_with_parent()
     config = on_bus(robot_files.load(robot), bus)
-    scene = {"time_of_day": time_of_day, "quality": quality}
+    scene: dict[str, object] = {"time_of_day": time_of_day, "quality": quality}
+    if model_path:
+        scene["model_path"] = (*map(str, model_path), *config.model_path)
     config = config.model_copy(update={key: value for key, value in scene.items() if value is not None})
     clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
@@ -137,6 +142,7 @@ def up(
         lambda component: LocalTransport(component, local_root),
         backend=backend,
         world=world,
+        view=view,
     )
     if bus is not None and runner.config.backend != CAN:
         raise ConfigError(f"--bus is for the backend can; this one is {runner.config.backend}")
