@@ -392,14 +392,14 @@ def sky() -> Array:
     size = 256
     v, u = (np.mgrid[0:size, 0:size] + 0.5) / size * 2.0 - 1.0
     one = np.ones_like(u)
-    # MuJoCo's faces: right, left, up, down, front, back; here each pixel's direction, z up
+    # the direction of each pixel, x to the right of MuJoCo's box, z up
     faces = {
-        "R": (one, -u, -v),
-        "L": (-one, u, -v),
-        "F": (u, one, -v),
-        "B": (-u, -one, -v),
-        "U": (u, v, one),
-        "D": (u, -v, -one),
+        "R": (one, u, -v),
+        "L": (-one, -u, -v),
+        "U": (u, -v, one),
+        "D": (u, v, -one),
+        "F": (u, -one, -v),
+        "B": (-u, one, -v),
     }
     places = {"U": (0, 1), "L": (1, 0), "F": (1, 1), "R": (1, 2), "B": (1, 3), "D": (2, 1)}
     made = np.zeros((3 * size, 4 * size, 3))

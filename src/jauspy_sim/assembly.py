@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel
@@ -19,7 +20,9 @@ from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.look import colour_solids, polish, without_visuals
+from jauspy_sim.shapes import same_shape
 from jauspy_sim.urdf import body_name, urdf_spec
+from jauspy_sim.wheel_joints import add_wheels
 from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
@@ -62,7 +65,7 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
 
     Not to be `drawn`, it lacks visual shapes: physics does not need them, and takes a tenth longer with them.
     """
-    spec = world_spec(world)
+    spec = world_spec(world, robot.model_path)
     if drawn:
         added = robot_spec(robot)
         polish(added, robot.description)
@@ -77,13 +80,21 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
     if not drawn:
         spec.option.enableflags |= SLEEP
-    return spec.compile()
+    return compiled(spec, f"robot {robot.description.name} in world {world}")
+
+
+def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:
+    """The model; what MuJoCo does not accept raises `ConfigError`."""
+    try:
+        return spec.compile()
+    except ValueError as error:
+        raise ConfigError(f"MuJoCo cannot simulate {what}: {' '.join(str(error).split())}") from error
 
 
 def _remove_scenery(spec: mujoco.MjSpec) -> None:
-    """Remove what is only drawn from a world."""
+    """Remove what is only drawn from a world, and weighs nothing."""
     for geom in spec.geoms:
-        if geom.group == VISUAL and not (geom.contype or geom.conaffinity):
+        if geom.group == VISUAL and not (geom.contype or geom.conaffinity or geom.mass != 0.0):
             spec.delete(geom)
     used = {geom.meshname for geom in spec.geoms}
     for mesh in spec.meshes:
@@ -92,18 +103,22 @@ def _remove_scenery(spec: mujoco.MjSpec) -> None:
 
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
-    """The robot alone, with a motor at each joint; free to move if it has tracks, or else fixed to the world."""
+    """The robot alone, with a motor at each joint; free to move on tracks or wheels, or else fixed to the world."""
     spec = urdf_spec(robot.description)
     tracks = robot.tracks
     belts = tracks.left + tracks.right if tracks else ()
+    unpowered = {*belts, *_rolling_freely(robot)}
     for joint in robot.description.joints.values():
-        _dynamics(spec, joint)
-        if joint.mimics is None and joint.effort and joint.kind is not JointKind.FIXED and joint.name not in belts:
+        _dynamics(spec, joint, unpowered)
+        if joint.is_independent and joint.effort and joint.name not in unpowered:
             _motor(spec, joint)
     if tracks is not None:
         spec.body(body_name(robot.description.root())).add_freejoint(name="base")
         for side in (tracks.left, tracks.right):
             _track(spec, [robot.description.joint(belt) for belt in side], tracks.inertia)
+    if robot.wheels is not None:
+        spec.body(body_name(robot.description.root())).add_freejoint(name="base")
+        add_wheels(spec, robot.wheels, TIMESTEP)
     for link, coefficient in robot.description.friction.items():
         _set_friction(spec, link, coefficient)
     for camera in robot.cameras:
@@ -115,13 +130,22 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     return spec
 
 
-def _dynamics(spec: mujoco.MjSpec, joint: Joint) -> None:
+def _rolling_freely(robot: RobotModel) -> set[str]:
+    """The continuous joints that nothing drives: casters, and the other wheels of a car."""
+    driven = {wheel.joint.name for wheel in robot.wheels.wheels} if robot.wheels else set()
+    driven |= {name for group in robot.groups.values() for name in group.joints}
+    rolling = {joint.name for joint in robot.description.joints.values() if joint.kind is JointKind.CONTINUOUS}
+    return rolling - driven
+
+
+def _dynamics(spec: mujoco.MjSpec, joint: Joint, unpowered: set[str]) -> None:
+    """Damping, friction and motor of a joint; those that roll freely have neither rotor nor motor."""
     if joint.kind is JointKind.FIXED:
         return
     found = spec.joint(joint.name)
-    found.damping = _same_shape(found.damping, joint.damping)
+    found.damping = same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
-    found.armature = ROTOR_INERTIA * joint.effort
+    found.armature = 0.0 if joint.name in unpowered else ROTOR_INERTIA * joint.effort
 
 
 def _motor(spec: mujoco.MjSpec, joint: Joint) -> None:
@@ -134,7 +158,7 @@ def _track(spec: mujoco.MjSpec, belts: Sequence[Joint], inertia: float) -> None:
     """Add the belts of one side: a motor drives the first, and the others run as fast as it."""
     for joint in belts:
         found = spec.joint(joint.name)
-        found.damping = _same_shape(found.damping, 0.0)
+        found.damping = same_shape(found.damping, 0.0)
         found.armature = 0.0
         found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
         found.solref_friction = (2.0 * TIMESTEP, 1.0)
@@ -176,12 +200,6 @@ def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     added = carrier.add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
     added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
-
-
-def _same_shape(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
-    """The damping in the form of the MuJoCo version: 4 has a polynomial of the speed, 3 a number."""
-    terms = np.size(present)
-    return (value, *[0.0] * (terms - 1)) if terms > 1 else value
 
 
 def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:

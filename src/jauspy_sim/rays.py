@@ -14,12 +14,6 @@ from jauspy_sim.groups import COLLISION, RAY_MESHES, VISUAL
 DEFAULT_SKY_COLOUR: Final = (150, 190, 230)
 """Red, green, blue of the sky of a world without a sky box."""
 
-ZENITH: Final = 90
-"""Degrees of elevation; colours are stored for -90..90."""
-
-_SIDE, _TOP, _BOTTOM = 0, 2, 3
-"""Faces of the box, as MuJoCo stacks them: right, left, up, down, front, back."""
-
 PATTERN_PERIOD: Final = 2.0
 """Metres after which the pattern of a floor repeats, if its material has one repetition per unit."""
 
@@ -148,40 +142,34 @@ def _grid_size(width: int, height: int, max_rays: int) -> tuple[int, int]:
 
 
 class SkyBox:
-    """Colours of the sky by elevation, from the world's sky box; they do not depend on the azimuth."""
+    """Colours of the sky, from the world's sky box."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         boxes = np.flatnonzero(model.tex_type == mujoco.mjtTexture.mjTEXTURE_SKYBOX)
-        elevations = np.radians(np.arange(-ZENITH, ZENITH + 1))
-        self._colours = (
-            np.array([_colour(_faces(model, int(boxes[0])), elevation) for elevation in elevations])
-            if len(boxes)
-            else np.tile(np.array(DEFAULT_SKY_COLOUR, np.float64), (2 * ZENITH + 1, 1))
-        )
+        one = np.full((6, 1, 1, 3), DEFAULT_SKY_COLOUR, np.uint8)
+        self._faces = _faces(model, int(boxes[0])) if len(boxes) else one
 
     def colours(self, directions: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the colours in directions (unit vectors, z up) of shape (n, 3): red, green, blue, 0..255."""
-        degrees = np.degrees(np.arcsin(np.clip(directions[:, 2], -1.0, 1.0)))
-        seen: NDArray[np.float64] = self._colours[np.rint(degrees).astype(np.int64) + ZENITH]
+        x, y, z = directions.T
+        sizes = np.abs(directions)
+        axis, most = sizes.argmax(axis=1), sizes.max(axis=1)
+        positive = np.take_along_axis(directions, axis[:, None], axis=1)[:, 0] > 0.0
+        face = np.choose(axis, [0, 5, 2]) + np.choose(axis, [1, -1, 1]) * ~positive
+        across = np.choose(face, [y, -y, x, x, x, -x]) / most
+        down = np.choose(face, [-z, -z, -y, y, -z, -z]) / most
+        size = self._faces.shape[1]
+        column, row = (np.minimum(((part + 1.0) / 2.0 * size).astype(np.int64), size - 1) for part in (across, down))
+        seen: NDArray[np.float64] = self._faces[face, row, column].astype(np.float64)
         return seen
 
 
 def _faces(model: mujoco.MjModel, texture: int) -> NDArray[np.uint8]:
-    """The faces of the box, each as rows of pixels, outermost first; a box with a single face repeats it six times."""
+    """The faces of the box, as rows of pixels: towards x, -x, z, -z, -y, y. One with a single face repeats it."""
     size, begin = int(model.tex_width[texture]), int(model.tex_adr[texture])
     channels, rows = int(model.tex_nchannel[texture]), int(model.tex_height[texture])
     pixels = model.tex_data[begin : begin + size * rows * channels].reshape(-1, size, size, channels)
     return np.resize(pixels[..., :3], (6, size, size, 3))
-
-
-def _colour(faces: NDArray[np.uint8], elevation: float) -> NDArray[np.float64]:
-    """Colour at an elevation: on the centre line of a side, or from the centre of the top or bottom outwards."""
-    last = faces.shape[1] - 1
-    if abs(elevation) <= np.pi / 4.0:
-        row = round((1.0 - np.tan(elevation)) / 2.0 * last)
-        return np.array(faces[_SIDE, row, last // 2], np.float64)
-    row = round((1.0 + 1.0 / np.tan(abs(elevation))) / 2.0 * last)
-    return np.array(faces[_TOP if elevation > 0.0 else _BOTTOM, row, last // 2], np.float64)
 
 
 class Shading:
@@ -219,7 +207,8 @@ class Shading:
         for number in np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL):
             sun = np.clip(-(normals @ data.light_xdir[number]), 0.0, 1.0)[:, None]
             light = light + model.light_ambient[number] + sun * model.light_diffuse[number]
-        return np.asarray(light)
+        seen: NDArray[np.float64] = np.minimum(light, 1.0)  # as GL
+        return seen
 
 
 def _base_colour(model: mujoco.MjModel, geom: int) -> NDArray[np.float64]:

@@ -8,7 +8,7 @@ from typing import Final
 
 import mujoco
 
-from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, chassis_of
+from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, GroundDrive, chassis_of
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
@@ -20,6 +20,8 @@ from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
 from jauspy_sim.layered_lidar import LayeredLidar
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
+from jauspy_sim.viewer import Viewer
+from jauspy_sim.wheels import SimulatedWheels
 
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot settles on the ground."""
@@ -35,11 +37,13 @@ class SimulatedRobot:
     """One robot and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
     def __init__(self, model: mujoco.MjModel, robot: RobotModel, drawn: DrawnModel | None = None) -> None:
-        self._model = model
+        self._model, self._drawn = model, drawn
+        self._viewer: Viewer | None = None
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
         self._tracked = TrackedDrive(model, data, name_prefix, robot.tracks) if robot.tracks else None
-        self._drive = self._tracked or FixedBase()
+        self._wheels = SimulatedWheels(model, data, name_prefix, robot.wheels) if robot.wheels else None
+        self._drive = self._tracked or self._wheels or FixedBase()
         self._localizer: Localizer | None = None
         self._groups = {
             name: SimulatedJoints(model, data, name_prefix, robot.description, setup)
@@ -60,9 +64,10 @@ class SimulatedRobot:
         self._force_torque = {
             setup.name: simulated_force_torque(data, name_prefix, setup) for setup in robot.force_torque
         }
-        if self._tracked is not None and not robot.localization.is_exact(default=False):
+        if self._tracked is not None:
             self._tracked.slip_width = SLIP_FACTOR * chassis_of(robot).track_separation
-            self._localizer = Localizer(robot.localization, self._tracked)
+        if (measured := self._tracked or self._wheels) and not robot.localization.is_exact(default=False):
+            self._localizer = Localizer(robot.localization, measured)
         located = () if self._localizer is None else (self._localizer,)
         self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
         self._update_sensors()
@@ -86,8 +91,8 @@ class SimulatedRobot:
         return self._data
 
     @property
-    def drive(self) -> TrackedDrive | FixedBase:
-        """The tracked chassis, or a base that does not move."""
+    def drive(self) -> TrackedDrive | SimulatedWheels | FixedBase:
+        """The chassis on tracks or wheels, or a base that does not move."""
         return self._drive
 
     @property
@@ -132,11 +137,18 @@ class SimulatedRobot:
         self._owed -= steps
         before = self._drive.twist()
         self._run(steps)
-        if self._tracked is not None:
-            self._tracked.update_acceleration(before, steps * TIMESTEP)
+        if isinstance(self._drive, GroundDrive):
+            self._drive.update_acceleration(before, steps * TIMESTEP)
         for lidar in self._lidars.values():
             lidar.wait(self.time)
         self._cameras.show()
+        if self._viewer is not None:
+            self._viewer.show()
+
+    def view(self) -> None:
+        """Open a window that shows the robot and its world. Raises `ConfigError` without a display."""
+        if self._viewer is None:
+            self._viewer = Viewer(self._model if self._drawn is None else self._drawn.build(), self._data)
 
     def close(self) -> None:
         """Stop, and release the shared memory of the cameras; MuJoCo's memory is released with the object."""
@@ -144,6 +156,9 @@ class SimulatedRobot:
         for group in self._groups.values():
             group.hold()
         self._cameras.close()
+        if self._viewer is not None:
+            self._viewer.close()
+            self._viewer = None
 
     def _run(self, steps: int) -> None:
         """Run physics steps; controllers and sensors act on a fixed grid, however `advance` divides the time."""
@@ -160,6 +175,8 @@ class SimulatedRobot:
                     self._tracked.step()
             self._steps += count
             if phase + count == every:
+                if self._wheels is not None:
+                    self._wheels.step(every * TIMESTEP)
                 self._update_sensors()
 
     def _control(self) -> None:

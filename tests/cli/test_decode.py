@@ -231,6 +231,26 @@ def test_explain_shows_offsets_and_bytes():
     assert "STANDBY" in text
 
 
+def test_explain_shows_the_fields_up_to_the_damage():
+    result = run("--explain", "--as", "message", "024403000000", status=1)
+    rows = [line.split() for line in result.stdout.splitlines()]
+    assert ["2", "03", "00", "presence_vector", "3", "latitude,", "longitude"] in rows
+    (damage,) = (line for line in result.stdout.splitlines() if line.split()[:1] == ["4"])
+    assert damage.endswith("latitude                needs 4 bytes (u32, -90 to 90 degree), 2 left")
+    [item] = objects("--explain", "--as", "message", "024403000000", status=1)
+    [*_, presence, last] = item["messages"][0]["explained"]
+    assert (presence["value"], presence["damaged"]) == (["latitude", "longitude"], False)
+    assert (last["offset"], last["field"], last["damaged"]) == (4, "latitude", True)
+
+
+def test_explain_shows_damage_in_messages_of_a_vendor(tmp_path):
+    xml = str(tmp_path / "battery.xml")
+    made = CliRunner().invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent", "-o", xml])
+    assert made.exit_code == 0, made.output
+    text = run("--explain", "--as", "message", "--schemas", xml, "02d00100ff", status=1).stdout
+    assert "needs 8 bytes (f64 percent), 2 left" in text
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [

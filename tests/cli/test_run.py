@@ -1,8 +1,10 @@
 """Verbs that are told to stop, and verbs whose parent dies."""
 
+import re
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -50,6 +52,15 @@ def test_sigterm_ends_in_order_without_failure(number):
     process.send_signal(number)
     out, err = process.communicate(timeout=20)
     assert (out, err, process.returncode) == ("in order\n", "", 0)
+
+
+def test_sighup_stays_ignored_under_nohup():
+    process = start("import signal; signal.signal(signal.SIGHUP, signal.SIG_IGN)\n" + FOREVER)
+    status = Path(f"/proc/{process.pid}/status").read_text()
+    assert int(re.search(r"SigIgn:\s*(\w+)", status)[1], 16) >> (signal.SIGHUP - 1) & 1
+    process.send_signal(signal.SIGTERM)
+    out, _ = process.communicate(timeout=20)
+    assert (out, process.returncode) == ("in order\n", 0)
 
 
 def test_ctrl_c_ends_in_order_and_raises_keyboard_interrupt():

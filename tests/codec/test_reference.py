@@ -14,6 +14,8 @@ from jauspy.messages.core import RegisterServices
 from jauspy.messages.mobility import ReportVelocityState
 from jauspy.schema import load_builtin, model as m
 
+LONGITUDE = "needs 4 bytes (u32, -180 to 180 degree), 1 left"
+
 
 @pytest.fixture(scope="module")
 def models() -> dict[str, m.Message]:
@@ -42,6 +44,42 @@ def test_explain_covers_every_byte(models: dict[str, m.Message]) -> None:
     assert rows[2].path == "service_list[0].uri.count"
 
 
+@pytest.mark.parametrize(
+    ("name", "data", "last"),
+    [
+        (
+            "ReportGlobalPose",
+            "0244030000000000ff",
+            (8, 1, "longitude", LONGITUDE),
+        ),
+        ("ReportGlobalPose", "0244", (2, 0, "presence_vector", "needs 2 bytes, 0 left")),
+        ("ReportStatus", "0240010000000000", (7, 1, "", "1 byte more than the definition has")),
+        ("RegisterServices", "000b02047572", (4, 2, "service_list[0].uri", "needs 4 bytes, 2 left")),
+        (
+            "RegisterServices",
+            "000bff00010200",
+            (7, 0, "service_list[1].major_version_number", "needs 1 byte (u8), 0 left"),
+        ),
+        ("SetTravelSpeedExt", "2f0c0900000000", (2, 1, "speed.choice", "type 9 is not defined, only 0, 1, 2, 3")),
+    ],
+)
+def test_explain_ends_at_the_damage(
+    models: dict[str, m.Message], name: str, data: str, last: tuple[object, ...]
+) -> None:
+    message = models[name]
+    payload = message.code.to_bytes(2, "little") + bytes.fromhex(data)[2:]
+    rows = reference.explain(message, payload)
+    assert (rows[-1].offset, rows[-1].length, rows[-1].path, rows[-1].problem) == last
+    assert [row.damaged for row in rows] == [False] * (len(rows) - 1) + [True]
+    assert sum(row.length for row in rows) <= len(payload)
+
+
+def test_explain_of_a_huge_count_takes_no_memory(models: dict[str, m.Message]) -> None:
+    message = models["SetElement"]
+    data = message.code.to_bytes(2, "little") + b"\x01\xff\xff\xff"
+    assert len(reference.explain(message, data)) < 10
+
+
 def test_errors(models: dict[str, m.Message]) -> None:
     with pytest.raises(DecodeError) as caught:
         reference.parse(models["ReportStatus"], b"\x02\x40\x01\x00")
@@ -50,6 +88,8 @@ def test_errors(models: dict[str, m.Message]) -> None:
     assert "Error in path" not in caught.value.reason
     with pytest.raises(DecodeError, match="is not allowed"):
         reference.parse(models["ConfirmControl"], b"\x0f\x00\x07")
+    with pytest.raises(DecodeError, match="1 byte more"):
+        reference.parse(models["ConfirmControl"], b"\x0f\x00\x01\x00")
     with pytest.raises(EncodeError):
         reference.build(models["ConfirmControl"], {})
 

@@ -234,6 +234,22 @@ async def test_program_ends_in_order(root: Path, number: int):
         assert not list(root.glob("[0-9]*"))
 
 
+@pytest.mark.parametrize("ignored", [True, False])
+def test_hangup_stays_ignored_under_nohup(ignored: bool):
+    seen = []
+
+    class Probe(jauspy.Component):
+        async def run(self) -> None:
+            seen.append(signal.getsignal(signal.SIGHUP))
+
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN if ignored else signal.SIG_DFL)
+    try:
+        jauspy.run(Probe("101.1.120", []))
+    finally:
+        signal.signal(signal.SIGHUP, before)
+    assert (seen[0] is signal.SIG_IGN) == ignored
+
+
 def test_failed_start_prints_one_sentence(root: Path):
     command = [sys.executable, "-c", textwrap.dedent(PROGRAM).replace("ROOT", str(root))]
     child = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)

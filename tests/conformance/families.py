@@ -6,6 +6,7 @@ until the input of a step is sent, and again once the step has seen enough.
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -18,7 +19,7 @@ from tests.conformance.mistakes import goes_on, stuck, wrong_report
 
 from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message, Struct
-from jauspy.conformance import TargetComponent, VirtualTarget, state_tables
+from jauspy.conformance import TargetComponent, VirtualTarget, silences, state_tables
 from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.explorer import MIN_AUTHORITY
 from jauspy.conformance.state_tests.sensors import IMAGE_TIMEOUT as PICTURE_PATIENCE
@@ -43,7 +44,7 @@ class Moment:
 
 @contextmanager
 def armed() -> Iterator[None]:
-    """Make `Moment` follow the steps."""
+    """Make `Moment` follow the steps, and have each step tried however many were silent before."""
     attempt = StateTest.attempt
 
     def watched(self: StateTest, *arguments: Any) -> Any:
@@ -62,7 +63,11 @@ def armed() -> Iterator[None]:
         finally:
             Moment.now = False
 
-    with patch.object(StateTest, "attempt", watched), patch.object(state_tables, "attempt", watched_row):
+    with (
+        patch.object(StateTest, "attempt", watched),
+        patch.object(state_tables, "attempt", watched_row),
+        patch.object(silences, "MAX_SILENCES", sys.maxsize),
+    ):
         yield
 
 

@@ -281,6 +281,6 @@ IGVC_2015: Final = (
     *LATE,
     *(igvc(f"{kind.NAME} is not understood", "", deaf_to(kind)) for kind in IGVC_QUERIES),
     *(igvc(f"{kind.NAME} is spoilt", "", short(kind)) for kind in IGVC_REPORTS),
-    igvc("every answer comes after two seconds", "02 06 24 49 62", slow()),
+    igvc("every answer comes after two seconds", "01 02 06 24 49 62", slow()),
 )
 _SET: Final = LocalPoseSensor._set

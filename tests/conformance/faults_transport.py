@@ -98,6 +98,16 @@ def echoes_on(condition: Callable[[bytes], bool]) -> Injector:
     return lambda: (TargetComponent, Chatty, [])
 
 
+def leaves_flagged(flag: Broadcast) -> Injector:
+    """The node manager sends each packet once, to its destination, but with this flag."""
+
+    class Flagged(VirtualTarget):
+        def outbound(self, datagram: bytes) -> Iterable[bytes]:
+            return [judp.pack(replace(each, broadcast=flag)) for each in packets(datagram)]
+
+    return lambda: (TargetComponent, Flagged, [])
+
+
 def is_broken(datagram: bytes) -> bool:
     """Not one whole packet with a message that is known."""
     found, errors = judp.unpack_all(datagram)
@@ -321,6 +331,7 @@ TRANSPORT: Final = (
         "answer-unicast",
         works(repacked(lambda packet: replace(packet, broadcast=Broadcast.GLOBAL))),
     ),
+    wire("answers have the flag of broadcasts", "answer-unicast", leaves_flagged(Broadcast.GLOBAL)),
     wire(
         "broadcasts are not answered later",
         "answer-unicast",

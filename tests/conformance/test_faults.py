@@ -55,22 +55,9 @@ def test_sampled_faults_are_detected(profile):
     assert list(filter(None, (missed(fault, fault.run()) for fault in named(profile)[::SAMPLE]))) == []
 
 
-UNTRIPPED = {
-    "igvc-2015": "no fault trips: 01, ReportIdentification comes in time",
-    "transport": "no fault trips: answer-unicast, the answer to a broadcast is none itself",
-}
-"""Profiles with one check that none of the faults trips."""
-
-
 @pytest.mark.slow
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize(
-    "profile",
-    [
-        pytest.param(each, marks=pytest.mark.xfail(reason=UNTRIPPED[each])) if each in UNTRIPPED else each
-        for each in HAND_WRITTEN
-    ],
-)
+@pytest.mark.parametrize("profile", HAND_WRITTEN)
 def test_every_fault_is_detected_and_every_check_detects_one(profile):
     unseen = checks(examined(profile, robot()))
     assert len(unseen) > 50

@@ -110,20 +110,9 @@ def test_our_robots_pass(profile, module):
     passes(profile, module, run_of(profile, module))
 
 
-BRIEF_MISTAKES = pytest.mark.xfail(
-    reason="the mistakes end before the tester, which asks again until its time-out, has given up"
-)
-
-
 @pytest.mark.slow
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize(
-    "profile",
-    [
-        pytest.param(each, marks=BRIEF_MISTAKES) if each in ("core-1.1", "mobility-1.1", "manipulator-2.0") else each
-        for each in MODULES
-    ],
-)
+@pytest.mark.parametrize("profile", MODULES)
 def test_every_kind_of_check_can_fail(profile):
     known: set[tuple[str, str]] = set()
     for module in MODULES[profile]:

@@ -19,6 +19,7 @@ def plant(monkeypatch: pytest.MonkeyPatch) -> Callable[[Callable[[Decode, bytes]
     """Puts a function around the straight-line decoder of RegisterServices; it gets that decoder and the bytes."""
 
     def put(bug: Callable[[Decode, bytes], Any]) -> None:
+        RegisterServices.decode(RegisterServices([]).encode())  # the decoder is made when it is first called
         right = RegisterServices._unpack
         monkeypatch.setattr(RegisterServices, "_unpack", lambda data, nesting: bug(right, data))
 

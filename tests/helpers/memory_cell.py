@@ -145,7 +145,7 @@ class MemoryCar(Car):
     def state(self) -> CarState:
         return self.current
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
         self.effort = (linear_x, rotational_z) if self.current.assembled else (0.0, 0.0)
 
     def stop(self) -> None:

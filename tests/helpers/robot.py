@@ -42,7 +42,7 @@ class FakeDrive:
     def effort(self) -> tuple[float, float]:
         return self.efforts[-1] if self.efforts else (0.0, 0.0)
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
         self._integrate()
         self.efforts.append((linear_x, rotational_z))
         if self._clock is not None:

@@ -6,7 +6,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 
-from jauspy.errors import ConfigError, RequestError
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ocu import camera as module
 from jauspy.protocol.addressing import Location
 from jauspy.transport.multicast import address_towards
@@ -34,7 +34,10 @@ async def test_frames_are_images_in_bgr_with_a_time(node_manager, robot, ocu):
 
 
 async def test_still_of_a_camera_by_name(node_manager, robot, ocu):
-    photo = await (await ocu.robot(101)).camera("chassis").still()
+    camera = (await ocu.robot(101)).camera("chassis")
+    with pytest.raises(ResponseTimeout, match="sent no picture of sensor 1 in 0 s"):
+        await camera.still(timeout=0.0)
+    photo = await camera.still(timeout=100.0)  # its process may take long to start
     assert photo.content[:2] == b"\xff\xd8"
 
 

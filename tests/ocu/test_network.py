@@ -31,7 +31,7 @@ Status = ReportStatus.Status
 class Drive:
     effort = 0.0
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
         self.effort = linear_x
 
     def stop(self) -> None:

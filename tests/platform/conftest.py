@@ -10,7 +10,7 @@ from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
 
 OpenRobot = Callable[[], Robot]
-INC1 = robot_model(load("inc1"))
+MODELS = {name: robot_model(load(name)) for name in ("inc1", "rover")}
 
 
 @pytest.fixture(
@@ -25,11 +25,19 @@ def backend_name(request: pytest.FixtureRequest) -> str:
 
 
 @pytest.fixture
-def open_robot(backend_name: str) -> Iterator[OpenRobot]:
+def robot_name() -> str:
+    """The robot that is opened; tests of what all have override it."""
+    return "inc1"
+
+
+@pytest.fixture
+def open_robot(backend_name: str, robot_name: str) -> Iterator[OpenRobot]:
+    if robot_name == "rover" and backend_name == "can":
+        pytest.skip("the backend can has no wheels")
     opened: list[Robot] = []
 
     def open_one() -> Robot:
-        opened.append(find(backend_name).open(INC1, "empty"))
+        opened.append(find(backend_name).open(MODELS[robot_name], "empty"))
         return opened[-1]
 
     yield open_one

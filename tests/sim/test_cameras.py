@@ -17,7 +17,7 @@ import mujoco
 import numpy as np
 
 from jauspy.modules.robot_files import load, robot_model
-from jauspy.platform.camera import CameraSetup
+from jauspy.platform.camera import CameraSetup, Quality
 from jauspy_sim import cameras
 from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
 from jauspy_sim.rays import DEFAULT_SKY_COLOUR, MAX_RAYS, MAX_RAYS_OF_STILL, RayRenderer, SkyBox
@@ -193,7 +193,7 @@ def eyes(robot, name, monkeypatch):
 @pytest.mark.parametrize("name", ["front", "arm"])
 def test_ray_casting_and_gl_agree(world, name, monkeypatch):
     """Sky, floor, lights, and the gripper, which is near and of simple shapes to rays; edges and what is far differ."""
-    model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT, ARM))
+    model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT, ARM), quality=Quality.LOW)
     robot = SimulatedRobot.open(model, world)
     seen = [eye.look(160, 120).image.astype(int) for eye in eyes(robot, name, monkeypatch)]
     robot.close()
@@ -201,7 +201,7 @@ def test_ray_casting_and_gl_agree(world, name, monkeypatch):
     assert different.mean() < (0.2 if name == "arm" else 0.1)
     sky = seen[0][2, 80]
     assert sky[2] > sky[1] > sky[0] > 80
-    assert np.abs(seen[1][2, 80] - sky).max() < 6
+    assert np.abs(seen[1][2, 80] - sky).max() < 16
 
 
 def test_the_sky_is_lighter_towards_the_horizon(robot):
@@ -223,5 +223,5 @@ def test_ray_casting_shows_the_floor_pattern_unless_too_fine(monkeypatch):
     eye.close()
     robot.close()
     near, far = rows[-2], rows[62]
-    assert near[20] < 0.95 * near[140]
+    assert np.ptp(near) > 0.08 * near.mean()
     assert np.ptp(far) < 0.04 * far.mean()

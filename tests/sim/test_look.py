@@ -35,14 +35,10 @@ def test_one_light_is_the_sun_and_it_alone_casts_shadows(model: mujoco.MjModel) 
 
 def test_the_sky_is_brightest_at_the_sun(model: mujoco.MjModel) -> None:
     """Shadows fall away from the sun that one sees."""
-    faces = rays._faces(model, model.texture("sky").id).astype(float).sum(axis=-1)
-    to_sun = -model.light("sun").dir
-    face, row, column = np.unravel_index(faces.argmax(), faces.shape)
-    size = faces.shape[1]
-    u, v = (2.0 * (column + 0.5) / size - 1.0, 2.0 * (row + 0.5) / size - 1.0)
-    assert face == 2
-    seen = np.array([u, v, 1.0]) / np.linalg.norm([u, v, 1.0])
-    assert float(seen @ to_sun) > 0.99
+    directions = np.random.default_rng(1).normal(size=(20_000, 3))
+    directions /= np.linalg.norm(directions, axis=1, keepdims=True)
+    brightest = directions[rays.SkyBox(model).colours(directions).sum(axis=1).argmax()]
+    assert float(brightest @ -model.light("sun").dir) > 0.98
 
 
 def test_all_textures_are_used(model: mujoco.MjModel) -> None:
@@ -75,7 +71,7 @@ def test_physics_has_no_shapes_that_are_only_seen() -> None:
     assert (drawn.nq, drawn.nv, drawn.ncam, drawn.nbody) == (physics.nq, physics.nv, physics.ncam, physics.nbody)
     np.testing.assert_array_equal(drawn.body_mass, physics.body_mass)
     olive = physics.geom_rgba[physics.body("inc1/base_link").geomadr[0]]
-    assert tuple(np.round(olive, 2)) == (0.34, 0.37, 0.28, 1.0)  # rays show collision shapes in the colour of the link
+    assert tuple(np.round(olive, 2)) == (0.39, 0.42, 0.32, 1.0)  # rays show collision shapes in the colour of the link
 
 
 def test_meshes_have_the_dimensions_of_what_collides() -> None:
@@ -88,9 +84,10 @@ def test_meshes_have_the_dimensions_of_what_collides() -> None:
         geoms = range(body.geomadr[0], body.geomadr[0] + body.geomnum[0])
         seen = [geom for geom in geoms if model.geom_group[geom] == VISUAL]
         collides = [geom for geom in geoms if model.geom_group[geom] != VISUAL]
-        low, high = bounds(model, data, seen)
-        np.testing.assert_allclose(low[[0, 2]], bounds(model, data, collides)[0][[0, 2]], atol=0.016)
-        np.testing.assert_allclose(high[[0, 2]], bounds(model, data, collides)[1][[0, 2]], atol=0.016)
+        (low, high), (least, most) = bounds(model, data, seen), bounds(model, data, collides)
+        np.testing.assert_allclose(high[[0, 2]], most[[0, 2]], atol=0.004)
+        if "track" in link:  # a flipper's belt goes around its joint, too
+            np.testing.assert_allclose(low[[0, 2]], least[[0, 2]], atol=0.004)
 
 
 def bounds(model: mujoco.MjModel, data: mujoco.MjData, geoms: list[int]) -> tuple[np.ndarray, np.ndarray]:

@@ -31,7 +31,7 @@ from jauspy.cli.render import field_lines
 from jauspy.codec import reference
 from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
-from jauspy.errors import ConfigError, DecodeError
+from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
@@ -54,7 +54,10 @@ def decode(
         ),
     ],
     as_json: Annotated[bool, typer.Option("--json", help="One JSON object per datagram per line.")] = False,
-    explain: Annotated[bool, typer.Option("--explain", help="Show every field's offset, bytes and raw value.")] = False,
+    explain: Annotated[
+        bool,
+        typer.Option("--explain", help="Show every field's offset, bytes and raw value, up to the damage."),
+    ] = False,
     port: Annotated[
         str, typer.Option("--port", metavar="N|any", help="Only datagrams from or to this UDP port.")
     ] = "3794",
@@ -95,7 +98,8 @@ def decode(
     known = definitions(sources)
     wanted = known.hints(service, version, message)
     options = DecodeOptions(known.registry, wanted, _port(port), None if what is None else what.value)
-    printer = JsonPrinter() if as_json else HumanPrinter(known if explain else None)
+    explained = known if explain else None
+    printer = JsonPrinter(explained) if as_json else HumanPrinter(explained)
     for item in items(source, options):
         printer.show(item)
     if printer.failed:
@@ -114,13 +118,9 @@ _BYTES_SHOWN: Final = 8
 
 
 def explanation(content: Content, model_of: Callable[[type[Message]], model.Message]) -> Iterator[Text]:
-    """A table of the fields of a message, a line each; empty if the message is unknown."""
-    if content.message is None:
-        return
-    try:
-        rows = reference.explain(model_of(type(content.message)), content.payload)
-    except DecodeError as error:
-        yield Text(": ".join(filter(None, ("not explained", error.path, error.reason))), style="yellow")
+    """A table of the fields of a message, a line each, up to the damage; empty if the message is unknown."""
+    rows = rows_of(content, model_of)
+    if not rows:
         return
     cells = [("offset", "bytes", "field", "raw", "value")]
     cells += [
@@ -141,8 +141,23 @@ def explanation(content: Content, model_of: Callable[[type[Message]], model.Mess
             (f"{path:<{widths[2]}}  ", "cyan"),
             f"{raw:>{widths[3]}}  ",
             value,
+            _problem(rows[number - 1]) if number else "",
             style="" if number else "dim",
         )
+
+
+def rows_of(content: Content, model_of: Callable[[type[Message]], model.Message]) -> list[reference.Row]:
+    """The fields of a message, up to the damage; none if the message is unknown."""
+    if content.message is None:
+        return []
+    return reference.explain(model_of(type(content.message)), content.payload)
+
+
+def _problem(row: reference.Row) -> tuple[str, str]:
+    """What the definition says otherwise, behind the value."""
+    if not row.problem:
+        return ("", "")
+    return (row.problem, "bold red") if row.damaged else (f"  ({row.problem})", "yellow")
 
 
 def _short_hex(data: bytes) -> str:
@@ -192,15 +207,33 @@ class Printer(Protocol):
 
 
 class JsonPrinter:
-    """One object per line."""
+    """One object per line; with `explain`, each message has its rows."""
 
-    def __init__(self) -> None:
+    def __init__(self, explain: Definitions | None = None) -> None:
         self.failed = False
+        self._explain = explain
 
     def show(self, item: Item) -> None:
         """Print one item."""
         self.failed |= item.failed
-        console.print_json(as_json(item))
+        made = as_json(item)
+        if self._explain is not None:
+            for shown, content in zip(made["messages"], contents(item), strict=True):
+                shown["explained"] = [_row_json(row) for row in rows_of(content, self._explain.model_of)]
+        console.print_json(made)
+
+
+def contents(item: Item) -> list[Content]:
+    """The messages of an item."""
+    if item.dissection is not None:
+        return [part.content for part in item.dissection.parts]
+    return [item.bare] if item.bare is not None else []
+
+
+def _row_json(row: reference.Row) -> dict[str, Any]:
+    raw = row.raw.hex() if isinstance(row.raw, bytes) else row.raw
+    shown = {"offset": row.offset, "length": row.length, "field": row.path, "raw": raw, "value": row.value}
+    return shown | {"problem": row.problem or None, "damaged": row.damaged}
 
 
 def as_json(item: Item) -> dict[str, Any]:

@@ -18,6 +18,7 @@ from jauspy.errors import ConfigError, SchemaError
 from jauspy.fuzz.campaign import CampaignPlan, CampaignResult, fuzzer, run
 from jauspy.fuzz.findings import FuzzFinding, load_finding
 from jauspy.fuzz.mutation import file_payloads
+from jauspy.fuzz.package import CHECK as IDENTITY
 
 SchemasOption = Annotated[
     list[str] | None,
@@ -25,6 +26,14 @@ SchemasOption = Annotated[
         "--schemas",
         metavar="FILE",
         help="Your own JSIDL files, folders or patterns; their messages are tested instead of the built-in ones.",
+    ),
+]
+PackageOption = Annotated[
+    str | None,
+    typer.Option(
+        "--package",
+        metavar="NAME",
+        help="The package that `jauspy schema generate` has written for --schemas; its classes are tested.",
     ),
 ]
 PROGRESS_LINES: Final = 10  # in a pipe
@@ -42,29 +51,34 @@ def codec(
         list[str] | None, typer.Option("--message", metavar="NAME", help="Only this message; may be repeated.")
     ] = None,
     sources: SchemasOption = None,
+    package: PackageOption = None,
     jobs: Annotated[int, typer.Option("--jobs", "-j", min=1, metavar="N", help="Processes to use.")] = 1,
 ) -> None:
     """Decode valid, random and damaged messages and check invariants.
 
     Every second case is a random valid message; the others are damaged messages. Each case must decode or raise
     DecodeError, encode to the same bytes again, agree with the reference codec, and use no more time and memory than
-    its size allows. Exit status: 0 no findings, 1 findings, 2 wrong use.
+    its size allows; with the id of another message, it must not decode. With --package, the messages of a generated
+    package are tested against the definitions that it was made from: all are there, none else, with the same ids,
+    versions and fields. Exit status: 0 no findings, 1 findings, 2 wrong use.
 
     Examples:
       jauspy fuzz codec run.pcap --cases 1000000 --jobs 2
       jauspy fuzz codec --message ReportServices --seed 7
       jauspy fuzz codec --schemas vendor/ --cases 20000
+      jauspy fuzz codec --schemas vendor/ --package acme_messages
     """
     with _usage_errors():
         payloads = [payload for path in seeds or [] for payload in _payloads(path)]
         plan = CampaignPlan(
-            cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ())
+            cases, seed, tuple(dict.fromkeys(payloads)), tuple(message or ()), jobs, tuple(sources or ()), package or ""
         )
         with _progress(plan) as show:
             outcome = run(plan, show)
     for finding in sorted(outcome.findings.values(), key=lambda finding: finding.case):
         _print(finding)
         again = [str(finding.save(out)), *(f"--schemas {source}" for source in sources or ())]
+        again += [f"--package {package}"] if package else []
         console.print_lines(f"  jauspy fuzz replay {' '.join(again)}")
     found = counted(len(outcome.findings), "finding") if outcome.findings else "nothing found"
     console.print_lines(f"{outcome.cases} cases from {outcome.seeds} seeds of {outcome.messages} messages: {found}")
@@ -84,6 +98,7 @@ def replay(
     *,
     file: Annotated[Path, typer.Argument(metavar="FILE", help="A finding that was saved.")],
     sources: SchemasOption = None,
+    package: PackageOption = None,
 ) -> None:
     """Check the bytes of a saved finding again.
 
@@ -94,7 +109,9 @@ def replay(
     """
     with _usage_errors():
         finding = load_finding(file)
-        again = fuzzer(CampaignPlan(0, finding.seed, only=(finding.message,), own=tuple(sources or ()))).replay(finding)
+        only = () if finding.check == IDENTITY else (finding.message,)
+        plan = CampaignPlan(0, finding.seed, only=only, own=tuple(sources or ()), package=package or "")
+        again = fuzzer(plan).replay(finding)
     if again is None:
         console.print_lines(f"{finding.cause}: not reproduced")
         return

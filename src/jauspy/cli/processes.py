@@ -36,7 +36,8 @@ def run(main: Coroutine[Any, Any, T]) -> T | None:
     """Run `main`; Ctrl-C, SIGTERM and SIGHUP cancel it, so that its `async with` blocks are left in order.
 
     Returns None after SIGTERM and SIGHUP; Ctrl-C raises `KeyboardInterrupt`. SIGINT counts also if this process was
-    started with SIGINT ignored, as by a script with `&`: whoever sends it means this process.
+    started with SIGINT ignored, as by a script with `&`: whoever sends it means this process. SIGHUP stays ignored when
+    it was, as by nohup.
     """
     terminated = False
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -51,7 +52,7 @@ def run(main: Coroutine[Any, Any, T]) -> T | None:
             terminated = True
             task.cancel()
 
-        for number in (signal.SIGTERM, signal.SIGHUP):
+        for number in (signal.SIGTERM, *_hangup()):
             asyncio.get_running_loop().add_signal_handler(number, terminate)
         return await task
 
@@ -61,6 +62,11 @@ def run(main: Coroutine[Any, Any, T]) -> T | None:
         if terminated:
             return None
         raise
+
+
+def _hangup() -> list[signal.Signals]:
+    """SIGHUP, unless this process was started with it ignored."""
+    return [] if signal.getsignal(signal.SIGHUP) is signal.SIG_IGN else [signal.SIGHUP]
 
 
 @contextmanager
@@ -77,7 +83,7 @@ def stoppable() -> Iterator[Callable[[], int]]:
             received.append((now, number))
             raise KeyboardInterrupt
 
-    before = {each: signal.signal(each, stop) for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)}
+    before = {each: signal.signal(each, stop) for each in (signal.SIGINT, signal.SIGTERM, *_hangup())}
     try:
         yield lambda: 128 + (received[-1][1] if received else signal.SIGINT)
     finally:

@@ -1,18 +1,20 @@
 """The reference codec: a construct tree made from the schema model, slow and simple, with the offset of every field.
 
-It explains bytes field by field, and differential tests compare the other codec with it. Neither encoding nor decoding
-uses it. Values have the form of `Message.to_dict`, except that messages inside messages stay bytes.
+It explains bytes field by field, up to the damage if there is any, and differential tests compare the other codec with
+it. Neither encoding nor decoding uses it. Values have the form of `Message.to_dict`, except that messages inside
+messages stay bytes.
 """
 
 from __future__ import annotations
 
+import io
 import math
 import struct
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
-from typing import Any, TypeAlias
+from typing import Any, NoReturn, TypeAlias
 
 from construct import (
     Array,
@@ -21,14 +23,13 @@ from construct import (
     Construct,
     ConstructError,
     Container,
-    Error,
     FormatField,
     IfThenElse,
     Pass,
     RawCopy,
     Struct,
     Switch,
-    Terminated,
+    Tell,
 )
 
 from jauspy.codec.names import attributes, members
@@ -47,7 +48,7 @@ def tree_of(message: m.Message) -> Tree:
     return Struct(
         "id" / RawCopy(Const(message.code, number("u16"))),
         "body" / body,
-        "end" / Terminated,
+        "end" / Tell,
     )
 
 
@@ -68,13 +69,13 @@ def node_tree(node: m.Node) -> Tree:
             return Struct("count" / _leaf(node.count.type), "items" / Array(_count, node_tree(node.element)))
         case m.Variant():
             arms = {tag: node_tree(arm) for tag, arm in enumerate(node.arms)}
-            inner = Switch(lambda this: this.tag.value, arms, default=Error) if arms else Pass
+            inner = Switch(lambda this: this.tag.value, arms) if arms else Pass
             return Struct("tag" / _leaf(node.tag.type), "arm" / inner)
         case m.FixedField() | m.BitField():
             return _leaf(node.type)
         case m.VariableField():
             kinds = {choice.index: _leaf(choice.type) for choice in node.choices}
-            return Struct("index" / _leaf("u8"), "number" / Switch(lambda this: this.index.value, kinds, default=Error))
+            return Struct("index" / _leaf("u8"), "number" / Switch(lambda this: this.index.value, kinds))
         case m.FixedString():
             return RawCopy(Bytes(node.length))
         case m.VariableString() | m.VariableLengthField():
@@ -96,7 +97,28 @@ def _leaf(kind: m.Scalar) -> Tree:
 
 
 def _count(this: Any) -> int:
-    return int(this.count.value)
+    """A count as it is sent; of a padded message no more than can be there, and one, which is then the missing one."""
+    count = int(this.count.value)
+    stream = this["_io"]
+    return min(count, stream.left + 1) if isinstance(stream, _Padded) else count
+
+
+class _Padded(io.BytesIO):
+    """The bytes of a message, and zeros after its end: damaged messages are read by it."""
+
+    @property
+    def left(self) -> int:
+        """Bytes before the end."""
+        return max(0, len(self.getbuffer()) - self.tell())
+
+    def read(self, size: int | None = -1) -> bytes:
+        """As many bytes as are asked for."""
+        assert size is not None
+        found = super().read(size)
+        if len(found) < size:
+            self.seek(self.tell() + size - len(found))
+            found = found.ljust(size, b"\0")
+        return found
 
 
 def _parts(nodes: tuple[m.Node, ...], presence: m.Unsigned | None) -> Tree:
@@ -118,16 +140,34 @@ def _has(bit: int | None) -> Any:
     return lambda this: this["_presence"].value >> bit & 1
 
 
-RawRow = tuple[int, int, str, Any, Any]
 Number = m.FixedField | m.TypeChoice | m.SubField
+
+
+@dataclass(frozen=True, slots=True)
+class Row:
+    """One number or string on the wire: offset, field, raw form and value."""
+
+    offset: int
+    length: int
+    path: str
+    raw: int | float | bytes
+    value: Any
+    problem: str = ""
+    """What the definition has instead of this value or of these bytes."""
+    damaged: bool = False
+    """True for the field that cannot be read, after which nothing can."""
 
 
 class Explainer:
     """Walks a parsed tree along its model; collects a row per leaf and returns values."""
 
-    def __init__(self, *, strict: bool) -> None:
+    def __init__(self, size: int, *, strict: bool) -> None:
         self.strict = strict
-        self.rows: list[RawRow] = []
+        self.rows: list[Row] = []
+        self._size = size
+        """Bytes of the message."""
+        self._unusual = ""
+        """What is wrong with the value of the next row."""
 
     def message(self, message: m.Message, tree: Container) -> dict[str, Any]:
         """The values of the body."""
@@ -142,12 +182,33 @@ class Explainer:
         assert isinstance(values, dict)
         return values
 
-    def _row(self, leaf: Container, path: str, value: Any) -> None:
-        self.rows.append((leaf.offset1, leaf.length, path, leaf.value, value))
+    def _row(self, leaf: Container, path: str, value: Any, needed: int | None = None, kind: str = "") -> None:
+        """Add a row; raises `DecodeError` if the message ends within its bytes.
+
+        `needed`: how many there should be; `kind`: of what.
+        """
+        needed = leaf.length if needed is None else needed
+        if leaf.offset1 + needed > self._size:
+            left = max(0, self._size - leaf.offset1)
+            reason = f"needs {needed} byte{'s' * (needed != 1)}{kind}, {left} left"
+            self._damaged(reason, leaf.offset1, left, path)
+        self.rows.append(Row(leaf.offset1, leaf.length, path, leaf.value, value, self._unusual))
+        self._unusual = ""
+
+    def _damaged(self, reason: str, offset: int, length: int, path: str) -> NoReturn:
+        self.rows.append(Row(offset, length, path, b"", None, reason, damaged=True))
+        raise DecodeError(reason, offset=offset, path=path)
 
     def _wrong(self, reason: str, leaf: Container, path: str) -> None:
         if self.strict:
             raise DecodeError(reason, offset=leaf.offset1, path=path)
+        self._unusual = reason
+
+    def end(self, offset: int) -> None:
+        """The message ends here; raises `DecodeError` if bytes follow."""
+        if offset < self._size:
+            rest = self._size - offset
+            self._damaged(f"{rest} byte{'s' * (rest != 1)} more than the definition has", offset, rest, "")
 
     def _node(self, node: m.Node, tree: Any, path: str) -> Any:
         match node:
@@ -173,7 +234,7 @@ class Explainer:
             case m.VariableString():
                 self._counted(node.count, tree.count, path)
                 text = tree.bytes.value.decode("latin-1")
-                self._row(tree.bytes, path, text)
+                self._row(tree.bytes, path, text, tree.count.value)
                 return text
             case m.VariableLengthField():
                 low = 0 if node.format.lower() == "jaus message" else node.count.minimum
@@ -204,20 +265,27 @@ class Explainer:
         return values
 
     def _counted(self, count: m.Count, leaf: Container, path: str) -> None:
-        self._row(leaf, f"{path}.count", leaf.value)
         if not count.minimum <= leaf.value <= count.maximum:
             self._wrong(f"count {leaf.value} is outside {count.minimum}..{count.maximum}", leaf, path)
+        self._row(leaf, f"{path}.count", leaf.value)
 
     def _variant(self, node: m.Variant, tree: Container, path: str) -> Any:
         names = attributes((arm.name for arm in node.arms), "code")
         if not node.arms:
             self._row(tree.tag, f"{path}.tag", tree.tag.value)
             return {"tag": tree.tag.value}
+        self._known(tree.tag, range(len(names)), f"{path}.tag", "alternative")
         name = names[tree.tag.value]
         self._row(tree.tag, f"{path}.tag", name)
         arm = node.arms[tree.tag.value]
         inner = self._node(arm, tree.arm, f"{path}.{name}")
         return {name: wrapped(arm, inner)}
+
+    def _known(self, leaf: Container, known: Collection[int], path: str, what: str) -> None:
+        """Raise `DecodeError` for the number of an alternative that there is not; what follows it cannot be read."""
+        if leaf.offset1 < self._size and leaf.value not in known:
+            numbers = ", ".join(map(str, known))
+            self._damaged(f"{what} {leaf.value} is not defined, only {numbers}", leaf.offset1, leaf.length, path)
 
     def _number(self, kind: Number, leaf: Container, path: str, name: str) -> Any:
         assert not isinstance(kind, m.SubField)
@@ -234,7 +302,7 @@ class Explainer:
                 value = str(raw)
             elif not allows(kind.values, raw, code):
                 self._wrong(f"{raw} is not allowed", leaf, path)
-        self._row(leaf, path, value)
+        self._row(leaf, path, value, kind=_kind(kind))
         return value
 
     def _bits(self, node: m.BitField, leaf: Container, path: str) -> dict[str, Any]:
@@ -257,6 +325,7 @@ class Explainer:
     def _choice(self, node: m.VariableField, tree: Container, path: str) -> dict[str, Any]:
         names = members([(c.index, c.name or c.units) for c in node.choices])
         by_index = {index: name for name, index in names.items()}
+        self._known(tree.index, by_index, f"{path}.choice", "type")
         self._row(tree.index, f"{path}.choice", by_index[tree.index.value])
         choice = next(c for c in node.choices if c.index == tree.index.value)
         value = self._number(choice, tree.number, f"{path}.value", choice.name)
@@ -265,7 +334,7 @@ class Explainer:
     def _bytes(self, count: m.Count, tree: Container, path: str) -> dict[str, str]:
         self._counted(count, tree.count, path)
         value = {"hex": tree.bytes.value.hex()}
-        self._row(tree.bytes, path, value["hex"])
+        self._row(tree.bytes, path, value["hex"], tree.count.value)
         return value
 
     def _format(self, node: m.VariableFormatField, tree: Container, path: str) -> dict[str, Any]:
@@ -281,6 +350,13 @@ class Explainer:
         if not depth:
             return self._node(node.element, tree, path)
         return [self._array(node, part, f"{path}[{n}]", depth - 1) for n, part in enumerate(tree)]
+
+
+def _kind(kind: m.FixedField | m.TypeChoice) -> str:
+    """` (u16, -3.2 to 3.2 radian)`."""
+    span = f", {kind.scale.lower:g} to {kind.scale.upper:g}" if kind.scale is not None else ""
+    units = f" {kind.units}" if kind.units != "one" else ""
+    return f" ({kind.type}{span}{units})"
 
 
 class Stacker:
@@ -438,30 +514,31 @@ def _within(r: m.ValueRange, raw: float, code: str) -> bool:
     return above and below
 
 
-@dataclass(frozen=True, slots=True)
-class Row:
-    """One number or string on the wire: offset, field, raw form and value."""
-
-    offset: int
-    length: int
-    path: str
-    raw: int | float | bytes
-    value: Any
-
-
 def explain(message: Message, data: bytes) -> list[Row]:
     """Every field of a message with its bytes; ids, presence vectors, counts and tags have rows of their own.
 
-    Raises `DecodeError` when the structure cannot be read; values outside their set are shown as they are.
+    When the structure cannot be read, the last row is the field at which that begins. Values outside their set are
+    shown as they are, with the problem.
     """
-    explainer = Explainer(strict=False)
-    explainer.message(message, _parse(message, data))
-    return [Row(*row) for row in explainer.rows]
+    explainer = Explainer(len(data), strict=False)
+    try:
+        found = _parse(message, _Padded(data))
+        explainer.message(message, found)
+        explainer.end(found.end)
+    except DecodeError as error:
+        if not (explainer.rows and explainer.rows[-1].damaged):
+            offset = error.offset or 0
+            explainer.rows.append(Row(offset, 0, error.path, b"", None, error.reason, damaged=True))
+    return explainer.rows
 
 
 def parse(message: Message, data: bytes) -> dict[str, Any]:
     """The values of a message, strict; raises `DecodeError`."""
-    return Explainer(strict=True).message(message, _parse(message, data))
+    found = _parse(message, io.BytesIO(data))
+    explainer = Explainer(len(data), strict=True)
+    values = explainer.message(message, found)
+    explainer.end(found.end)
+    return values
 
 
 def build(message: Message, values: dict[str, Any]) -> bytes:
@@ -474,13 +551,13 @@ def build(message: Message, values: dict[str, Any]) -> bytes:
     return built
 
 
-def _parse(message: Message, data: bytes) -> Container:
+def _parse(message: Message, stream: io.BytesIO) -> Container:
     tree: Tree = tree_of(message)
     try:
-        found = tree.parse(data)
+        found = tree.parse_stream(stream)
     except ConstructError as error:
         *_, reason = str(error).splitlines() or [type(error).__name__]
-        raise DecodeError(reason, path=_path(error), offset=len(data)) from error
+        raise DecodeError(reason, path=_path(error), offset=len(stream.getbuffer())) from error
     assert isinstance(found, Container)
     return found
 

@@ -170,6 +170,11 @@ class Registry:
         """All entries, without importing messages: own layer first, newest version first."""
         return self._entries
 
+    @property
+    def own(self) -> tuple[MessageEntry, ...]:
+        """The entries of its own layer, newest version first."""
+        return self._own
+
     def entries_of(self, code: int) -> tuple[MessageEntry, ...]:
         """The entries of one message id, in the same order."""
         return self._codes.get(code, ())

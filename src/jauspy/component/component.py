@@ -50,7 +50,6 @@ MAX_WAITING_PER_TURN: Final = 8
 MAX_TRANSPORT_BACKLOG: Final = 64
 """Datagrams that may be queued in the transport when further fragments of a large message are sent."""
 _NAME: Final = "jauspy component"
-_SIGNALS: Final = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 _LOG: Final = get_logger("jauspy.component")
 
 
@@ -516,7 +515,10 @@ async def _serve(components: tuple[Component, ...]) -> None:
         stopped = True
         serving.cancel()
 
-    for number in _SIGNALS:
+    numbers = [signal.SIGINT, signal.SIGTERM]
+    if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # as by nohup
+        numbers.append(signal.SIGHUP)
+    for number in numbers:
         loop.add_signal_handler(number, stop)
     try:
         await serving
@@ -524,5 +526,5 @@ async def _serve(components: tuple[Component, ...]) -> None:
         if not stopped:
             raise
     finally:
-        for number in _SIGNALS:
+        for number in numbers:
             loop.remove_signal_handler(number)

@@ -32,6 +32,8 @@ MAX_SILENT_STEPS: Final = 3
 """Steps in a row without an answer after which the others are skipped."""
 COUNT_TIME: Final = 0.5
 """Timeouts in which all components of a wildcard answer."""
+LATE_TIME: Final = 1.5
+"""Timeouts for which a first answer is waited for after that."""
 MAX_PROBE_CLIENTS: Final = 64
 """Clients that probe in turn, so that a late answer to an earlier probe does not count."""
 
@@ -248,6 +250,9 @@ def _check_one_component(tester: Tester) -> None:
     client = tester.client(DISCOVERY_CLIENT)
     query = QueryIdentification(QueryIdentification.QueryType.COMPONENT)
     found = {source for source, _ in client.answers(query, ReportIdentification, COUNT_TIME * tester.timeout)}
+    if not found:  # a late answer must not pass for one to the first step
+        deadline = tester.now + LATE_TIME * tester.timeout
+        tester.pump(deadline, lambda: any(each.code == ReportIdentification.CODE for each in client.pending))
     if len(found) > 1:
         ids = ", ".join(map(str, sorted(found)))
         raise ConfigError(

@@ -268,12 +268,26 @@ class Checks:
             _fail_if("memory", memory_problem(len(data), both))
         if valid and message is None:
             _fail("valid", deviations[0].path if deviations else "", f"rejected: {_first_deviation(deviations)}")
+        self._check_foreign(target, data)
         self._check_tolerant(target, data, message, tolerant, deviations)
         if message is not None:
             self.accepted += 1
             self._check_stable(target, data, message)
         if len(data) <= MAX_REFERENCE_SIZE:
             self._check_reference(target, data, message)
+
+    @staticmethod
+    def _check_foreign(target: Target, data: bytes) -> None:
+        """The same bytes with the id of another message are not accepted."""
+        for foreign in (bytes([data[0] ^ 1]), bytes([data[0], data[1] ^ 0x40])):
+            other = foreign + data[len(foreign) :]
+            for path, call in (
+                ("decode", lambda: target.cls.decode(other)),  # noqa: B023 - called at once
+                ("tolerant", lambda: slow_path.decode_tolerant(target.cls, other)),  # noqa: B023
+            ):
+                if _call("foreign", (DecodeError,), call) is not None:
+                    id = int.from_bytes(other[:2], "little")
+                    _fail("foreign", path, f"it takes a message with the id {id:04X}h, which is not its own")
 
     @staticmethod
     def _check_stable(target: Target, data: bytes, message: Message) -> None:

@@ -354,6 +354,8 @@ class CollisionBox:
     link: str
     size: tuple[float, float, float]
     origin: Pose
+    is_round: bool = False
+    """True for a cylinder or sphere, whose diameter is the first size."""
 
 
 def inertials(text: str) -> list[Inertial]:
@@ -371,8 +373,14 @@ def collision_boxes(text: str) -> list[CollisionBox]:
     """The collision shapes in a URDF that `parse_urdf` accepts, without meshes."""
     links = etree.fromstring(text.encode()).findall("link")
     pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
-    sizes = [(name, _size(collision.find("geometry")), origin(collision)) for name, collision in pairs]
-    return [CollisionBox(name, size, pose) for name, size, pose in sizes if size is not None]
+    sizes = [(name, _size(shape.find("geometry")), shape) for name, shape in pairs]
+    return [
+        CollisionBox(name, size, origin(shape), _is_round(shape)) for name, size, shape in sizes if size is not None
+    ]
+
+
+def _is_round(shape: Element) -> bool:
+    return shape.find("geometry/cylinder") is not None or shape.find("geometry/sphere") is not None
 
 
 def _size(geometry: Element | None) -> tuple[float, float, float] | None:

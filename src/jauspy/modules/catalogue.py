@@ -288,7 +288,16 @@ BUILT_IN: Final[Mapping[str, Mapping[str, ServiceEntry[Any]]]] = {
         "GlobalVectorDriver": _global(mobility.GlobalVectorDriver),
         "GlobalWaypointDriver": _global(mobility.GlobalWaypointDriver),
         "GlobalWaypointListDriver": _global(mobility.GlobalWaypointListDriver),
-        "SkidSteerDriver": _vehicle(ugv.SkidSteerDriver),
+        "SkidSteerDriver": ServiceEntry(
+            MobilityContext,
+            lambda context: None if context.vehicle.chassis.min_turn_radius else ugv.SkidSteerDriver(context.vehicle),
+            needs="a chassis that does not steer",
+        ),
+        "AckermannDriver": ServiceEntry(
+            MobilityContext,
+            lambda context: ugv.AckermannDriver(context.vehicle) if context.vehicle.chassis.min_turn_radius else None,
+            needs="a chassis that steers",
+        ),
         "PlatformSpecifications": _vehicle(ugv.PlatformSpecifications),
         "IlluminationService": ServiceEntry(
             MobilityContext,

@@ -18,6 +18,7 @@ from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
 from jauspy.modules.light_config import LightConfig
 from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
+from jauspy.modules.wheels_config import WheelsConfig
 from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
@@ -318,7 +319,10 @@ class RobotConfig(StrictConfig):
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
-    world: Name = "empty"
+    world: Annotated[str, Field(min_length=1, max_length=4096)] = "empty"
+    """A world of the backend, or the path of a file: MJCF (.xml), SDF (.sdf, .world) or a list of objects (.toml)."""
+    model_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
+    """Directories with models, in which an SDF world's `model://` is searched before those of the environment."""
     time_of_day: TimeOfDay = TimeOfDay.DAY
     """Of the world, as cameras see it: "day", "dusk" or "night"."""
     quality: Quality = Quality.MEDIUM
@@ -336,7 +340,8 @@ class RobotConfig(StrictConfig):
     modules: tuple[ModuleConfig, ...]
     localization: LocalizationConfig = LocalizationConfig()
     tracks: TracksConfig | None = None
-    """Without tracks the base is fixed to the world."""
+    wheels: WheelsConfig | None = None
+    """Without tracks and wheels the base is fixed to the world."""
     cell: CellConfig | None = None
     """The factory cell around the robot. Parts with a servo or connectors that no module names get one for each."""
     can: CanConfig | None = None
@@ -394,6 +399,8 @@ class RobotConfig(StrictConfig):
                 raise ValueError(
                     f"modules: {count} have the component id {component} of node {node}; give each its own, 1..254"
                 )
+        if self.tracks is not None and self.wheels is not None:
+            raise ValueError("wheels: the robot has tracks, too; give one of them")
         self._check_cell()
         self._check_movers()
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
@@ -419,8 +426,9 @@ class RobotConfig(StrictConfig):
         for module in self.modules:
             if module.type in MOTIONLESS and module.moves is None:
                 continue
-            if module.part is None and module.moves is None and module.type == "CM-MOB" and self.tracks is None:
-                raise ValueError(f"tracks: is missing; the CM-MOB {module.component} drives on them")
+            stands = self.tracks is None and self.wheels is None
+            if module.part is None and module.moves is None and module.type == "CM-MOB" and stands:
+                raise ValueError(f"tracks: is missing, and so is wheels; the CM-MOB {module.component} drives on one")
             what = self._moved_by(module)
             if what in moved:
                 raise ValueError(

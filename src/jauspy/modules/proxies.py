@@ -19,9 +19,9 @@ class DriveProxy:
     def __init__(self, link: RobotLink) -> None:
         self._link = link
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the full effort, -1..1; positive z turns left."""
-        self._link.submit(DriveEffort(linear_x, rotational_z))
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
+        """Drive with fractions of the full effort, -1..1; positive z turns left, positive y is left."""
+        self._link.submit(DriveEffort(linear_x, rotational_z, linear_y))
 
     def stop(self) -> None:
         """Brake to a standstill."""

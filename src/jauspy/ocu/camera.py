@@ -142,13 +142,20 @@ class Camera:
             async for picture in pictures:
                 yield picture
 
-    async def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
-        """An image as the content of a file; see `ServiceClient.still`."""
+    async def still(
+        self, *, size: tuple[int, int] | None = None, format: str | None = None, timeout: float = 10.0
+    ) -> Photo:
+        """An image as the content of a file; see `ServiceClient.still`.
+
+        Raises `ResponseTimeout` when none arrives within `timeout` seconds.
+        """
+        check_number(timeout, "timeout")
         component, sensor = await self._find()
         info = component.find("StillImage")
         if info is None:
             raise ConfigError(f"{component.id} takes no pictures: it does not offer StillImage")
-        return await ServiceClient(self._connection, component.id, info).still(size=size, format=format, sensor=sensor)
+        client = ServiceClient(self._connection, component.id, info)
+        return await client.still(size=size, format=format, sensor=sensor, timeout=timeout)
 
     # --- inside ---------------------------------------------------------------------------------------------------
 

@@ -1,12 +1,12 @@
-"""Skid-steered chassis: size, mass and limits, and the drives of both backends."""
+"""Chassis: size, mass and limits, and what the drives of all backends share."""
 
 from __future__ import annotations
 
 import itertools
 from abc import ABC, abstractmethod
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import Final
+from dataclasses import dataclass, replace
+from typing import TYPE_CHECKING, Final
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
@@ -16,6 +16,8 @@ from jauspy.geometry.vectors import Vector
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink
 from jauspy.platform.description import RobotModel
 
+if TYPE_CHECKING:
+    from jauspy.platform.wheels import WheelSetup
 SLIP_FACTOR: Final = 2.4
 """Distance of two wheels that turn as the tracks do, as a multiple of the tracks' distance; slip makes it larger."""
 
@@ -39,7 +41,15 @@ class Chassis:
     deceleration: float = 1.5
     turn_acceleration: float = 3.0
     track_separation: float = 0.46
-    """Distance between the centres of the tracks."""
+    """Distance between the centres of the tracks, or of the wheels of both sides."""
+    min_turn_radius: float = 0.0
+    """Narrowest curve; 0 if it turns on the spot."""
+    steering_angle: float = 0.0
+    """The greatest, of a chassis that steers, in radians."""
+    wheel_base: float = 0.0
+    wheel_radius: float = 0.0
+    """0 for tracks."""
+    moves_sideways: bool = False
     front: float = 0.345
     back: float = 0.345
     left: float = 0.28
@@ -52,13 +62,42 @@ class Chassis:
 
 def chassis_of(robot: RobotModel) -> Chassis:
     """Return the chassis of a robot: size, mass and tracks from its description, the rest by default."""
+    if robot.wheels is not None:
+        return _wheeled(robot, robot.wheels)
     if robot.tracks is None:
-        raise ConfigError(f"{robot.description.name} has no tracks: its base is fixed, and nothing can drive it")
+        raise ConfigError(
+            f"{robot.description.name} has neither tracks nor wheels: its base is fixed, and nothing can drive it"
+        )
     left, right = (robot.description.joint(name) for name in (robot.tracks.left[0], robot.tracks.right[0]))
+    return _measured(
+        robot,
+        Chassis(
+            max_speed=SPEED_ON_GROUND * min(left.velocity, right.velocity),
+            track_separation=abs(left.origin.y - right.origin.y),
+        ),
+    )
+
+
+def _wheeled(robot: RobotModel, wheels: WheelSetup) -> Chassis:
+    return _measured(
+        robot,
+        Chassis(
+            max_speed=SPEED_ON_GROUND * wheels.free_speed,
+            track_separation=wheels.track,
+            min_turn_radius=wheels.turning_radius,
+            steering_angle=wheels.steering_angle,
+            wheel_base=wheels.wheel_base,
+            wheel_radius=wheels.wheels[0].radius,
+            moves_sideways=wheels.moves_sideways,
+        ),
+    )
+
+
+def _measured(robot: RobotModel, chassis: Chassis) -> Chassis:
+    """The chassis with the size and mass of the robot."""
     found = measure(robot)
-    return Chassis(
-        max_speed=SPEED_ON_GROUND * min(left.velocity, right.velocity),
-        track_separation=abs(left.origin.y - right.origin.y),
+    return replace(
+        chassis,
         front=max(0.0, found.high[0]),
         back=max(0.0, -found.low[0]),
         left=max(0.0, found.high[1]),
@@ -180,7 +219,7 @@ class _HoldingBrake(ParkingBrake):
 
     engaged = False
 
-    def __init__(self, drive: SkidSteerDrive) -> None:
+    def __init__(self, drive: GroundDrive) -> None:
         self._drive = drive
 
     def set(self, engaged: bool) -> None:
@@ -193,7 +232,7 @@ class FixedBase:
 
     optional_parts: tuple[OptionalPart, ...] = ()
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
         """Do nothing."""
 
     def stop(self) -> None:
@@ -212,19 +251,22 @@ class FixedBase:
         return UNACCELERATED
 
 
-class SkidSteerDrive(ABC):
-    """A `DriveBase` with two tracks, without an inertial sensor: what the drives of both backends share."""
+class GroundDrive(ABC):
+    """A `DriveBase` with a parking brake, without an inertial sensor: what the drives of all backends share."""
 
-    def __init__(self, slip_width: float = 1.0) -> None:
-        self.slip_width = slip_width
-        """Distance of two wheels, in metres, that turn as the tracks do; larger than theirs because of slip."""
+    def __init__(self) -> None:
         self._acceleration = Acceleration()
         self._brake = _HoldingBrake(self)
         self.optional_parts: tuple[OptionalPart, ...] = (self._brake,)
 
+    @property
+    def braked(self) -> bool:
+        """True while the parking brake is engaged."""
+        return self._brake.engaged
+
     @abstractmethod
-    def set_track_efforts(self, left: float, right: float) -> None:
-        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes and then holds."""
+    def stop(self) -> None:
+        """Brake to a standstill and hold it, also on a slope."""
 
     @abstractmethod
     def pose(self) -> Pose:
@@ -233,6 +275,23 @@ class SkidSteerDrive(ABC):
     @abstractmethod
     def twist(self) -> Twist:
         """Velocity of the base in its own frame."""
+
+    def acceleration(self) -> Acceleration:
+        """Mean of the last `Robot.advance`, in the frame of the base."""
+        return self._acceleration
+
+    def update_acceleration(self, before: Twist, dt: float) -> None:
+        """Take the mean acceleration of the last `dt` seconds, at whose beginning the twist was `before`."""
+        self._acceleration = mean_acceleration(before, self.twist(), dt)
+
+
+class SkidSteerDrive(GroundDrive):
+    """A `DriveBase` with two tracks."""
+
+    def __init__(self, slip_width: float = 1.0) -> None:
+        super().__init__()
+        self.slip_width = slip_width
+        """Distance of two wheels, in metres, that turn as the tracks do; larger than theirs because of slip."""
 
     def track_speeds(self) -> tuple[float, float]:
         """Speeds of the left and right track, as encoders in their drives measure them: m/s, positive forward.
@@ -247,22 +306,18 @@ class SkidSteerDrive(ABC):
         left, right = self.track_speeds()
         return (left + right) / 2.0, 0.0, (right - left) / self.slip_width
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left."""
-        if not self._brake.engaged:
+    @abstractmethod
+    def set_track_efforts(self, left: float, right: float) -> None:
+        """Drive the tracks with fractions of their full efforts, -1..1; zero for both brakes and then holds."""
+
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:  # noqa: ARG002 - never
+        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left. Tracks do not go sideways."""
+        if not self.braked:
             self.set_track_efforts(*mix(linear_x, rotational_z))
 
     def stop(self) -> None:
         """Brake to a standstill and hold it, also on a slope."""
         self.set_track_efforts(0.0, 0.0)
-
-    def acceleration(self) -> Acceleration:
-        """Mean of the last `Robot.advance`, in the frame of the base."""
-        return self._acceleration
-
-    def update_acceleration(self, before: Twist, dt: float) -> None:
-        """Take the mean acceleration of the last `dt` seconds, at whose beginning the twist was `before`."""
-        self._acceleration = mean_acceleration(before, self.twist(), dt)
 
 
 def mix(linear_x: float, rotational_z: float) -> tuple[float, float]:

@@ -14,15 +14,16 @@ CHASSIS: Final = PartId(DriveBase)
 
 @dataclass(frozen=True, slots=True)
 class DriveEffort(Command):
-    """Drive with fractions of the full effort, -1..1; positive z turns left."""
+    """Drive with fractions of the full effort, -1..1; positive z turns left, positive y is left."""
 
     linear_x: float
     rotational_z: float
+    linear_y: float = 0.0
     part: PartId = CHASSIS
 
     def apply(self, robot: Robot) -> None:
         """Set the effort."""
-        robot.drive.set_effort(self.linear_x, self.rotational_z)
+        robot.drive.set_effort(self.linear_x, self.rotational_z, self.linear_y)
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, Protocol, Self
+from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, runtime_checkable
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 
@@ -25,8 +25,11 @@ if TYPE_CHECKING:
 class DriveBase(Protocol):
     """A chassis that drives on the ground."""
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
-        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left. Holds until changed."""
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
+        """Drive with fractions of the full effort, -1..1, clamped; positive z turns left. Holds until changed.
+
+        Of a chassis that steers, z is the angle as a fraction of the greatest; y (left) is for one that moves sideways.
+        """
         ...
 
     def stop(self) -> None:
@@ -94,6 +97,15 @@ class Robot(RobotParts, Protocol):
 
     def close(self) -> None:
         """Stop, and release all resources. May be called twice."""
+        ...
+
+
+@runtime_checkable
+class Viewable(Protocol):
+    """A robot whose world can be shown in a window of its simulator."""
+
+    def view(self) -> None:
+        """Open the window, until the robot is closed; raises `ConfigError` without a display."""
         ...
 
 

@@ -1,4 +1,4 @@
-"""A kinematic skid-steered robot on an endless flat floor, without a physics engine."""
+"""A kinematic robot on an endless flat floor, without a physics engine."""
 
 from __future__ import annotations
 
@@ -18,6 +18,7 @@ from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
+from jauspy.platform.kinematic_wheels import KinematicWheels
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
@@ -40,7 +41,9 @@ class KinematicBackend:
         if robot.cell is not None:
             raise ConfigError("the kinematic backend has no factory cells: parts need physics; choose the backend sim")
         if world not in WORLDS:
-            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
+            raise ConfigError(
+                f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}, each a flat floor"
+            )
         return KinematicRobot(robot)
 
 
@@ -53,10 +56,12 @@ class KinematicRobot:
     def __init__(self, robot: RobotModel) -> None:
         tracks = robot.tracks
         self._tracked = KinematicDrive(skid_steer_parameters(robot.description, tracks)) if tracks else None
-        self._drive = self._tracked or FixedBase()
+        self._wheels = KinematicWheels(robot.wheels) if robot.wheels else None
+        self._rolling = self._tracked or self._wheels
+        self._drive = self._rolling or FixedBase()
         self._localizer: Localizer | None = None
-        if self._tracked is not None and not robot.localization.is_exact(default=True):
-            self._localizer = Localizer(robot.localization, self._tracked)
+        if self._rolling is not None and not robot.localization.is_exact(default=True):
+            self._localizer = Localizer(robot.localization, self._rolling)
         self._groups = {name: KinematicJoints(robot.description, setup) for name, setup in robot.groups.items()}
         self._cameras = KinematicCameras(robot, self._drive, self._groups)
         self._lamps = switched_lamps(robot.lamps)
@@ -69,7 +74,7 @@ class KinematicRobot:
         self._measure()
 
     @property
-    def drive(self) -> KinematicDrive | FixedBase:
+    def drive(self) -> KinematicDrive | KinematicWheels | FixedBase:
         """The chassis."""
         return self._drive
 
@@ -111,14 +116,14 @@ class KinematicRobot:
         before = self._drive.twist()
         steps = math.ceil(dt / MAX_STEP)
         for number in range(steps):
-            if self._tracked is not None:
-                self._tracked.step(dt / steps)
+            if self._rolling is not None:
+                self._rolling.step(dt / steps)
             for group in self._groups.values():
                 group.step(dt / steps)
             if self._localizer is not None:
                 self._localizer.step(self._time + (number + 1) * dt / steps)
-        if steps and self._tracked is not None:
-            self._tracked.update_acceleration(before, dt)
+        if steps and self._rolling is not None:
+            self._rolling.update_acceleration(before, dt)
         self._time += dt
         self._measure()
         self._cameras.update()

@@ -579,9 +579,12 @@ class Camera(Facade[_Camera]):
         """
         return self._portal.iterate(self._async.encoded(address=address, timeout=timeout))
 
-    def still(self, *, size: tuple[int, int] | None = None, format: str | None = None) -> Photo:
-        """An image as the content of a file; see `ServiceClient.still`."""
-        return self._portal.run(self._async.still(size=size, format=format))
+    def still(self, *, size: tuple[int, int] | None = None, format: str | None = None, timeout: float = 10.0) -> Photo:
+        """An image as the content of a file; see `ServiceClient.still`.
+
+        Raises `ResponseTimeout` when none arrives within `timeout` seconds.
+        """
+        return self._portal.run(self._async.still(size=size, format=format, timeout=timeout))
 
 
 class RobotControl(Facade[_RobotControl]):

@@ -66,7 +66,7 @@ class SimulatedCar(Car):
             acceleration=Acceleration(*rotated(back, (a[0], a[1], a[2])), a[3], a[4], a[5]),
         )
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:  # noqa: ARG002 - never
         """Drive with fractions of the full effort; NaN and infinite values stop it."""
         if len(self._wheels) < MIN_WHEELS:
             return

@@ -7,6 +7,7 @@ import math
 import pytest
 
 from jauspy.geometry.poses import PlanarPoint, Pose
+from jauspy.platform.chassis import Chassis
 from jauspy.services.mobility.courses import (
     MAX_DRIVING_ERROR,
     STOP_TOLERANCE,
@@ -25,6 +26,7 @@ from jauspy.services.mobility.velocity_control import (
     STANDSTILL,
     AccelerationLimits,
     AxisControl,
+    Efforts,
     PlanarVelocity,
     VelocityControl,
     ramped,
@@ -79,7 +81,7 @@ def test_control_recovers_from_saturation() -> None:
 
 
 def test_standstill_needs_no_effort() -> None:
-    assert VelocityControl().efforts(STANDSTILL, STANDSTILL, 0.02) == (0.0, 0.0)
+    assert VelocityControl(Chassis()).efforts(STANDSTILL, STANDSTILL, 0.02) == Efforts(0.0, 0.0, 0.0)
 
 
 @pytest.mark.parametrize(

@@ -20,6 +20,8 @@ class CanBackend:
 
         Raises `ConfigError` if the robot's file has no `[can]`, if a package is missing, or with what a drive lacks.
         """
+        if robot.wheels is not None:
+            raise ConfigError(f"{robot.description.name} has wheels, and the backend can drives tracks only")
         setup = robot.can
         if setup is None:
             raise ConfigError(

@@ -199,7 +199,7 @@ class Car(OptionalPart):
         """Whether it is assembled, and its motion."""
 
     @abstractmethod
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:
         """Drive with fractions of the full effort, -1..1; positive z turns left. Without effect until assembled."""
 
     @abstractmethod
@@ -252,7 +252,7 @@ class _CarProxy(Car):
         assert isinstance(state, CarState)
         return state
 
-    def set_effort(self, linear_x: float, rotational_z: float) -> None:
+    def set_effort(self, linear_x: float, rotational_z: float, linear_y: float = 0.0) -> None:  # noqa: ARG002 - never
         self._link.submit(CarEffort((linear_x, rotational_z)))
 
     def stop(self) -> None:

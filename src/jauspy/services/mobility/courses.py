@@ -29,6 +29,10 @@ STOP_TOLERANCE: Final = 0.1
 """Metres to which the robot approaches a waypoint where it stops, whatever the tolerance."""
 FINAL_SPEED: Final = 0.1
 """m/s of the last centimetres to a stop."""
+CURVE_MARGIN: Final = 1.4
+"""Radius of a curve, as a multiple of the narrowest one, that can well be driven."""
+CURVE_SPEED: Final = 0.3
+"""m/s at which a chassis that cannot turn on the spot drives curves, at least."""
 PASSING_SPEED: Final = 0.4
 """m/s at which a waypoint is passed when more follow."""
 
@@ -76,23 +80,31 @@ class VectorCourse:
     heading: Callable[[], float]
     speed: float
     max_turn_rate: float
+    min_turn_radius: float = 0.0
+    """Metres; a chassis that cannot turn on the spot drives a curve, and stands if the speed is zero."""
     limits: None = None
 
     def steer(self, pose: Pose) -> PlanarVelocity:
         """Towards the heading; never None."""
         error = heading_error(pose.yaw, self.heading())
-        if self.speed == 0.0 and abs(error) < HEADING_TOLERANCE:
+        if self.speed == 0.0 and (self.min_turn_radius or abs(error) < HEADING_TOLERANCE):
             return STANDSTILL
-        return steer_to_heading(error, self.speed, self.max_turn_rate)
+        return steer_to_heading(error, self.speed, self.max_turn_rate, self.min_turn_radius)
 
 
-def steer_to_heading(error: float, speed: float, max_turn_rate: float) -> PlanarVelocity:
+def steer_to_heading(error: float, speed: float, max_turn_rate: float, min_turn_radius: float = 0.0) -> PlanarVelocity:
     """The velocity that reduces a heading error (rad, positive when the heading lies to the right).
 
-    The speed (m/s, negative backward) falls as the error grows: the slower a curve is driven, the narrower it is.
+    The speed (m/s, negative backward) falls as the error grows: the slower a curve is driven, the narrower it is. With
+    a `min_turn_radius` (metres) the chassis does not turn on the spot: it keeps the speed and turns as it can.
     """
+    turn_rate = clamp(TURN_GAIN * error, max_turn_rate)
+    if min_turn_radius:
+        slowed = math.copysign(min(abs(speed), max(CURVE_SPEED, max_turn_rate * min_turn_radius)), speed)
+        driven = slowed if abs(error) > HEADING_TOLERANCE else speed
+        return PlanarVelocity(driven, clamp(turn_rate, abs(driven) / min_turn_radius))
     fade = max(0.0, 1.0 - (error / MAX_DRIVING_ERROR) ** 2)
-    return PlanarVelocity(speed * fade, clamp(TURN_GAIN * error, max_turn_rate))
+    return PlanarVelocity(speed * fade, turn_rate)
 
 
 def heading_error(heading: float, wanted: float) -> float:
@@ -149,20 +161,30 @@ class WaypointCourse:
     """Along a straight leg to `goal`, slower towards its end, then to its heading, if it has one.
 
     `goal` and `speed` (m/s; negative drives backward, zero waits) are read each time, since the frame of the
-    waypoint and the speed may be set. `deceleration` (m/s^2) and `max_turn_rate` (rad/s) are those of the chassis.
+    waypoint and the speed may be set. `deceleration` (m/s^2), `max_turn_rate` (rad/s) and `min_turn_radius` (metres)
+    are those of the chassis. One that cannot turn on the spot first drives on if the waypoint is inside its narrowest
+    curve, and takes no heading at the waypoint.
     """
 
     limits: None = None
 
     def __init__(
-        self, goal: Callable[[], Goal], speed: Callable[[], float], *, deceleration: float, max_turn_rate: float
+        self,
+        goal: Callable[[], Goal],
+        speed: Callable[[], float],
+        *,
+        deceleration: float,
+        max_turn_rate: float,
+        min_turn_radius: float = 0.0,
     ) -> None:
         self._goal = goal
         self._speed = speed
         self._deceleration = deceleration
         self._max_turn_rate = max_turn_rate
+        self._min_turn_radius = min_turn_radius
         self._start: PlanarPoint | None = None
         self._reached = False
+        self._drives_on = False
 
     def steer(self, pose: Pose) -> PlanarVelocity | None:
         """The velocity wanted at a pose; None once the waypoint, and its heading, are reached."""
@@ -182,8 +204,21 @@ class WaypointCourse:
         _, bearing = here.to(leg.ahead(here, look_ahead(speed, goal.path_tolerance)))
         yaw = reversed_yaw(pose.yaw) if speed < 0.0 else pose.yaw
         remaining, _ = here.to(goal.point)
-        slowed = min(abs(speed), self._approach_speed(remaining, goal))
-        return steer_to_heading(heading_error(yaw, bearing), math.copysign(slowed, speed), self._max_turn_rate)
+        slowed = math.copysign(min(abs(speed), self._approach_speed(remaining, goal)), speed)
+        error = heading_error(yaw, bearing)
+        if self._min_turn_radius:
+            slowed = speed if abs(error) > MAX_DRIVING_ERROR else slowed
+            self._drives_on = self._is_inside_curve(here, yaw, error, goal)
+            error = 0.0 if self._drives_on else error
+        return steer_to_heading(error, slowed, self._max_turn_rate, self._min_turn_radius)
+
+    def _is_inside_curve(self, here: PlanarPoint, yaw: float, error: float, goal: Goal) -> bool:
+        """True if the narrowest curve towards the goal does not reach it."""
+        side = yaw + math.copysign(math.pi / 2.0, error)
+        radius = self._min_turn_radius
+        centre = PlanarPoint(here.x + radius * math.cos(side), here.y + radius * math.sin(side))
+        distance, _ = centre.to(goal.point)
+        return distance < radius * (CURVE_MARGIN if self._drives_on else 1.0)
 
     def _approach_speed(self, remaining: float, goal: Goal) -> float:
         """The speed from which half of the chassis' deceleration suffices to slow down."""
@@ -191,7 +226,7 @@ class WaypointCourse:
         return math.sqrt(final**2 + self._deceleration * remaining)
 
     def _align(self, yaw: float, heading: float | None) -> PlanarVelocity | None:
-        if heading is None or abs(error := heading_error(yaw, heading)) < HEADING_TOLERANCE:
+        if self._min_turn_radius or heading is None or abs(error := heading_error(yaw, heading)) < HEADING_TOLERANCE:
             return None
         return steer_to_heading(error, 0.0, self._max_turn_rate)
 

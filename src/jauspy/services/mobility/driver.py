@@ -62,6 +62,7 @@ class Driver(ContinuousCommands):
 class PrimitiveDriver(Driver, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
     """Open-loop efforts along x and about z, in percent; other axes and resistive efforts are ignored.
 
+    The effort about z is the steering angle of a chassis that steers. One that moves sideways has efforts along y, too.
     An effort that a command leaves out is zero.
     """
 
@@ -69,19 +70,26 @@ class PrimitiveDriver(Driver, urn="urn:jaus:jss:mobility:PrimitiveDriver"):
         super().__init__(vehicle)
         self._linear_x = 0.0
         self._rotational_z = 0.0
+        self._linear_y = 0.0
 
     def set_wrench_effort(self, msg: SetWrenchEffort) -> None:
         """Drive with these efforts until the next command; positive z turns right."""
         self._linear_x = effort_or_zero(msg.propulsive_linear_effort_x)
         self._rotational_z = effort_or_zero(msg.propulsive_rotational_effort_z)
-        self.vehicle.pilot.set_effort(self, forward=self._linear_x / 100.0, right=self._rotational_z / 100.0)
+        sideways = effort_or_zero(msg.propulsive_linear_effort_y) if self.vehicle.chassis.moves_sideways else 0.0
+        self._linear_y = sideways
+        self.vehicle.pilot.set_effort(
+            self, forward=self._linear_x / 100.0, right=self._rotational_z / 100.0, sideways=sideways / 100.0
+        )
 
     def on_preempted(self) -> None:
         """The reported efforts become zero."""
-        self._linear_x = self._rotational_z = 0.0
+        self._linear_x = self._rotational_z = self._linear_y = 0.0
 
     def report_wrench_effort(self) -> ReportWrenchEffort:
         """The commanded efforts in percent; zero after a stop, and while another service drives."""
         return ReportWrenchEffort(
-            propulsive_linear_effort_x=self._linear_x, propulsive_rotational_effort_z=self._rotational_z
+            propulsive_linear_effort_x=self._linear_x,
+            propulsive_linear_effort_y=self._linear_y if self.vehicle.chassis.moves_sideways else None,
+            propulsive_rotational_effort_z=self._rotational_z,
         )

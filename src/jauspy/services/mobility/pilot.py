@@ -57,7 +57,7 @@ class Pilot:
         self.limits = AccelerationLimits(
             chassis.acceleration, chassis.deceleration, chassis.turn_acceleration, chassis.turn_acceleration
         )
-        self._control = VelocityControl()
+        self._control = VelocityControl(chassis)
         self._host: ServiceHost | None = None
         self._course: Course | None = None
         self._velocity = STANDSTILL
@@ -71,11 +71,11 @@ class Pilot:
         """Use the clock and the timers of this component; each of its drivers calls this."""
         self._host = host
 
-    def set_effort(self, driver: DriveOwner, forward: float, right: float) -> None:
-        """Open loop: fractions of the full effort, -1..1, at once."""
+    def set_effort(self, driver: DriveOwner, forward: float, right: float, sideways: float = 0.0) -> None:
+        """Open loop: fractions of the full effort, -1..1, at once: forward, turning right, and to the right."""
         self._set_driver(driver)
         self._end_course()
-        self._drive.set_effort(linear_x=forward, rotational_z=-right)
+        self._set_efforts(forward, right, sideways)
         driver.on_endless_motion()
 
     def follow(self, driver: DriveOwner, course: Course) -> None:
@@ -132,7 +132,7 @@ class Pilot:
         if wanted is None:
             self._end_of_course()
         else:
-            wanted = wanted.clamped(self._chassis.max_speed, self._chassis.max_turn_rate)
+            wanted = wanted.clamped(self._chassis.max_speed, self._chassis.max_turn_rate).feasible(self._chassis)
             self._move(wanted, course.limits or self.limits, dt)
 
     def _end_of_course(self) -> None:
@@ -147,9 +147,15 @@ class Pilot:
             self._control.reset()
             self._drive.stop()
             return
-        forward, right = self._control.efforts(self._velocity, self._measured(), dt)
-        self._drive.set_effort(linear_x=forward, rotational_z=-right)
+        efforts = self._control.efforts(self._velocity, self._measured(), dt)
+        self._set_efforts(efforts.forward, efforts.right_turn, efforts.sideways)
+
+    def _set_efforts(self, forward: float, right: float, sideways: float) -> None:
+        if self._chassis.moves_sideways:
+            self._drive.set_effort(linear_x=forward, rotational_z=-right, linear_y=-sideways)
+        else:
+            self._drive.set_effort(linear_x=forward, rotational_z=-right)
 
     def _measured(self) -> PlanarVelocity:
         twist = jaus_twist(self._drive.twist())
-        return PlanarVelocity(twist.vx, twist.wz)
+        return PlanarVelocity(twist.vx, twist.wz, twist.vy if self._chassis.moves_sideways else 0.0)

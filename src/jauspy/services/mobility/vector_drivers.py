@@ -36,6 +36,8 @@ class CommandedVector:
 class VectorDriver(Driver):
     """Turns on the spot if the heading error is large, then drives. Without a heading, the present one is kept.
 
+    A chassis that cannot turn on the spot drives a curve; with a speed of zero it stands, and that is counted.
+
     Height, roll and pitch are those of the ground: commanded values are reported, and ignored otherwise.
     """
 
@@ -54,7 +56,12 @@ class VectorDriver(Driver):
     def drive_along(self, vector: CommandedVector) -> None:
         """Follow a vector until the next command."""
         heading = self.present_heading() if vector.heading is None else vector.heading
-        course = VectorCourse(self.heading_in_world(heading), vector.speed, self.vehicle.chassis.max_turn_rate)
+        chassis = self.vehicle.chassis
+        if chassis.min_turn_radius and not vector.speed and vector.heading is not None:
+            self.host.count("cannot_turn_on_the_spot", f"{vector}")
+        course = VectorCourse(
+            self.heading_in_world(heading), vector.speed, chassis.max_turn_rate, chassis.min_turn_radius
+        )
         self.vehicle.pilot.follow(self, course)
         self._vector = vector
 

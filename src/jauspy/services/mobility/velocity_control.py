@@ -1,21 +1,32 @@
-"""Closed-loop velocity control of a skid-steered chassis: wanted and measured velocity to efforts."""
+"""Closed-loop velocity control of a chassis: wanted and measured velocity to efforts."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+from jauspy.platform.chassis import SPEED_ON_GROUND, Chassis
 
 
 @dataclass(frozen=True, slots=True)
 class PlanarVelocity:
-    """Forward speed in m/s, and turn rate in rad/s, positive to the right (JAUS: z down)."""
+    """Speed forward and to the right in m/s, and turn rate in rad/s, positive to the right (JAUS: z down)."""
 
     speed: float = 0.0
     turn_rate: float = 0.0
+    sideways: float = 0.0
 
     def clamped(self, max_speed: float, max_turn_rate: float) -> PlanarVelocity:
         """Each axis limited to what the chassis can do."""
-        return PlanarVelocity(clamp(self.speed, max_speed), clamp(self.turn_rate, max_turn_rate))
+        speed, sideways = clamp(self.speed, max_speed), clamp(self.sideways, max_speed)
+        return PlanarVelocity(speed, clamp(self.turn_rate, max_turn_rate), sideways)
+
+    def feasible(self, chassis: Chassis) -> PlanarVelocity:
+        """What the chassis can do of it: no narrower curve than the narrowest, nothing sideways unless it can."""
+        turn_rate = self.turn_rate
+        if chassis.min_turn_radius:
+            turn_rate = clamp(turn_rate, abs(self.speed) / chassis.min_turn_radius)
+        return PlanarVelocity(self.speed, turn_rate, self.sideways if chassis.moves_sideways else 0.0)
 
 
 STANDSTILL = PlanarVelocity()
@@ -36,6 +47,7 @@ def ramped(velocity: PlanarVelocity, wanted: PlanarVelocity, limits: Acceleratio
     return PlanarVelocity(
         _ramp(velocity.speed, wanted.speed, limits.acceleration * dt, limits.deceleration * dt),
         _ramp(velocity.turn_rate, wanted.turn_rate, limits.turn_acceleration * dt, limits.turn_deceleration * dt),
+        _ramp(velocity.sideways, wanted.sideways, limits.acceleration * dt, limits.deceleration * dt),
     )
 
 
@@ -63,6 +75,9 @@ SPEED_GAINS = AxisGains(forward=0.64, breakaway=0.01, proportional=0.15, integra
 TURN_RATE_GAINS = AxisGains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
 """Between the best gains for inc1 with and without physics; the integral compensates the difference."""
 
+SKIDDING_GAINS = AxisGains(forward=0.25, breakaway=0.12, proportional=0.15, integral=0.8)
+"""Turn rate of wheels that skid, which rub more than tracks do."""
+
 BREAKAWAY_BAND = 0.1
 """Velocity (m/s, rad/s) below which the breakaway effort is proportional, so that it does not jump at zero."""
 
@@ -89,23 +104,51 @@ class AxisControl:
         return clamp(effort)
 
 
+@dataclass(frozen=True, slots=True)
+class Efforts:
+    """-1..1: forward, turning to the right (the steering of a chassis that steers), and to the right."""
+
+    forward: float
+    right_turn: float
+    sideways: float
+
+
 class VelocityControl:
     """Speed and turn rate of the chassis."""
 
-    def __init__(self) -> None:
-        self._speed, self._turn = AxisControl(SPEED_GAINS), AxisControl(TURN_RATE_GAINS)
+    def __init__(self, chassis: Chassis) -> None:
+        self._chassis = chassis
+        speed, turn = SPEED_GAINS, TURN_RATE_GAINS
+        if chassis.wheel_radius:
+            speed, turn = replace(speed, forward=SPEED_ON_GROUND / chassis.max_speed), SKIDDING_GAINS
+        if chassis.moves_sideways:
+            lever = (chassis.wheel_base + chassis.track_separation) / 2.0
+            turn = replace(turn, forward=lever / chassis.max_speed, breakaway=0.01)
+        self._speed, self._turn, self._sideways = AxisControl(speed), AxisControl(turn), AxisControl(speed)
 
     def reset(self) -> None:
-        """Clear both integrals."""
-        self._speed.reset()
-        self._turn.reset()
+        """Clear the integrals."""
+        for axis in (self._speed, self._turn, self._sideways):
+            axis.reset()
 
-    def efforts(self, wanted: PlanarVelocity, measured: PlanarVelocity, dt: float) -> tuple[float, float]:
-        """Efforts forward and to the right, -1..1."""
-        return (
-            self._speed.effort(wanted.speed, measured.speed, dt),
-            self._turn.effort(wanted.turn_rate, measured.turn_rate, dt),
+    def efforts(self, wanted: PlanarVelocity, measured: PlanarVelocity, dt: float) -> Efforts:
+        """The efforts for the next `dt` seconds."""
+        forward = self._speed.effort(wanted.speed, measured.speed, dt)
+        if self._chassis.min_turn_radius:
+            return Efforts(forward, self._steering(wanted), 0.0)
+        turn = self._turn.effort(wanted.turn_rate, measured.turn_rate, dt)
+        if not self._chassis.moves_sideways:
+            return Efforts(forward, turn, 0.0)
+        return Efforts(forward, turn, self._sideways.effort(wanted.sideways, measured.sideways, dt))
+
+    def _steering(self, wanted: PlanarVelocity) -> float:
+        """The angle for the curvature of the wanted velocity, as a fraction of the greatest angle."""
+        if not wanted.speed:
+            return 0.0
+        tangent = (
+            wanted.turn_rate / wanted.speed * self._chassis.min_turn_radius * math.tan(self._chassis.steering_angle)
         )
+        return clamp(math.atan(tangent) / self._chassis.steering_angle)
 
 
 def clamp(value: float, limit: float = 1.0) -> float:

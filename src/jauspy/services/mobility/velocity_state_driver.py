@@ -39,15 +39,18 @@ class VelocityRange:
     @classmethod
     def of(cls, chassis: Chassis) -> VelocityRange:
         """The limits of the chassis."""
+        sideways = chassis.max_speed if chassis.moves_sideways else 0.0
         return cls(
-            PlanarVelocity(-chassis.max_speed, -chassis.max_turn_rate),
-            PlanarVelocity(chassis.max_speed, chassis.max_turn_rate),
+            PlanarVelocity(-chassis.max_speed, -chassis.max_turn_rate, -sideways),
+            PlanarVelocity(chassis.max_speed, chassis.max_turn_rate, sideways),
         )
 
     def contains(self, velocity: PlanarVelocity) -> bool:
         """True for a velocity within the range, but for `ROUNDING`."""
-        return _within(self.minimum.speed, velocity.speed, self.maximum.speed) and _within(
-            self.minimum.turn_rate, velocity.turn_rate, self.maximum.turn_rate
+        return (
+            _within(self.minimum.speed, velocity.speed, self.maximum.speed)
+            and _within(self.minimum.turn_rate, velocity.turn_rate, self.maximum.turn_rate)
+            and _within(self.minimum.sideways, velocity.sideways, self.maximum.sideways)
         )
 
 
@@ -94,7 +97,8 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
     """Speed along x and turn rate about z, within limits that the client may narrow.
 
     What a current or default command leaves out is zero; a limit that is left out stays. Values for other axes are
-    ignored, and not reported.
+    ignored, and not reported, but for y if the platform moves sideways. A curve that is narrower than a chassis that
+    steers can drive, also a turn on the spot, is limited, and the report of the command says what is driven.
     """
 
     def __init__(self, vehicle: Vehicle) -> None:
@@ -112,7 +116,7 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
 
     def is_command_value_valid(self, msg: Command) -> bool:
         """True if the velocities are within the limits; else counted."""
-        valid = self._range.contains(_velocity(msg))
+        valid = self._range.contains(self._velocity(msg))
         if not valid:
             self.host.count("velocity_out_of_range", f"{msg}")
         return valid
@@ -121,7 +125,10 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
 
     def set_current_velocity_command(self, msg: Command) -> None:
         """Drive at this velocity until the next command."""
-        self._current = _velocity(msg)
+        wanted = self._velocity(msg)
+        self._current = wanted.feasible(self.vehicle.chassis)
+        if self._current.turn_rate != wanted.turn_rate:
+            self.host.count("curve_too_narrow", f"{msg}")
         self.vehicle.pilot.follow(self, VelocityCourse(self._current, self._limits))
 
     def set_current_velocity_command_ext(self, msg: Command) -> None:
@@ -136,7 +143,7 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
             case CommandKind.MIN:
                 self._range = VelocityRange(self._limited(msg, self._range.minimum), self._range.maximum)
             case CommandKind.DEFAULT:
-                self._default = _velocity(msg)
+                self._default = self._velocity(msg)
 
     def set_velocity_limit_ext(self, msg: Command) -> None:
         """As `set_velocity_limit`."""
@@ -166,21 +173,40 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
     def _limited(self, msg: Command, present: PlanarVelocity) -> PlanarVelocity:
         speed = present.speed if msg.velocity_x is None else msg.velocity_x
         turn_rate = present.turn_rate if msg.yaw_rate is None else msg.yaw_rate
+        sideways = present.sideways if msg.velocity_y is None else msg.velocity_y
         chassis = self.vehicle.chassis
-        return PlanarVelocity(speed, turn_rate).clamped(chassis.max_speed, chassis.max_turn_rate)
+        limited = PlanarVelocity(speed, turn_rate, sideways).clamped(chassis.max_speed, chassis.max_turn_rate)
+        return limited if chassis.moves_sideways else replace(limited, sideways=0.0)
+
+    def _velocity(self, msg: Command) -> PlanarVelocity:
+        sideways = (msg.velocity_y or 0.0) if self.vehicle.chassis.moves_sideways else 0.0
+        return PlanarVelocity(msg.velocity_x or 0.0, msg.yaw_rate or 0.0, sideways)
+
+    def _sideways(self, velocity: PlanarVelocity) -> float | None:
+        return velocity.sideways if self.vehicle.chassis.moves_sideways else None
 
     # --- reports
 
     def report_velocity_command(self, query: QueryVelocityCommand) -> ReportVelocityCommand:
         """The command of the queried kind; the current one for an unknown kind."""
         kind, velocity = self._queried(query.command_type)
-        return ReportVelocityCommand(command_type=kind, velocity_x=velocity.speed, yaw_rate=velocity.turn_rate)
+        return ReportVelocityCommand(
+            command_type=kind,
+            velocity_x=velocity.speed,
+            velocity_y=self._sideways(velocity),
+            yaw_rate=velocity.turn_rate,
+        )
 
     def report_velocity_command_ext(self, query: QueryVelocityCommandExt) -> ReportVelocityCommandExt:
         """As `report_velocity_command`."""
         _, velocity = self._queried(query.command_type % _KINDS)
         kind = query.command_type if query.command_type < 2 * _KINDS else CommandKind.CURRENT
-        return ReportVelocityCommandExt(command_type=kind, velocity_x=velocity.speed, yaw_rate=velocity.turn_rate)
+        return ReportVelocityCommandExt(
+            command_type=kind,
+            velocity_x=velocity.speed,
+            velocity_y=self._sideways(velocity),
+            yaw_rate=velocity.turn_rate,
+        )
 
     def _queried(self, kind: int) -> tuple[CommandKind, PlanarVelocity]:
         commands = {
@@ -204,7 +230,3 @@ class VelocityStateDriver(Driver, urn="urn:jaus:jss:mobility:VelocityStateDriver
 
 def _kind(msg: Any) -> CommandKind:
     return CommandKind(msg.command_type % _KINDS)
-
-
-def _velocity(msg: Command) -> PlanarVelocity:
-    return PlanarVelocity(msg.velocity_x or 0.0, msg.yaw_rate or 0.0)

@@ -38,7 +38,10 @@ class WaypointFollower(Driver):
             lambda: vehicle.pilot.travel_speed,
             deceleration=vehicle.chassis.deceleration,
             max_turn_rate=vehicle.chassis.max_turn_rate,
+            min_turn_radius=vehicle.chassis.min_turn_radius,
         )
+        if vehicle.chassis.min_turn_radius and waypoint.attitude.yaw is not None:
+            self.host.count("cannot_turn_on_the_spot", f"{waypoint}")
         vehicle.pilot.follow(self, course)
         vehicle.pilot.travel_speed = speed
         vehicle.waypoint = waypoint

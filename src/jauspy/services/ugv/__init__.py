@@ -1,6 +1,6 @@
 """Services of unmanned ground vehicles (AS6091) over the contracts of `jauspy.platform`."""
 
-from jauspy.services.ugv.chassis import PlatformSpecifications, SkidSteerDriver
+from jauspy.services.ugv.chassis import AckermannDriver, PlatformSpecifications, SkidSteerDriver
 from jauspy.services.ugv.illumination import IlluminationService
 
-__all__ = ["IlluminationService", "PlatformSpecifications", "SkidSteerDriver"]
+__all__ = ["AckermannDriver", "IlluminationService", "PlatformSpecifications", "SkidSteerDriver"]
