@@ -12,6 +12,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel
@@ -19,6 +20,7 @@ from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.look import colour_solids, polish, without_visuals
+from jauspy_sim.shapes import same_shape
 from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.wheel_joints import add_wheels
 from jauspy_sim.world_files import world_spec
@@ -60,7 +62,7 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
 
     Not to be `drawn`, it lacks visual shapes: physics does not need them, and takes a tenth longer with them.
     """
-    spec = world_spec(world)
+    spec = world_spec(world, robot.model_path)
     if drawn:
         added = robot_spec(robot)
         polish(added, robot.description)
@@ -72,7 +74,15 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
-    return spec.compile()
+    return compiled(spec, f"robot {robot.description.name} in world {world}")
+
+
+def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:
+    """The model; what MuJoCo does not accept raises `ConfigError`."""
+    try:
+        return spec.compile()
+    except ValueError as error:
+        raise ConfigError(f"MuJoCo cannot simulate {what}: {' '.join(str(error).split())}") from error
 
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
@@ -116,7 +126,7 @@ def _dynamics(spec: mujoco.MjSpec, joint: Joint, unpowered: set[str]) -> None:
     if joint.kind is JointKind.FIXED:
         return
     found = spec.joint(joint.name)
-    found.damping = _same_shape(found.damping, joint.damping)
+    found.damping = same_shape(found.damping, joint.damping)
     found.frictionloss = joint.friction
     found.armature = 0.0 if joint.name in unpowered else ROTOR_INERTIA * joint.effort
 
@@ -131,7 +141,7 @@ def _track(spec: mujoco.MjSpec, belts: Sequence[Joint], inertia: float) -> None:
     """Add the belts of one side: a motor drives the first, and the others run as fast as it."""
     for joint in belts:
         found = spec.joint(joint.name)
-        found.damping = _same_shape(found.damping, 0.0)
+        found.damping = same_shape(found.damping, 0.0)
         found.armature = 0.0
         found.limited = mujoco.mjtLimited.mjLIMITED_FALSE
         found.solref_friction = (2.0 * TIMESTEP, 1.0)
@@ -173,12 +183,6 @@ def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
     added = carrier.add_camera(name=camera.name)
     added.quat = (0.5, 0.5, -0.5, -0.5)
     added.fovy = math.degrees(camera.fov)  # vertical; changed when the shape of the picture is known
-
-
-def _same_shape(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
-    """The damping in the form of the MuJoCo version: 4 has a polynomial of the speed, 3 a number."""
-    terms = np.size(present)
-    return (value, *[0.0] * (terms - 1)) if terms > 1 else value
 
 
 def add_force_torque(spec: mujoco.MjSpec, setup: ForceTorqueSetup) -> None:

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import logging
 import warnings
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import pairwise
 from pathlib import Path
 from typing import Any, Final
+from urllib.parse import unquote
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +33,12 @@ MAX_TEXTURE: Final = 1024
 
 MAX_PIXELS: Final = 1 << 26
 """Of an image file, before it is read."""
+
+BESIDE: Final = (".png", ".jpg", ".jpeg", ".bmp", ".tga", ".tif", ".tiff", ".gif", ".webp", ".mtl", ".bin")
+"""Ends of the names of files that meshes name, and that are read."""
+
+TEXTURE_FOLDERS: Final = (".", "../materials/textures", "../textures", "textures")
+"""Where the textures of a mesh are, beside it."""
 
 THICKNESS: Final = 0.001
 """Metres that a flat mesh gets as a collision shape."""
@@ -91,11 +99,31 @@ def read_mesh(path: Path) -> tuple[MeshPart, ...]:
     return tuple(part for part in parts if len(part.faces))
 
 
+def by_look(parts: tuple[MeshPart, ...]) -> tuple[MeshPart, ...]:
+    """The parts, of which those with the same colour and texture are one."""
+    groups: dict[tuple[object, ...], list[MeshPart]] = {}
+    for part in parts:
+        key = part.colour, id(part.texture), part.texcoords is None, part.normals is None
+        groups.setdefault(key, []).append(part)
+    return tuple(joined(tuple(each)) if len(each) > 1 else each[0] for each in groups.values())
+
+
 def joined(parts: tuple[MeshPart, ...]) -> MeshPart:
     """One part with the triangles of all."""
     offsets = np.cumsum([0, *(len(part.vertices) for part in parts)])
     faces = np.concatenate([part.faces + offset for part, offset in zip(parts, offsets, strict=False)])
-    return MeshPart(parts[0].name, np.concatenate([part.vertices for part in parts]), faces.astype(np.int32))
+    first = parts[0]
+    texcoords = [part.texcoords for part in parts if part.texcoords is not None]
+    normals = [part.normals for part in parts if part.normals is not None]
+    return MeshPart(
+        first.name,
+        np.concatenate([part.vertices for part in parts]),
+        faces.astype(np.int32),
+        first.colour,
+        np.concatenate(texcoords) if len(texcoords) == len(parts) else None,
+        np.concatenate(normals) if len(normals) == len(parts) else None,
+        first.texture,
+    )
 
 
 def with_volume(vertices: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -118,10 +146,43 @@ def _scene(path: Path, kind: str) -> Any:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            return trimesh.load_scene(path, file_type=kind, process=False)
+            return trimesh.load_scene(path, file_type=kind, process=False, resolver=_Beside(path))
     except Exception as error:  # the readers of these formats raise whatever they meet
         reason = " ".join(str(error).split())[:200] or type(error).__name__
         raise ConfigError(f"{path}: is not read as a mesh: {reason}") from error
+
+
+class _Beside(Mapping[str, bytes]):
+    """The files that a mesh names, which are searched beside it, where it says, and where Gazebo's models have them."""
+
+    def __init__(self, path: Path) -> None:
+        self._folder = path.parent
+
+    def get(self, name: str, default: bytes | None = None) -> bytes | None:  # type: ignore[override]  # as trimesh calls
+        """The content of a texture or of a list of materials; `default` if there is none."""
+        try:
+            return self[name]
+        except KeyError:
+            return default
+
+    def __getitem__(self, name: str) -> bytes:
+        text = unquote(str(name).removeprefix("file://")).replace("\\", "/").strip()
+        last = Path(text).name
+        if Path(last).suffix.lower() in BESIDE:
+            for path in (self._folder / text, *(self._folder / folder / last for folder in TEXTURE_FOLDERS)):
+                if path.is_file():
+                    return read_file(path, MAX_BYTES)
+        raise KeyError(name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(())
+
+    def __len__(self) -> int:
+        return 0
+
+    def namespaced(self, _: str) -> _Beside:
+        """As trimesh asks for it; names have no spaces here."""
+        return self
 
 
 def _metres(scene: Any, frame: NDArray[np.float64], kind: str) -> NDArray[np.float64]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import logging
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,12 +14,21 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy_sim.mesh_files import Image, MeshPart, joined, read_image, read_mesh, with_volume
+from jauspy_sim.mesh_files import Image, MeshPart, by_look, joined, read_image, read_mesh, with_volume
+from jauspy_sim.slabs import convex_pieces
+
+logger = logging.getLogger("jauspy_sim.meshes")
 
 RGBA = tuple[float, float, float, float]
 
 GREY: Final[RGBA] = (0.6, 0.6, 0.6, 1.0)
 """Of shapes and meshes without a colour."""
+
+CONE_SIDES: Final = 24
+"""Edges of the base of a cone, which is drawn and collides as a mesh."""
+
+MAX_PIECES: Final = 4000
+"""Convex pieces of one mesh that does not move."""
 
 DENSITY: Final = 1000.0
 """kg/m^3, as MuJoCo's."""
@@ -68,14 +78,14 @@ class ShapeBuilder:
         self._materials: dict[tuple[object, ...], str] = {}
         self._textures: dict[tuple[object, ...], str] = {}
         self._meshes: dict[tuple[object, ...], list[tuple[str, MeshPart]]] = {}
-        self._fields = 0
+        self._fields = self._count = 0
 
     def draw(
         self, body: mujoco.MjsBody, kind: mujoco.mjtGeom, size: Sequence[float], pose: Transform, look: Look
     ) -> mujoco.MjsGeom:
         """Add a primitive that is only seen."""
         geom = self._primitive(body, kind, size, pose)
-        self._paint(geom, look, cube=kind not in _FLAT)
+        self.paint(geom, look)
         self._only_seen(geom)
         return geom
 
@@ -85,6 +95,30 @@ class ShapeBuilder:
         """Add a primitive that collides."""
         geom = self._primitive(body, kind, size, pose)
         self._make_solid(geom, solid)
+        return geom
+
+    def draw_cone(self, body: mujoco.MjsBody, radius: float, length: float, pose: Transform, look: Look) -> None:
+        """Add a cone along z that is only seen; its middle is at the pose."""
+        geom = self._cone(body, radius, length, pose)
+        self.paint(geom, look)
+        self._only_seen(geom)
+
+    def collide_cone(
+        self, body: mujoco.MjsBody, radius: float, length: float, pose: Transform, solid: Solid
+    ) -> mujoco.MjsGeom:
+        """Add a cone along z that collides; its middle is at the pose."""
+        geom = self._cone(body, radius, length, pose)
+        self._make_solid(geom, solid)
+        return geom
+
+    def _cone(self, body: mujoco.MjsBody, radius: float, length: float, pose: Transform) -> mujoco.MjsGeom:
+        angles = np.arange(CONE_SIDES) * 2.0 * np.pi / CONE_SIDES
+        rim = np.column_stack([radius * np.cos(angles), radius * np.sin(angles), np.full(CONE_SIDES, -length / 2.0)])
+        name = self._mesh_name(Path("cone"))
+        mesh = self._spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX)
+        mesh.uservert = np.concatenate([rim, [[0.0, 0.0, length / 2.0]]]).ravel()
+        geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
+        _place(geom, pose)
         return geom
 
     def draw_mesh(
@@ -123,6 +157,38 @@ class ShapeBuilder:
         self._make_solid(geom, solid)
         return geom
 
+    def collide_surface(
+        self,
+        body: mujoco.MjsBody,
+        path: Path,
+        pose: Transform,
+        solid: Solid,
+        *,
+        scale: Sequence[float] = (1.0, 1.0, 1.0),
+        submesh: str | None = None,
+        centred: bool = False,
+    ) -> None:
+        """Add convex pieces with the surface of a mesh, which collide; the body must not move.
+
+        A mesh of too many pieces collides as its convex hull, and this is logged.
+        """
+        parts = _chosen(read_mesh(path), submesh)
+        centre = _middle(parts) if centred else np.zeros(3)
+        whole = joined(parts)
+        vertices = (whole.vertices - centre) * np.asarray(scale, np.float64)
+        pieces = convex_pieces(vertices, whole.faces, MAX_PIECES)
+        if pieces is None:
+            logger.warning("%s: has %d faces and is not convex; it collides as its convex hull", path, len(whole.faces))
+            self.collide_mesh(body, path, pose, solid, scale=scale, submesh=submesh, centred=centred)
+            return
+        for corners in pieces:
+            name = self._mesh_name(path)
+            mesh = self._spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX)
+            mesh.uservert = with_volume(corners).ravel()
+            geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
+            _place(geom, pose)
+            self._make_solid(geom, solid)
+
     def height_field(
         self, body: mujoco.MjsBody, heights: NDArray[np.float64], size: Sequence[float], pose: Transform, look: Look
     ) -> mujoco.MjsGeom:
@@ -144,7 +210,7 @@ class ShapeBuilder:
         )
         geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_HFIELD, hfieldname=name)
         _place(geom, pose @ Transform(position=(0.0, 0.0, z * low)))
-        self._paint(geom, look, cube=False)
+        self.paint(geom, look)
         return geom
 
     def material(self, look: Look, image: Image | None = None, *, cube: bool = False) -> str:
@@ -205,7 +271,9 @@ class ShapeBuilder:
         if solid.friction is not None:
             geom.friction = (solid.friction, *geom.friction[1:])
 
-    def _paint(self, geom: mujoco.MjsGeom, look: Look, *, cube: bool) -> None:
+    def paint(self, geom: mujoco.MjsGeom, look: Look) -> None:
+        """Give a primitive or a height field its colour or texture."""
+        cube = geom.type not in _FLAT
         if look.texture is None and look.emission == 0.0:
             geom.rgba = look.colour or GREY
         else:
@@ -230,18 +298,20 @@ class ShapeBuilder:
         """Names of the meshes of a file; of its convex hull, one."""
         key = (path, scale, submesh, centred, hull)
         if key not in self._meshes:
-            parts = read_mesh(path)
-            if submesh is not None:
-                parts = tuple(part for part in parts if part.name == submesh) or parts
-            parts = (joined(parts),) if hull else parts
+            parts = _chosen(read_mesh(path), submesh)
+            parts = (joined(parts),) if hull else by_look(parts)
             centre = _middle(parts) if centred else np.zeros(3)
             self._meshes[key] = [(self._add_mesh(path, part, centre, scale, hull=hull), part) for part in parts]
         return self._meshes[key]
 
+    def _mesh_name(self, path: Path) -> str:
+        self._count += 1
+        return f"{self._prefix}{path.stem}_{self._count}"
+
     def _add_mesh(
         self, path: Path, part: MeshPart, centre: NDArray[np.float64], scale: Sequence[float], *, hull: bool
     ) -> str:
-        name = f"{self._prefix}{path.stem}_{sum(map(len, self._meshes.values()))}_{len(self._spec.meshes)}"
+        name = self._mesh_name(path)
         factors = np.asarray(scale, np.float64)
         vertices = (part.vertices - centre) * factors
         faces = part.faces[:, ::-1] if np.prod(factors) < 0.0 else part.faces
@@ -255,15 +325,23 @@ class ShapeBuilder:
             if len(solid) == len(vertices):
                 mesh.userface = faces.ravel()
             return name
+        if len(vertices) < 4:  # which is the least that MuJoCo takes
+            vertices = np.concatenate([vertices, vertices[:1]])
         mesh.uservert, mesh.userface = vertices.ravel(), faces.ravel()
-        if part.normals is not None:
+        if part.normals is not None and len(vertices) == len(part.vertices):
             normals = part.normals / factors
             mesh.usernormal = (normals / np.linalg.norm(normals, axis=1, keepdims=True)).ravel()
             mesh.userfacenormal = faces.ravel()
-        if part.texcoords is not None:
+        if part.texcoords is not None and len(vertices) == len(part.vertices):
             mesh.usertexcoord = np.column_stack([part.texcoords[:, 0], 1.0 - part.texcoords[:, 1]]).ravel()
             mesh.userfacetexcoord = faces.ravel()
         return name
+
+
+def _chosen(parts: tuple[MeshPart, ...], submesh: str | None) -> tuple[MeshPart, ...]:
+    """The parts of one name, if it is given; all if none has it."""
+    named = tuple(part for part in parts if submesh is None or submesh in (part.name, part.name.removesuffix("-mesh")))
+    return named or parts
 
 
 def _middle(parts: Sequence[MeshPart]) -> NDArray[np.float64]:
@@ -282,3 +360,9 @@ def _square(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
 
 def _place(geom: mujoco.MjsGeom, pose: Transform) -> None:
     geom.pos, geom.quat = pose.position, quaternion(pose.rotation)
+
+
+def same_shape(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
+    """A damping or stiffness in the form of the MuJoCo version: 4 has a polynomial, 3 a number."""
+    terms = np.size(present)
+    return (value, *[0.0] * (terms - 1)) if terms > 1 else value

@@ -8,21 +8,20 @@ from __future__ import annotations
 
 import logging
 import math
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final
 
 import mujoco
-import numpy as np
 from lxml import etree
-from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, place
 from jauspy.geometry.vectors import quaternion
 from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.inertias import KEYS, MIN_INERTIA, checked_inertia, set_inertia
 from jauspy_sim.shapes import DENSITY, RGBA, Look, ShapeBuilder, Solid
 
 logger = logging.getLogger("jauspy_sim.urdf")
@@ -30,17 +29,8 @@ logger = logging.getLogger("jauspy_sim.urdf")
 MIN_MASS: Final = 1e-3
 """Kilograms of a link that a joint moves and that has no mass: neither itself, nor what is fixed to it."""
 
-MIN_INERTIA: Final = 1e-6
-"""kg m^2, likewise."""
-
-ROUNDING: Final = 1e-9
-"""kg m^2: an inertia below zero by less is zero, as programs write it."""
-
 LOCKED: Final = 1e-5
 """Radians or metres that a joint may move whose limits are the same."""
-
-BALL: Final = 0.02
-"""Metres: radius of the ball whose inertia a link gets that has a mass and no inertia."""
 
 
 def body_name(link: str) -> str:
@@ -180,16 +170,16 @@ class _Reader:
             return
         mass_element = inertial.find("mass")
         mass = 0.0 if mass_element is None else numbers(mass_element, "value", 1)[0]
-        where = inertial if mass_element is None else mass_element
         if mass < 0.0:
-            raise ConfigError(f"{place(where)}: link {link.get('name')!r}: a mass of {mass:g} kg is negative")
+            where = place(inertial if mass_element is None else mass_element)
+            raise ConfigError(f"{where}: link {link.get('name')!r}: a mass of {mass:g} kg is negative")
         if not mass:
             return
-        frame = Transform.from_pose(origin(inertial))
-        body.mass, body.explicitinertial, body.ipos = mass, True, frame.position
-        turn = np.array(frame.rotation)
-        inertia = turn @ _inertia(link, inertial, mass) @ turn.T
-        body.fullinertia = (*np.diag(inertia), inertia[0, 1], inertia[0, 2], inertia[1, 2])
+        element = inertial.find("inertia")
+        place_of_it = place(inertial if element is None else element)
+        moments = [0.0 if element is None else numbers(element, key, 1, "0")[0] for key in KEYS]
+        tensor = checked_inertia(tuple(moments), mass, f"{place_of_it}: link {link.get('name')!r}")
+        set_inertia(body, mass, Transform.from_pose(origin(inertial)), tensor)
 
     def _give_mass(self) -> None:
         """Give a mass to links that a joint moves, and that have none: neither they nor what is fixed to them."""
@@ -259,33 +249,3 @@ def _sizes(shape: Element, key: str, count: int) -> tuple[float, ...]:
     if min(found) < 0.0:
         raise ConfigError(f'{place(shape)}: <{shape.tag} {key}="{shape.get(key)}">: a size is negative')
     return tuple(max(each, 1e-4) for each in found)
-
-
-def _inertia(link: Element, inertial: Element, mass: float) -> NDArray[np.float64]:
-    """The tensor of inertia of a link; one that no body can have is replaced, and this is logged."""
-    element = inertial.find("inertia")
-    keys = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
-    given: Mapping[str, float] = (
-        dict.fromkeys(keys, 0.0) if element is None else {key: numbers(element, key, 1, "0")[0] for key in keys}
-    )
-    where, name = place(inertial if element is None else element), link.get("name")
-    for key in keys[:3]:
-        if given[key] < -ROUNDING:
-            raise ConfigError(f'{where}: link {name!r}: <inertia {key}="{given[key]:g}">: is negative')
-    xx, yy, zz, xy, xz, yz = (given[key] for key in keys)
-    tensor = np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
-    least, middle, most = np.linalg.eigvalsh(tensor)
-    if not tensor.any():
-        return np.eye(3) * max(MIN_INERTIA, 0.4 * mass * BALL**2)
-    if least <= 0.0:
-        logger.warning("%s: link %r: no body has this inertia: a principal moment is %.3g; mended", where, name, least)
-        mended: NDArray[np.float64] = np.diag(np.maximum(np.diag(tensor), max(1e-9, 0.01 * most)))
-        return mended
-    if least + middle < most * (1.0 - 1e-6):
-        logger.warning(
-            "%s: link %r: no body has this inertia: %.3g + %.3g is less than %.3g; balanced",
-            *(where, name, least, middle, most),
-        )
-        balanced: NDArray[np.float64] = np.eye(3) * (least + middle + most) / 3.0
-        return balanced
-    return tensor

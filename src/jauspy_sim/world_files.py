@@ -2,14 +2,25 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from importlib.resources import as_file, files
+from pathlib import Path
+from typing import Final
 
 import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy_sim.groups import HEIGHT_FIELDS, RAY_MESHES
+from jauspy.platform.description import WORLD_SUFFIXES, is_world_file
+from jauspy.user_files import read_file
+from jauspy_sim.groups import COLLISION, HEIGHT_FIELDS, RAY_MESHES
+from jauspy_sim.model_paths import ModelPaths
+from jauspy_sim.sdf import sdf_world
+from jauspy_sim.world_objects import objects_world
+
+SHOWN: Final = (0, 1, 2)
+"""Groups of geometries that MuJoCo draws."""
 
 
 def known_worlds() -> list[str]:
@@ -18,14 +29,59 @@ def known_worlds() -> list[str]:
     return sorted(entry.name.removesuffix(".xml") for entry in folder.iterdir() if entry.name.endswith(".xml"))
 
 
-def world_spec(name: str) -> mujoco.MjSpec:
-    """An included world; `ConfigError` lists the worlds there are."""
+def world_spec(name_or_path: str, model_path: Sequence[str] = ()) -> mujoco.MjSpec:
+    """An included world, or that of a file. Raises `ConfigError`, which lists the worlds there are.
+
+    `model_path` has the directories in which SDF's `model://` is searched first.
+    """
+    if is_world_file(name_or_path):
+        spec = _of_file(Path(name_or_path), ModelPaths(tuple(map(Path, model_path))))
+    else:
+        spec = _included(name_or_path)
+    add_ray_meshes(spec)
+    return spec
+
+
+def _included(name: str) -> mujoco.MjSpec:
     names = known_worlds()
     if name not in names:
-        raise ConfigError(f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}")
+        raise ConfigError(
+            f"the backend 'sim' has no world {name!r}; it has: {', '.join(names)}; or give the path of a file: "
+            f"{', '.join(WORLD_SUFFIXES)}"
+        )
     with as_file(files("jauspy_sim") / "worlds" / f"{name}.xml") as path:
+        return mujoco.MjSpec.from_file(str(path))
+
+
+def _of_file(path: Path, paths: ModelPaths) -> mujoco.MjSpec:
+    if not path.is_file():
+        raise ConfigError(f"world: {path}: " + ("is not a regular file" if path.exists() else "there is no such file"))
+    try:
+        match path.suffix.lower():
+            case ".sdf" | ".world":
+                return sdf_world(path, paths)
+            case ".toml":
+                return objects_world(path)
+            case ".xml" | ".mjcf":
+                return _mjcf(path)
+    except ConfigError as error:
+        raise ConfigError(f"world: {error}") from error
+    raise ConfigError(f"world: {path}: its name must end in one of: {', '.join(WORLD_SUFFIXES)}")
+
+
+def _mjcf(path: Path) -> mujoco.MjSpec:
+    """A world of MuJoCo's own format; what it includes is relative to it."""
+    data = read_file(path)
+    try:
         spec = mujoco.MjSpec.from_file(str(path))
-    add_ray_meshes(spec)
+    except (ValueError, FileNotFoundError) as error:
+        reason = " ".join(str(error).split())
+        hint = "; SDF worlds have the suffix .sdf or .world" if b"<sdf" in data[:1000] else ""
+        raise ConfigError(f"{path}: MuJoCo cannot read it: {reason}{hint}") from error
+    for key in list(spec.keys):
+        spec.delete(key)  # they have no positions for the robot
+    for geom in spec.geoms:
+        geom.group = 0 if geom.group in SHOWN else COLLISION
     return spec
 
 

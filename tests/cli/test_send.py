@@ -19,8 +19,8 @@ COMPONENT = JausID(126, 1, 11)
 DRIVE = SetWrenchEffort(propulsive_linear_effort_x=40.0)
 
 
-async def send(network: VirtualNetwork, message, authority=200):
-    await send_in_control(network.ocu(), COMPONENT, message, authority=authority, hold=0.0, within=None, max_wait=2.0)
+async def send(network: VirtualNetwork, message, authority=200, hold=0.0):
+    await send_in_control(network.ocu(), COMPONENT, message, authority=authority, hold=hold, within=None, max_wait=2.0)
 
 
 @pytest.mark.parametrize("services", [[], [Discovery]], ids=["without Discovery", "with Discovery"])
@@ -29,11 +29,22 @@ async def test_a_service_that_inherits_access_control_is_enough(virtual_network,
     made = [PrimitiveDriver(Vehicle(drive)), AccessControl(timeout=5), *(each() for each in services)]
     async with virtual_network.component(COMPONENT, made, core=False):
         await send(virtual_network, DRIVE)
-        sent = {each.payload for each in virtual_network.sent(SetWrenchEffort)}  # repeated while control is held
+        first, *_, last = (each.payload for each in virtual_network.sent(SetWrenchEffort))
         assert virtual_network.sent(Resume)
         assert virtual_network.sent(ReleaseControl)
-        assert sent == {DRIVE.encode()}
+        assert (first, last) == (DRIVE.encode(), SetWrenchEffort(propulsive_linear_effort_x=0.0).encode())
         assert any(linear == pytest.approx(0.4, abs=0.01) for linear, _ in drive.efforts)
+
+
+async def test_an_effort_is_repeated_for_hold_seconds_and_ends_with_zero(virtual_network):
+    drive = FakeDrive(clock=loop_time)
+    made = [PrimitiveDriver(Vehicle(drive)), AccessControl(timeout=5), Discovery()]
+    async with virtual_network.component(COMPONENT, made, core=False):
+        await send(virtual_network, DRIVE, hold=1.05)
+        *efforts, zero = (each.payload for each in virtual_network.sent(SetWrenchEffort))
+        assert efforts == [DRIVE.encode()] * 6
+        assert zero == SetWrenchEffort(propulsive_linear_effort_x=0.0).encode()
+        assert drive.efforts[-1] == (0.0, 0.0)
 
 
 async def test_a_component_without_management_is_not_resumed(virtual_network, capsys):

@@ -11,7 +11,7 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.can_bus import on_bus
-from jauspy.cli.options import Bus, Json
+from jauspy.cli.options import Bus, Json, World
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
 from jauspy.platform.can.cia402 import error_text, register_text, state_of
@@ -146,9 +146,7 @@ def simulate(
         str,
         typer.Option("--behind", metavar="NAME", help="What the drives move: motors, or the robot of a backend: sim."),
     ] = "motors",
-    world: Annotated[
-        str | None, typer.Option("--world", metavar="NAME", help="The world of that backend; chooses sim.")
-    ] = None,
+    world: World = None,
 ) -> None:
     """Simulate all drives of a robot on a CAN bus, until Ctrl-C.
 

@@ -89,3 +89,22 @@ def file_mode(text: str) -> int:
     raise typer.BadParameter(
         f"{text!r} is not a file mode; write three octal digits, as in 660", param_hint="--socket-mode"
     )
+
+
+World = Annotated[
+    str | None,
+    typer.Option(
+        "--world",
+        metavar="NAME|FILE",
+        help="The world of the simulation: a name, or the path of a file with MJCF (.xml), SDF (.sdf, .world) or a "
+        "list of objects (.toml). Default: the robot's own.",
+    ),
+]
+ModelPath = Annotated[
+    list[Path] | None,
+    typer.Option(
+        "--model-path",
+        metavar="DIRECTORY",
+        help="Where models of an SDF world are searched first; may be repeated.",
+    ),
+]

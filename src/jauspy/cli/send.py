@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import asyncio
-from contextlib import suppress
+from collections.abc import AsyncGenerator
+from contextlib import asynccontextmanager, suppress
 from typing import Annotated, Final
 
 import typer
@@ -15,7 +16,7 @@ from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
-from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout
+from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus
 from jauspy.ocu import OCU
@@ -23,8 +24,8 @@ from jauspy.ocu.explain import TAKE_CONTROL, needs_control
 from jauspy.ocu.service import ServiceClient
 from jauspy.services.command_timeout import CONTINUOUS_COMMANDS
 
-REPEAT_INTERVAL: Final = 0.2
-"""Seconds between two efforts, velocities or vectors during --hold."""
+REPEAT_RATE: Final = 5.0
+"""Hz, at which efforts, velocities and vectors are sent during --hold."""
 ACCESS_CONTROL: Final = "urn:jaus:jss:core:AccessControl"
 
 
@@ -64,7 +65,8 @@ def send(
 
     Most commands take effect only if their sender controls the component. --control takes control, resumes the
     component, sends, waits until the command has been carried out (--within) or for --hold seconds, then sends Standby
-    and releases control. Exit status 1 tells that control was lost meanwhile, that the component ignores the command
+    and releases control. Efforts, velocities and vectors are sent five times a second meanwhile, and zero before
+    Standby. Exit status 1 tells that control was lost meanwhile, that the component ignores the command
     (not offered, wrong joints, out of range, not Ready), or that it did not acknowledge Standby and release. Without
     --control the message is sent, and a note on stderr names what may prevent its effect.
 
@@ -133,21 +135,16 @@ async def send_in_control(
         async with client.control(authority) as control:
             if not command.SERVICE.endswith(":Management") and await _has_management(client):
                 await client.resume(max_wait)
-            if within is None:
-                await client.send(command)
-            else:
-                await client.perform(command, within=within)
-            repeats = asyncio.create_task(_repeat(client, command))
-            explained = asyncio.create_task(_ignored(client, command))
-            try:
-                with suppress(TimeoutError):
-                    await asyncio.wait_for(control.until_lost(), hold)
-                control.check()
-                reason = await explained
-            finally:
-                for each in (repeats, explained):
-                    each.cancel()
-                await asyncio.wait({repeats, explained})
+            async with _commanded(client, command, within):
+                explained = asyncio.create_task(_ignored(client, command))
+                try:
+                    with suppress(TimeoutError):
+                        await asyncio.wait_for(control.until_lost(), hold)
+                    control.check()
+                    reason = await explained
+                finally:
+                    explained.cancel()
+                    await asyncio.wait({explained})
             control.check()
         if control.released is False:
             raise ResponseTimeout(
@@ -163,12 +160,19 @@ async def _ignored(client: ServiceClient, command: Message) -> str:
     return await client.explain(command) if needs_control(command) else ""
 
 
-async def _repeat(client: ServiceClient, command: Message) -> None:
-    """Send an effort, velocity or vector again and again: components stop when no further command arrives."""
-    with suppress(ControlRejected):
-        while command.NAME in CONTINUOUS_COMMANDS:
-            await asyncio.sleep(REPEAT_INTERVAL)
-            await client.send(command)
+@asynccontextmanager
+async def _commanded(client: ServiceClient, command: Message, within: float | None) -> AsyncGenerator[None, None]:
+    """The command is sent; an effort, velocity or vector is repeated in the block and zero at its end."""
+    if within is not None:
+        await client.perform(command, within=within)
+        yield
+    elif command.NAME not in CONTINUOUS_COMMANDS:
+        await client.send(command)
+        yield
+    else:
+        async with client.streaming(REPEAT_RATE) as stream:
+            await stream.send(command)
+            yield
 
 
 async def _has_management(client: ServiceClient) -> bool:

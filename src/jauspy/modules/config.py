@@ -319,7 +319,10 @@ class RobotConfig(StrictConfig):
     subsystem: Annotated[int, Field(ge=1, le=65534)]
     node: Annotated[int, Field(ge=1, le=254)]
     backend: Name = "kinematic"
-    world: Name = "empty"
+    world: Annotated[str, Field(min_length=1, max_length=4096)] = "empty"
+    """A world of the backend, or the path of a file: MJCF (.xml), SDF (.sdf, .world) or a list of objects (.toml)."""
+    model_path: Annotated[tuple[Annotated[str, Field(min_length=1)], ...], Field(max_length=64)] = ()
+    """Directories with models, in which an SDF world's `model://` is searched before those of the environment."""
     time_of_day: TimeOfDay = TimeOfDay.DAY
     """Of the world, as cameras see it: "day", "dusk" or "night"."""
     quality: Quality = Quality.MEDIUM

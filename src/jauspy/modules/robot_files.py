@@ -22,7 +22,7 @@ from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksC
 from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
-from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
+from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
 from jauspy.user_files import read_toml
 
 SUFFIX: Final = ".toml"
@@ -32,6 +32,8 @@ _FOLDER: Final = files("jauspy") / "robots"
 
 FILES: Final = ("urdf", "operators", "audit_log")
 """Keys with the path of a file; relative ones start at the TOML file."""
+PATHS: Final = ("package_path", "model_path")
+"""Keys with lists of directories; relative ones start at the TOML file."""
 MAX_EXTENSIONS: Final = 8
 """Maximal length of a chain of files that extend each other."""
 
@@ -69,10 +71,11 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     for key in FILES:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])
-    if isinstance(paths := data.get("package_path"), list):
-        data["package_path"] = [
-            str(folder / Path(each).expanduser()) if isinstance(each, str) else each for each in paths
-        ]
+    if isinstance(world := data.get("world"), str) and is_world_file(world):
+        data["world"] = str(folder / Path(world).expanduser())
+    for key in PATHS:
+        if isinstance(paths := data.get(key), list):
+            data[key] = [str(folder / Path(each).expanduser()) if isinstance(each, str) else each for each in paths]
     _read_part_types(data.get("cell"), folder)
     _place_eds_files(data.get("can"), folder)
     other = data.pop("extends", None)
@@ -158,6 +161,7 @@ def robot_model(config: RobotConfig) -> RobotModel:
         time_of_day=config.time_of_day,
         localization=localization,
         quality=config.quality,
+        model_path=config.model_path,
     )
 
 

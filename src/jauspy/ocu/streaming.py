@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Mapping
 from types import TracebackType
 from typing import TYPE_CHECKING, Any, Final, Self
 
@@ -14,6 +15,7 @@ from jauspy.logs import get_logger
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.replies import check_message
 from jauspy.protocol.header import Ack
+from jauspy.services.command_timeout import CONTINUOUS_COMMANDS, Zero
 
 _LOG: Final = get_logger("jauspy.ocu")
 
@@ -22,20 +24,8 @@ MAX_RATE: Final = 1000.0
 MAX_PROGRAM_SILENCE: Final = 1.0
 """Seconds that the program may stand still before its command is dropped and the robot is stopped."""
 
-_STOPPED_BY_ZERO: Final = frozenset(
-    [
-        "SetWrenchEffort",
-        "SetVelocityCommand",
-        "SetVelocityCommandExt",
-        "SetTravelSpeed",
-        "SetJointVelocity",
-        "SetJointEffort",
-        "SetEndEffectorVelocityState",
-        "SetPanTiltJointVelocity",
-        "SetPanTiltJointEffort",
-    ]
-)
-"""Commands of efforts and velocities; zero is a stop. Not the forces of motors: an arm falls without them."""
+_ZEROS: Final[Mapping[str, Zero]] = {**CONTINUOUS_COMMANDS, "SetTravelSpeed": Zero.ALL}
+"""How the motion of a command is stopped: the speed of travel, which is not repeated otherwise, as the others."""
 _CURRENT: Final = (0, "SET_CURRENT_COMMAND", "SET_COMMAND_SOG")
 """The type of a velocity command that is not a limit."""
 
@@ -44,8 +34,8 @@ class CommandStream:
     """Sends the last command again at `rate` Hz, only while the event loop of the program turns.
 
     When the loop stood still for a second, the command is dropped and the robot is stopped; the next `send`
-    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero. A
-    command of positions is not repeated any more; it ends by itself.
+    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero,
+    and the speed of a vector, whose heading stays. A command of positions is not repeated any more.
     """
 
     def __init__(self, connection: Connection, id: JausID, rate: float) -> None:
@@ -152,9 +142,12 @@ class CommandStream:
 
 def neutral(command: Message) -> Message | None:
     """The same command with efforts and velocities of zero; None for a command that has no such form."""
-    if command.NAME not in _STOPPED_BY_ZERO or getattr(command, "command_type", 0) not in _CURRENT:
+    zero = _ZEROS.get(command.NAME, Zero.NONE)
+    if zero is Zero.NONE or getattr(command, "command_type", 0) not in _CURRENT:
         return None
-    return type(command).from_dict(_zeroed(command.to_dict()))
+    fields = command.to_dict()
+    changed = fields if zero is Zero.ALL else {zero.value: fields.get(zero.value)}
+    return type(command).from_dict(fields | _zeroed(changed))
 
 
 def _zeroed(value: Any) -> Any:

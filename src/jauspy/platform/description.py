@@ -8,7 +8,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Final
 
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup, Quality
@@ -21,6 +21,15 @@ if TYPE_CHECKING:
     from jauspy.platform.can.setup import CanSetup
     from jauspy.platform.modular.parts import CellSetup
     from jauspy.platform.wheels import WheelSetup
+
+
+WORLD_SUFFIXES: Final = (".xml", ".mjcf", ".sdf", ".world", ".toml")
+"""Ends of the names of files with worlds: MJCF, SDF, a list of objects."""
+
+
+def is_world_file(world: str) -> bool:
+    """True for the path of a world's file, False for the name of a world that a backend includes."""
+    return "/" in world or world.lower().endswith(WORLD_SUFFIXES)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,6 +86,8 @@ class RobotModel:
     lidars: tuple[LidarSetup, ...] = ()
     cameras: tuple[CameraSetup, ...] = ()
     force_torque: tuple[ForceTorqueSetup, ...] = ()
+    model_path: tuple[str, ...] = ()
+    """Directories in which an SDF world's `model://` is searched before those of the environment."""
     cell: CellSetup | None = None
     """What is in the factory cell around it; None for a robot that is not in one."""
     can: CanSetup | str | None = None

@@ -41,7 +41,9 @@ class KinematicBackend:
         if robot.cell is not None:
             raise ConfigError("the kinematic backend has no factory cells: parts need physics; choose the backend sim")
         if world not in WORLDS:
-            raise ConfigError(f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}")
+            raise ConfigError(
+                f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}, each a flat floor"
+            )
         return KinematicRobot(robot)
 
 

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
+from enum import Enum
 from typing import Final
 
 from jauspy.services.service import Service
@@ -10,15 +11,25 @@ from jauspy.services.service import Service
 DEFAULT_TIMEOUT: Final = 2.0
 """Seconds; clients repeat such commands several times a second."""
 
-CONTINUOUS_COMMANDS: Final = frozenset(
-    {
-        *("SetWrenchEffort", "SetSkidSteerEffort", "SetVelocityCommand", "SetVelocityCommandExt"),
-        *("SetLocalVector", "SetGlobalVector"),
-        *("SetJointEffort", "SetJointVelocity", "SetActuatorForceTorques", "SetEndEffectorVelocityState"),
-        *("SetPanTiltJointEffort", "SetPanTiltJointVelocity"),
-    }
-)
-"""Names of the commands that a client repeats, lest the motion stop (AS6009, AS6057, AS6091)."""
+
+class Zero(Enum):
+    """Which fields of a command are zero in the one that stops its motion."""
+
+    ALL = "all"
+    SPEED = "speed"
+    """The heading and the attitude of a vector stay."""
+    NONE = "none"
+    """There is no such command: an arm falls without the forces of its motors. The time-out or Standby stop it."""
+
+
+CONTINUOUS_COMMANDS: Final[Mapping[str, Zero]] = {
+    **dict.fromkeys(("SetWrenchEffort", "SetSkidSteerEffort", "SetVelocityCommand", "SetVelocityCommandExt"), Zero.ALL),
+    **dict.fromkeys(("SetLocalVector", "SetGlobalVector", "SetLocalVectorExt", "SetGlobalVectorExt"), Zero.SPEED),
+    **dict.fromkeys(("SetJointEffort", "SetJointVelocity", "SetEndEffectorVelocityState"), Zero.ALL),
+    **dict.fromkeys(("SetPanTiltJointEffort", "SetPanTiltJointVelocity"), Zero.ALL),
+    **dict.fromkeys(("SetActuatorForceTorques", "SetServoTarget"), Zero.NONE),
+}
+"""Names of the commands that a client repeats, lest the motion stop (AS6009, AS6057, AS6091), and how to stop it."""
 
 
 class ContinuousCommands(Service):

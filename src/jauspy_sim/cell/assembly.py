@@ -88,7 +88,7 @@ def build_cell(robot: RobotModel, world: str) -> CellModel:
     if setup is None:
         raise ConfigError(f"robot {robot.description.name} has no cell")
     name_prefix = prefix(robot.description.name)
-    spec = world_spec(world)
+    spec = world_spec(world, robot.model_path)
     spec.attach(robot_spec(robot), prefix=name_prefix, frame=spec.worldbody.add_frame())
     _check(robot, setup)
     for bin_ in setup.bins:

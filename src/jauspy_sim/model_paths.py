@@ -1,0 +1,109 @@
+"""Finds what an SDF world names: files relative to it, by `file://`, or by `model://` in search paths."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Final
+from urllib.parse import unquote
+
+from lxml import etree
+
+from jauspy.errors import ConfigError
+from jauspy.user_files import read_file
+
+VARIABLES: Final = (
+    "GZ_SIM_RESOURCE_PATH",
+    "IGN_GAZEBO_RESOURCE_PATH",
+    "GAZEBO_MODEL_PATH",
+    "GAZEBO_RESOURCE_PATH",
+    "SDF_PATH",
+)
+"""Environment variables with directories of models, in their order."""
+
+FOLDERS: Final = ("", "models")
+"""Where models are beside or above a world's file."""
+
+MAX_PARENTS: Final = 4
+"""How many directories above a world's file are searched."""
+
+
+@dataclass(frozen=True, slots=True)
+class ModelPaths:
+    """Directories with models: those given, then those of the environment, then those around the file."""
+
+    given: tuple[Path, ...] = ()
+    environment: Mapping[str, str] | None = None
+    """`os.environ` when left out."""
+
+    def file(self, uri: str, near: Path) -> Path:
+        """The file or directory that a URI in the file `near` means; raises `ConfigError` if there is none."""
+        scheme, found, rest = uri.partition("://")
+        if not found:
+            return _existing(near.parent / uri, uri) if not Path(uri).is_absolute() else _existing(Path(uri), uri)
+        if scheme in ("model", "package"):
+            return self._model(unquote(rest).lstrip("/"), uri, near)
+        if scheme == "file":
+            path = Path(unquote(rest))
+            return _existing(path, uri) if path.is_absolute() else self._model(str(path), uri, near)
+        if scheme in ("http", "https", "fuel"):
+            raise ConfigError(f"{uri}: nothing is downloaded; download it, and name its directory by --model-path")
+        raise ConfigError(f"{uri}: {scheme}:// is not read; known are model://, file:// and paths")
+
+    def _model(self, text: str, uri: str, near: Path) -> Path:
+        name, _, rest = text.partition("/")
+        places = list(self._places(near))
+        for place in places:
+            folder = place / name
+            if not folder.exists():
+                continue
+            target = (folder / rest).resolve()
+            if not target.is_relative_to(folder.resolve()):
+                raise ConfigError(f"{uri}: leads out of the model {name!r}")
+            if target.exists():
+                return target
+        tried = ", ".join(dict.fromkeys(str(place) for place in places))
+        raise ConfigError(f"{uri}: is not found; --model-path, model_path and GZ_SIM_RESOURCE_PATH add to: {tried}")
+
+    def _places(self, near: Path) -> Iterator[Path]:
+        yield from self.given
+        environment = os.environ if self.environment is None else self.environment
+        for variable in VARIABLES:
+            for part in environment.get(variable, "").split(os.pathsep):
+                if part:
+                    yield Path(part)
+        for parent in list(near.absolute().parents)[:MAX_PARENTS]:
+            for folder in FOLDERS:
+                yield parent / folder
+
+
+def _existing(path: Path, uri: str) -> Path:
+    if not path.exists():
+        raise ConfigError(f"{uri}: there is no such file ({path.absolute()})")
+    return path
+
+
+def sdf_of_model(folder: Path) -> Path:
+    """The SDF file of a model: of the newest version that its `model.config` names. Raises `ConfigError`."""
+    if folder.is_file():
+        return folder
+    config = folder / "model.config"
+    if config.is_file():
+        try:
+            root = etree.fromstring(read_file(config), etree.XMLParser(resolve_entities=False, no_network=True))
+        except etree.XMLSyntaxError as error:
+            raise ConfigError(f"{config}:{error.lineno}: is not XML: {error.msg}") from error
+        named = [(each.get("version", "0"), (each.text or "").strip()) for each in root.findall("sdf")]
+        files = [(version, folder / name) for version, name in named if name and "/" not in name]
+        found = [path for _, path in sorted(files, key=lambda each: _version(each[0])) if path.is_file()]
+        if found:
+            return found[-1]
+    if not (folder / "model.sdf").is_file():
+        raise ConfigError(f"{folder}: has no model.sdf")
+    return folder / "model.sdf"
+
+
+def _version(text: str) -> tuple[int, ...]:
+    return tuple(int(part) if part.isdigit() else 0 for part in text.split("."))
