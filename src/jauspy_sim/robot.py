@@ -20,6 +20,7 @@ from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
 from jauspy_sim.layered_lidar import LayeredLidar
 from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
+from jauspy_sim.viewer import Viewer
 from jauspy_sim.wheels import SimulatedWheels
 
 SETTLING_STEPS: Final = 250
@@ -36,7 +37,8 @@ class SimulatedRobot:
     """One robot and its world. The same commands at the same times give the same trajectory, bit for bit."""
 
     def __init__(self, model: mujoco.MjModel, robot: RobotModel, drawn: DrawnModel | None = None) -> None:
-        self._model = model
+        self._model, self._drawn = model, drawn
+        self._viewer: Viewer | None = None
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
         self._tracked = TrackedDrive(model, data, name_prefix, robot.tracks) if robot.tracks else None
@@ -140,6 +142,13 @@ class SimulatedRobot:
         for lidar in self._lidars.values():
             lidar.wait(self.time)
         self._cameras.show()
+        if self._viewer is not None:
+            self._viewer.show()
+
+    def view(self) -> None:
+        """Open a window that shows the robot and its world. Raises `ConfigError` without a display."""
+        if self._viewer is None:
+            self._viewer = Viewer(self._model if self._drawn is None else self._drawn.build(), self._data)
 
     def close(self) -> None:
         """Stop, and release the shared memory of the cameras; MuJoCo's memory is released with the object."""
@@ -147,6 +156,9 @@ class SimulatedRobot:
         for group in self._groups.values():
             group.hold()
         self._cameras.close()
+        if self._viewer is not None:
+            self._viewer.close()
+            self._viewer = None
 
     def _run(self, steps: int) -> None:
         """Run physics steps; controllers and sensors act on a fixed grid, however `advance` divides the time."""

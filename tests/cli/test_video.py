@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import os
+import re
 import select
 import signal
 
@@ -16,6 +17,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import av
 
 from jauspy.cli import video
+from jauspy.cli.stream_settings import StreamSettings
 from jauspy.errors import RequestError
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
@@ -48,9 +50,11 @@ def port():
         return receiver.port
 
 
-def test_video_is_recorded(robot, port, tmp_path):
+def test_video_is_recorded_in_the_size_that_is_asked_for(robot, port, tmp_path):
     film = tmp_path / "arm.mp4"
-    recording = start("video", "101.1.106", "--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "3", *robot)
+    wanted = ["--size", "320x240", "--rate", "20", "--bitrate", "500"]
+    to = ["--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "3"]
+    recording = start("video", "101.1.106", *wanted, *to, *robot)
     out, said = recording.communicate(timeout=60)
     assert recording.returncode == 0, said
     assert "0 packets lost" in said
@@ -58,7 +62,7 @@ def test_video_is_recorded(robot, port, tmp_path):
     with av.open(str(film)) as opened:
         frames = list(opened.decode(video=0))
     assert len(frames) > 2
-    assert (frames[0].width, frames[0].height) == (640, 480)
+    assert (frames[0].width, frames[0].height) == (320, 240)
 
 
 def test_component_without_cameras_is_an_error(robot, port, tmp_path):
@@ -76,7 +80,9 @@ def test_players_are_printed_and_the_robot_sends_until_the_end(robot, tmp_path):
         watching = start("video", "101.1.107", "--to", to, "--sdp", str(file), "--show", *robot, env=HEADLESS)
         try:
             out = lines_until(watching, "Ctrl-C")
-            assert f"m=video {receiver.port} RTP/AVP 96" in file.read_text()
+            text = file.read_text()
+            assert f"m=video {receiver.port} RTP/AVP 96" in text
+            assert re.search(r"packetization-mode=1;profile-level-id=42[0-9a-f]{4};sprop-parameter-sets=\S+,\S+", text)
             assert all(player in out for player in ("ffplay ", "gst-launch-1.0 ", "vlc "))
             pictures = []
             while not pictures:
@@ -103,6 +109,8 @@ def test_unknown_sensor_is_an_error(robot):
     [
         (["101.1.255"], 1, "has wildcards"),
         (["101.1.106", "--to", "robot:5004"], 1, "an address in numbers"),
+        (["101.1.106", "--size", "641x480"], 1, "--size 641x480: JAUS has no such size for video; it has: 128x96,"),
+        (["101.1.106", "--rate", "0"], 2, "--rate"),
         (["101.1.106", "--sdp", "/no/such/folder/x.sdp"], 1, "choose another file with --sdp"),
         (["101.1.106", "--save", "x.mp4", "--show"], 2, "cannot be combined with --save"),
     ],
@@ -136,8 +144,9 @@ async def test_missing_picture_is_explained_after_three_seconds(monkeypatch, cap
     monkeypatch.setattr(video, "START_TIMEOUT", 0.1)
     monkeypatch.setattr(video, "registered", lambda *_: contextlib.nullcontext())
     ocu, camera = OCU("42.1.1", transport=LoopbackTransport(JausID(42, 1, 1), LoopbackHub())), JausID(101, 1, 106)
+    unchanged = StreamSettings()
     with pytest.raises(RequestError, match=r"no picture was received in 0\.1 s: no packet has arrived at rtp://127"):
-        await video.record(ocu, camera, 1, ("127.0.0.1", port), file=tmp_path / "x.mp4", seconds=None)
+        await video.record(ocu, camera, 1, ("127.0.0.1", port), unchanged, file=tmp_path / "x.mp4", seconds=None)
     said = " ".join(capsys.readouterr().err.split())
     assert "no picture yet: no packet has arrived" in said
     assert "if 101.1.106 is on another one, name an address with --to" in said

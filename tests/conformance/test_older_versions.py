@@ -1,4 +1,4 @@
-"""A robot that offers version 1.0 of its services beside the newer ones passes the conformance test in both versions."""
+"""A robot that offers version 1.0 of its services beside the newer ones passes the conformance test of both."""
 
 from __future__ import annotations
 

@@ -18,7 +18,9 @@ import typer
 from jauspy.cli import client, console
 from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
-from jauspy.errors import ConfigError, RequestError
+from jauspy.cli.still import size_of
+from jauspy.cli.stream_settings import StreamSettings, change_stream, known_size
+from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing import (
     ConfirmDigitalResourceEndpoint as Confirm,
@@ -26,8 +28,10 @@ from jauspy.messages.environment_sensing import (
     RemoveDigitalResourceEndpoint as Remove,
 )
 from jauspy.ocu import OCU
+from jauspy.platform.video_settings import MAX_BIT_RATE, MAX_RATE, MIN_BIT_RATE
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP, parse_rtp_url
 from jauspy.video import need_video
+from jauspy.video.h264_payload import PPS, SPS, nal_type
 from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
 
 
@@ -51,6 +55,23 @@ def video(
         Path | None, typer.Option("--save", metavar="FILE", help="Record to this file, .mp4 or .mkv, without a player.")
     ] = None,
     show: Annotated[bool, typer.Option("--show", help="Open a window with ffplay.")] = False,
+    size: Annotated[
+        str | None,
+        typer.Option("--size", metavar="WxH", help="Size of the video.  [default: as the camera is set]"),
+    ] = None,
+    rate: Annotated[
+        int | None,
+        typer.Option("--rate", min=1, max=MAX_RATE, help="Pictures per second.  [default: as the camera is set]"),
+    ] = None,
+    bit_rate: Annotated[
+        int | None,
+        typer.Option(
+            "--bitrate",
+            min=MIN_BIT_RATE // 1000,
+            max=MAX_BIT_RATE // 1000,
+            help="Kilobits per second.  [default: as the camera is set]",
+        ),
+    ] = None,
     seconds: Annotated[
         float | None,
         typer.Option(
@@ -67,10 +88,12 @@ def video(
     """Request the video of a camera, and print commands that show it; or record it.
 
     The camera sends H.264 in RTP until this command ends. The commands of ffplay, GStreamer and VLC that show the video
-    are printed. With --save the stream is recorded without re-encoding.
+    are printed. With --save the stream is recorded without re-encoding. --size, --rate and --bitrate take control of
+    the camera for a moment; they apply to all who watch it, and stay.
 
     Examples:
       jauspy video 101.1.106
+      jauspy video 101.1.106 --size 1280x720 --rate 10 --bitrate 3000
       jauspy video 101.1.107 --save front.mp4 --seconds 30
       jauspy video 101.1.106 --to 192.168.1.20:5004 --show
     """
@@ -80,13 +103,14 @@ def video(
     if save is not None and show:
         raise typer.BadParameter("it cannot be combined with --save: a port has one receiver", param_hint="--show")
     given = None if to is None else parse_rtp_url(f"rtp://{to}")
+    settings = StreamSettings(known_size(size_of(size)), rate, bit_rate)
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
     if save is not None:
-        run(record(ocu, component, sensor, given, file=save, seconds=seconds))
+        run(record(ocu, component, sensor, given, settings, file=save, seconds=seconds))
         return
     file = sdp or Path(f"{component}.sdp")
     check_writable(file)
-    run(watch(ocu, component, sensor, given, seconds, file=file, show=show))
+    run(watch(ocu, component, sensor, given, settings, file=file, show=show, seconds=seconds))
 
 
 DEFAULT_PORT: Final = 5004
@@ -154,23 +178,63 @@ async def watch(
     camera: JausID,
     sensor: int,
     given: tuple[str, int] | None,
-    seconds: float | None,
+    settings: StreamSettings,
     *,
     file: Path,
     show: bool,
+    seconds: float | None,
 ) -> None:
     """Keep the endpoint registered until the time is up; print what shows the video."""
     async with AsyncExitStack() as stack:
         await stack.enter_async_context(ocu)
         address = await own_address(ocu, camera, given)
-        players(file, f"{camera} sensor {sensor}", address, show=show)
+        await configure(ocu, camera, sensor, settings)
+        sets = await parameter_sets(ocu, camera, sensor)
+        players(file, f"{camera} sensor {sensor}", address, sets, show=show)
         await stack.enter_async_context(registered(ocu, camera, sensor, url_of(address)))
         console.print_lines(f"{camera} sends to {url_of(address)}; Ctrl-C ends it")
         await _sleep(seconds)
 
 
+async def configure(ocu: OCU, camera: JausID, sensor: int, settings: StreamSettings) -> None:
+    """Change the stream, if it is to be changed."""
+    if not settings.is_empty:
+        robot = await ocu.discover(camera.subsystem)
+        await change_stream(robot.component(str(camera)), sensor, settings)
+
+
+async def parameter_sets(ocu: OCU, camera: JausID, sensor: int) -> tuple[bytes, ...]:
+    """The stream's parameter sets, SPS and PPS, from its first pictures; none if no picture comes.
+
+    With them in the session description, a player can begin with any key frame.
+    """
+    from jauspy.video.receiver import RtpReceiver
+
+    found: dict[int, bytes] = {}
+    try:
+        with RtpReceiver(await ocu.address_towards(camera)) as receiver:
+            here = url_of((await ocu.address_towards(camera), receiver.port))
+            async with registered(ocu, camera, sensor, here), asyncio.timeout(START_TIMEOUT):
+                while len(found) < 2:
+                    for picture in receiver.take():
+                        found |= {nal_type(nal): nal for nal in picture.nals if nal_type(nal) in (SPS, PPS)}
+                    await asyncio.sleep(0.02)
+    except (TimeoutError, RequestError, TransportError) as error:
+        why = str(error) or f"no picture has come within {START_TIMEOUT:g} s"
+        console.note(f"the description lacks the stream's parameters, so that players wait for a key frame: {why}")
+        return ()
+    return found[SPS], found[PPS]
+
+
 async def record(
-    ocu: OCU, camera: JausID, sensor: int, given: tuple[str, int] | None, *, file: Path, seconds: float | None
+    ocu: OCU,
+    camera: JausID,
+    sensor: int,
+    given: tuple[str, int] | None,
+    settings: StreamSettings,
+    *,
+    file: Path,
+    seconds: float | None,
 ) -> None:
     """Record the video; also ends when the size of the pictures changes."""
     need_video()
@@ -182,6 +246,7 @@ async def record(
     async with AsyncExitStack() as stack:
         await stack.enter_async_context(ocu)
         address = await own_address(ocu, camera, given)
+        await configure(ocu, camera, sensor, settings)
         receiver, recorder = stack.enter_context(RtpReceiver(*address)), stack.enter_context(Recorder(file))
 
         def take() -> None:
@@ -233,10 +298,10 @@ def check_writable(file: Path) -> None:
         raise ConfigError(f"cannot write {file}; choose another file with --sdp")
 
 
-def players(file: Path, name: str, address: tuple[str, int], *, show: bool) -> None:
+def players(file: Path, name: str, address: tuple[str, int], sets: tuple[bytes, ...], *, show: bool) -> None:
     """Write the SDP file and print commands for players; with `show` start ffplay if there is a display."""
     try:
-        file.write_text(session_description(name, *address), newline="")
+        file.write_text(session_description(name, *address, sets), newline="")
     except OSError as error:
         raise ConfigError(f"cannot write {file}: {error}; choose another file with --sdp") from error
     ffplay = ["ffplay", *ffmpeg_source(file)]

@@ -20,13 +20,15 @@ from jauspy.modules.cell_hosts import is_present
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.faults import FaultMonitor, reason
 from jauspy.modules.hosts import Announcement, check_parts, host_of
+from jauspy.modules.loads import LoadMonitor, overloads
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import robot_model
 from jauspy.modules.running import RunningModules
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Backend, Robot, Snapshot
+from jauspy.platform.contract import Backend, Robot, Snapshot, Viewable
+from jauspy.platform.contract_check import check_robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
@@ -55,7 +57,8 @@ class RobotRunner:
     """Runs the robot that `config` describes: `async with RobotRunner(...)`, or `await runner.run()`.
 
     `transports` makes the transport of each component, by its id. `backend`, the name of an installed one or a
-    `Backend`, and `world` override `config`; `realtime` makes the object that advances the robot's time.
+    `Backend`, and `world` override `config`; `realtime` makes the object that advances the robot's time; `view` opens
+    the window of the backend's simulator.
     Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
     cannot be opened. Closing ends the components first, and then the robot, which then stands still.
     """
@@ -68,12 +71,13 @@ class RobotRunner:
         backend: str | Backend | None = None,
         world: str | None = None,
         realtime: Callable[[Robot], RealTime] = _in_real_time,
+        view: bool = False,
     ) -> None:
         self._backend = None if isinstance(backend, str) else backend
         name = backend if isinstance(backend, str) or backend is None else backend.name
         self.config = config.model_copy(update={"backend": name or config.backend, "world": world or config.world})
         self._transports = transports
-        self._make_realtime = realtime
+        self._make_realtime, self._view = realtime, view
         self._realtime: RealTime | None = None
         self._modules: RunningModules | None = None
         self._following: asyncio.Task[None] | None = None
@@ -126,6 +130,19 @@ class RobotRunner:
             return {}
         found = {str(each.id): reason(module, self._realtime.faults) for each, module in self.running}
         return {id: why for id, why in found.items() if why}
+
+    @property
+    def overloads(self) -> Mapping[str, str]:
+        """What joints cannot carry, in words, by the id of the component that moves them and the joint's name."""
+        if self._realtime is None:
+            return {}
+        joints = {name: group.joints for name, group in self._realtime.groups.items()}
+        snapshot = self._realtime.snapshot
+        return {
+            f"{each.id} {name}": text
+            for each, module in self.running
+            for name, text in overloads(module, joints, snapshot).items()
+        }
 
     @property
     def counters(self) -> Mapping[str, int]:
@@ -258,7 +275,20 @@ class RobotRunner:
             raise ConfigError(
                 f"the backend {self.config.backend!r} cannot open the robot: {type(error).__name__}: {error}"
             ) from error
-        stack.callback(_close, robot)
+        if hasattr(robot, "close"):
+            stack.callback(_close, robot)
+        try:
+            check_robot(robot)
+        except ConfigError as error:
+            raise ConfigError(f"the backend {self.config.backend!r}: {error}") from error
+        except Exception as error:
+            raise ConfigError(
+                f"the backend {self.config.backend!r} cannot read the robot: {type(error).__name__}: {error}"
+            ) from error
+        if self._view:
+            if not isinstance(robot, Viewable):
+                raise ConfigError(f"the backend {self.config.backend!r} has no window to view; 'sim' has one")
+            robot.view()
         return stack.enter_context(self._make_realtime(robot))
 
 
@@ -290,6 +320,7 @@ def _host(
         more=(*more, recovery),
     )
     FaultMonitor(host, recovery, module, robot)
+    LoadMonitor(host, module, robot)
     return host
 
 

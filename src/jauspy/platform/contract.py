@@ -10,7 +10,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, NamedTuple, Protocol, Self
+from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, runtime_checkable
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 
@@ -97,6 +97,15 @@ class Robot(RobotParts, Protocol):
 
     def close(self) -> None:
         """Stop, and release all resources. May be called twice."""
+        ...
+
+
+@runtime_checkable
+class Viewable(Protocol):
+    """A robot whose world can be shown in a window of its simulator."""
+
+    def view(self) -> None:
+        """Open the window, until the robot is closed; raises `ConfigError` without a display."""
         ...
 
 

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import struct
+from base64 import b64encode
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Final, NamedTuple
@@ -121,8 +123,12 @@ def requests_picture(data: bytes) -> bool:
     return False
 
 
-def session_description(name: str, address: str, port: int) -> str:
-    """The session description (SDP, RFC 8866, RFC 6184 8.2.1) with which a player receives the stream."""
+def session_description(name: str, address: str, port: int, parameter_sets: Sequence[bytes] = ()) -> str:
+    """The session description (SDP, RFC 8866, RFC 6184 8.2.1) with which a player receives the stream.
+
+    With the stream's parameter sets (SPS first, then PPS), a player that joins late knows size and profile before the
+    next IDR picture.
+    """
     family = "IP6" if ":" in address else "IP4"
     title = " ".join(name.split()) or "-"
     lines = [
@@ -133,10 +139,18 @@ def session_description(name: str, address: str, port: int) -> str:
         "t=0 0",
         f"m=video {port} RTP/AVP {PAYLOAD_TYPE}",
         f"a=rtpmap:{PAYLOAD_TYPE} H264/{CLOCK_RATE}",
-        f"a=fmtp:{PAYLOAD_TYPE} packetization-mode=1",
+        f"a=fmtp:{PAYLOAD_TYPE} packetization-mode=1{_parameters(parameter_sets)}",
         "a=recvonly",
     ]
     return "".join(f"{line}\r\n" for line in lines)
+
+
+def _parameters(sets: Sequence[bytes]) -> str:
+    """The rest of the format parameters; the profile and level are the three bytes after the SPS's header."""
+    if not sets:
+        return ""
+    encoded = ",".join(b64encode(each).decode() for each in sets)
+    return f";profile-level-id={sets[0][1:4].hex()};sprop-parameter-sets={encoded}"
 
 
 def ffmpeg_source(sdp: Path) -> list[str]:

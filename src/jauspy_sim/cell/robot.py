@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 import math
-import os
 from collections.abc import Iterator, Mapping, Sequence
-from importlib import import_module
 from importlib.util import find_spec
-from typing import TYPE_CHECKING, Any, Final
+from typing import TYPE_CHECKING, Final
 
 import mujoco
 import numpy as np
@@ -32,12 +30,10 @@ from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb
 from jauspy_sim.cell.truth import Truth
 from jauspy_sim.joints import SimulatedJoints
+from jauspy_sim.viewer import Viewer
 
 if TYPE_CHECKING:
     from jauspy.platform.modular.assembled_arm import AssembledArm
-
-DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
-"""Environment variables of which a display sets one."""
 
 ARM_LIBRARIES: Final = ("pinocchio", "ruckig")
 
@@ -85,7 +81,7 @@ class SimulatedCell:
         self._revision = -1
         self._owed = 0.0
         self._next_show = 0
-        self._viewer: Any = None
+        self._viewer: Viewer | None = None
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
         self._sensor.step(0.0)
@@ -176,7 +172,7 @@ class SimulatedCell:
                 self._cameras.show()
                 self._next_show = self._steps + SHOW_EVERY
                 if self._viewer is not None:
-                    self._viewer.sync()
+                    self._viewer.show()
 
     def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
         """Have an arm there before a task starts: put parts on a connector and on each other, attached.
@@ -187,11 +183,8 @@ class SimulatedCell:
 
     def view(self) -> None:
         """Open a window that shows the cell while it is advanced. Raises `ConfigError` without a display."""
-        if self._viewer is not None:
-            return
-        if not any(os.environ.get(name) for name in DISPLAYS):
-            raise ConfigError("there is no display to show the cell on: DISPLAY is not set; film it instead")
-        self._viewer = import_module("mujoco.viewer").launch_passive(self._model, self._data)
+        if self._viewer is None:
+            self._viewer = Viewer(self._model, self._data)
 
     def close(self) -> None:
         """Stop. What connectors hold stays held. May be called twice."""

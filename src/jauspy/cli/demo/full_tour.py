@@ -21,15 +21,13 @@ from jauspy.cli.demo import plan
 from jauspy.cli.demo.grasp import ARM_CAMERA, STILL_FILE, Grasp, aim
 from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
 from jauspy.cli.demo.tour import Tour, to_the_table
+from jauspy.cli.stream_settings import StreamSettings, change_stream
 from jauspy.cli.video import registered, url_of
-from jauspy.errors import RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid, Points, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
-from jauspy.messages.environment_sensing.v2_0.digital_video import SetDigitalVideoSensorConfiguration
-from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.modules.config import RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
@@ -91,7 +89,7 @@ async def recorded(
     ocu: OCU, camera: ComponentClient, name: str, file: Path, size: FrameSize
 ) -> AsyncIterator[VideoRecording]:
     """Record the camera's video in that size while this context is open."""
-    await _resize(camera, size)
+    await change_stream(camera, SENSOR, StreamSettings(size), authority=plan.AUTHORITY)
     loop = asyncio.get_running_loop()
     with RtpReceiver(LOCALHOST) as receiver, Recorder(file) as recorder:
         recording = VideoRecording(name, receiver, recorder)
@@ -102,20 +100,6 @@ async def recorded(
                 recording.ended = time.monotonic()
         finally:
             loop.remove_reader(receiver.fileno())
-
-
-async def _resize(camera: ComponentClient, size: FrameSize) -> None:
-    """Set the size of the video, which needs control; other clients receive the new size, too."""
-    service = camera.service("DigitalVideo")
-    wanted = SetDigitalVideoSensorConfiguration.DigitalVideoSensorConfigurationRec(SENSOR, frame_size=size)
-    request = SetDigitalVideoSensorConfiguration.RequestIdRec(1)
-    order = SetDigitalVideoSensorConfiguration(request, [wanted])
-    async with service.control(plan.AUTHORITY):
-        await service.resume()
-        answer = await service.query(order, expects=ConfirmSensorConfiguration)
-    refused = [each for each in answer.confirm_sensor_list if hasattr(each, "error_message")]
-    if refused:
-        raise RequestError(f"{camera.id} does not recording in that size: {refused[0].error_message}")
 
 
 MAP_SIZE: Final = 20.0

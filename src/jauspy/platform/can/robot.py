@@ -11,6 +11,7 @@ from typing import Any, Final
 import can
 import canopen
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
@@ -22,7 +23,7 @@ from jauspy.platform.can.motion import TRACK_ACCELERATION, JointMotion, TrackMot
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.can.simulated.fleet import Fleet, plant_of
 from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
-from jauspy.platform.contract import DriveBase, OptionalPart, Robot
+from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointState, Target
@@ -264,6 +265,13 @@ class CanRobot:
         if robot is not None:
             return robot.cameras
         return {} if self._cameras is None else self._cameras.cameras
+
+    def view(self) -> None:
+        """Open the window of the simulation that the drives move. Raises `ConfigError` if there is none."""
+        robot: object = self._ticker.plant_robot
+        if not isinstance(robot, Viewable):
+            raise ConfigError("these drives move no simulation that could be viewed; with --bus virtual:sim they do")
+        robot.view()
 
     @property
     def optional_parts(self) -> Sequence[OptionalPart]:
