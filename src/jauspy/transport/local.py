@@ -24,7 +24,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.transport import base, node_status
 from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, SendQueue, ignore
-from jauspy.transport.node_status import Locator, this_machine
+from jauspy.transport.node_status import Locator
 
 _LOGGER = get_logger(__name__)
 
