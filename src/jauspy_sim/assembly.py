@@ -19,7 +19,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
-from jauspy_sim.look import colour_solids, polish, without_visuals
+from jauspy_sim.look import polish, show_solids, without_visuals
 from jauspy_sim.shapes import same_shape
 from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.wheel_joints import add_wheels
@@ -72,7 +72,7 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     else:
         _remove_scenery(spec)
         added = robot_spec(replace(robot, description=without_visuals(robot.description)))
-        colour_solids(added, robot.description)
+        show_solids(added, robot.description)
     spec.attach(added, prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
