@@ -8,7 +8,7 @@ from typing import Final
 import mujoco
 import numpy as np
 
-ALONG_THE_TRACK: Final = 1e-3
+ALONG_THE_TRACK: Final = 0.002
 """Cosines of normals to the track, of all contacts together, below which MuJoCo's own Jacobian is right."""
 
 FRICTION: Final = 3
@@ -39,6 +39,7 @@ class Belts:
         self._uniform = bool((model.geom_condim == FRICTION).all() and (model.pair_dim == FRICTION).all())
         self._known: tuple[int, int] = (0, 0)
         self._places = self._rows = np.empty((0, FRICTION), np.int64)
+        self._normals = np.empty(0, np.int64)
         self._missing = np.empty((0, FRICTION), np.bool_)
 
     def run_around(self) -> None:
@@ -50,13 +51,16 @@ class Belts:
         if contacts != self._known or self._sparse or not self._uniform:
             self._find(*contacts)
         jacobian, places = data.efc_J, self._places
+        if self._sparse:
+            pushes = np.where(self._missing[:, 0, 3:], 0.0, jacobian[places[:, 0, 3:]]).ravel()
+        else:
+            pushes = jacobian[self._normals]
+        if pushes.dot(pushes) < ALONG_THE_TRACK**2:
+            return
         block = jacobian[places]  # contact; normal and tangents; x, y and z of the base, and belts
         if self._sparse:
             block[self._missing] = 0.0
         before = block[:, :, 3:]
-        normals = before[:, 0].ravel()
-        if normals.dot(normals) < ALONG_THE_TRACK**2:
-            return
         x, y, z = self._frame.dot(self._lateral).tolist()
         directions = block[:, :, :3]
         tangents = directions[:, 0].dot(np.array(((0.0, z, -y), (-z, 0.0, x), (y, -x, 0.0))))
@@ -67,9 +71,10 @@ class Belts:
         else:
             jacobian[places[:, :, 3:]] = after
         change = (after - before).dot(self._qvel[self._dofs])
-        rows = self._rows
-        data.efc_vel[rows] += change
-        data.efc_aref[rows] -= data.efc_KBIP[rows, 1] * change
+        if self._uniform:
+            data.efc_aref[contacts[0] :] -= data.efc_KBIP[contacts[0] :, 1] * change.ravel()
+        else:
+            data.efc_aref[self._rows] -= data.efc_KBIP[self._rows, 1] * change
 
     def _find(self, first: int, end: int) -> None:
         """Find the rows of contacts with friction, and where the Jacobian has their columns."""
@@ -83,6 +88,7 @@ class Belts:
         self._known, self._rows = (first, end), rows
         if not self._sparse:
             self._places = rows[:, :, None] * self._nv + self._columns
+            self._normals = self._places[:, 0, 3:].ravel()
             return
         begin = data.efc_J_rowadr[first:end]
         wanted = self._column_of[data.efc_J_colind[begin[0] :]]
