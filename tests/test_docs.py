@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import re
+import tomllib
+from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+import pytest
 from tests.helpers.documentation import DOCS, program
 
 from jauspy.messages.core import Standby
+from jauspy.modules import robot_files
+from jauspy.platform.contract_check import check_robot
 from jauspy.testing import LocalNode, VirtualNetwork
 
 GATE = Path(__file__).parent / "vendor" / "Gate.xml"
@@ -71,3 +76,16 @@ def test_index_of_decisions_is_complete() -> None:
         assert number == str(int(path.name[:4]))
         records.append(f"| [{number}]({path.name}) | {title} | {status} | {date} |")
     assert listed == records
+
+
+def test_documented_entry_point_is_a_backend_that_is_as_the_contract_says(monkeypatch: pytest.MonkeyPatch) -> None:
+    (table,) = re.findall(r"```toml\n(.*?)```", (DOCS / "own-backend.md").read_text(), re.DOTALL)
+    ((name, value),) = tomllib.loads(table)["project"]["entry-points"]["jauspy.backends"].items()
+    monkeypatch.syspath_prepend(str(DOCS.parent / "examples"))
+    module, _, factory = value.partition(":")
+    backend = getattr(import_module(module), factory)()
+    config = robot_files.load(DOCS.parent / "examples" / "tracked.toml")
+    assert config.backend == backend.name == name
+    robot = backend.open(robot_files.robot_model(config), config.world)
+    check_robot(robot)
+    robot.close()

@@ -36,7 +36,7 @@ MIRRORED = {"left_track": "right_track", "left_flipper": "right_flipper", "left_
 
 def looks(size: Dimensions) -> dict[str, Look]:
     """The looks of links, in their frames."""
-    left = tracks.moved(tracks.suspension(size), 0.0, size.gauge / 2.0)
+    left = tracks.moved(tracks.suspension(size), size.track_x, size.gauge / 2.0)
     right = {name: mirrored(mesh) for name, mesh in left.items()}
     flipper = tracks.merge({"rubber": tracks.flipper_belt(size)}, tracks.flipper_frame(size))
     return {

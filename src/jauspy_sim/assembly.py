@@ -32,6 +32,9 @@ if TYPE_CHECKING:
 
 logger = logging.getLogger("jauspy_sim.mujoco")
 
+SLEEP: Final = int(mujoco.mjtEnableBit.mjENBL_SLEEP) if hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP") else 0
+"""Things that rest cost no time until something touches them, with MuJoCo 3.4 and later."""
+
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
 
@@ -70,6 +73,7 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
         added = robot_spec(robot)
         polish(added, robot.description)
     else:
+        _remove_scenery(spec)
         added = robot_spec(replace(robot, description=without_visuals(robot.description)))
         colour_solids(added, robot.description)
     height = 0.0 if robot.tracks else depth_below_base(added, robot.description, _start(robot))
@@ -79,6 +83,8 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
+    if not drawn:
+        spec.option.enableflags |= SLEEP
     return compiled(spec, f"robot {robot.description.name} in world {world}")
 
 
@@ -88,6 +94,17 @@ def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:
         return spec.compile()
     except ValueError as error:
         raise ConfigError(f"MuJoCo cannot simulate {what}: {' '.join(str(error).split())}") from error
+
+
+def _remove_scenery(spec: mujoco.MjSpec) -> None:
+    """Remove what is only drawn from a world, and weighs nothing."""
+    for geom in spec.geoms:
+        if geom.group == VISUAL and not (geom.contype or geom.conaffinity or geom.mass != 0.0):
+            spec.delete(geom)
+    used = {geom.meshname for geom in spec.geoms}
+    for mesh in spec.meshes:
+        if mesh.name not in used:
+            spec.delete(mesh)
 
 
 def robot_spec(robot: RobotModel) -> mujoco.MjSpec:

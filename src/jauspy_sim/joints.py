@@ -16,6 +16,7 @@ from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
 from jauspy_sim.belts import Belts
+from jauspy_sim.load_brake import LoadBrake
 
 
 class SimulatedJoints:
@@ -40,11 +41,22 @@ class SimulatedJoints:
             JointController(joint, setup.gains[joint.name], start)
             for joint, start in zip(self._joints, setup.start, strict=True)
         ]
+        self._brakes = [
+            LoadBrake(model, data, joint, dof, self._dt) for joint, dof in zip(self._joints, self._dofs, strict=True)
+        ]
         self.load = np.zeros(model.nv)
         """Further efforts that the controllers compensate, by degree of freedom: of a payload."""
         self._load = view(self.load)
         self._rows = list(
-            zip(self._controllers, self._positions, self._dofs, self._motors, self._followers, strict=True)
+            zip(
+                self._controllers,
+                self._positions,
+                self._dofs,
+                self._motors,
+                self._followers,
+                self._brakes,
+                strict=True,
+            )
         )
 
     @property
@@ -60,10 +72,10 @@ class SimulatedJoints:
     def command(self, targets: Sequence[Target | None]) -> None:
         """Set the targets of the joints, base to tip; None keeps a joint's target."""
         state = self.state()
-        rows = zip(self._controllers, targets, state.positions, state.velocities, strict=True)
-        for controller, target, position, velocity in rows:
+        rows = zip(self._controllers, self._brakes, targets, state.positions, state.velocities, strict=True)
+        for controller, brake, target, position, velocity in rows:
             if target is not None:
-                controller.follow(target, position, velocity)
+                brake.follow(controller, target, position, velocity)
 
     def hold(self) -> None:
         """Stop, and hold the present positions."""
@@ -75,18 +87,24 @@ class SimulatedJoints:
         return JointState(
             tuple([self._qpos[at] for at in self._positions]),
             tuple([self._qvel[at] for at in self._dofs]),
-            tuple([self._ctrl[at] for at in self._motors]),
+            tuple([self._ctrl[at] + brake.torque for at, brake in zip(self._motors, self._brakes, strict=True)]),
+            self._overloads(),
         )
+
+    def _overloads(self) -> dict[str, float]:
+        rows = zip(self._joints, self._brakes, strict=True)
+        return {joint.name: load for joint, brake in rows if brake.engaged and (load := brake.overload) is not None}
 
     def control(self) -> None:
         """Set the motors' efforts for the next `every` physics steps; MuJoCo's bias compensates gravity and motion."""
         qpos, qvel, bias, ctrl, dt = self._qpos, self._qvel, self._bias, self._ctrl, self._dt
         load = self._load
-        for controller, position, dof, motor, followers in self._rows:
+        for controller, position, dof, motor, followers, brake in self._rows:
             needed = bias[dof] + load[dof]
             for multiplier, follower in followers:
                 needed += multiplier * bias[follower]
-            ctrl[motor] = controller.effort(qpos[position], qvel[dof], dt, needed)
+            wanted = controller.effort(qpos[position], qvel[dof], dt, needed)
+            ctrl[motor] = brake.effort(controller, qpos[position], qvel[dof], wanted, needed)
 
 
 def _followers(

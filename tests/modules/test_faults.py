@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncIterator
+import math
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager
+from typing import Any
 
 import pytest
 from tests.helpers.robot import FakeJoints, FakeRobot
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.poses import Pose
 from jauspy.messages.core import ReportStatus, Reset
 from jauspy.messages.manipulator import QueryJointPositions
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
@@ -20,6 +23,8 @@ from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.service import ServiceClient
 from jauspy.platform.commands import CHASSIS
+from jauspy.platform.description import RobotModel
+from jauspy.platform.joints import JointState
 from jauspy.platform.kinematic import KinematicBackend, KinematicDrive, KinematicRobot
 from jauspy.testing import VirtualNetwork
 
@@ -104,6 +109,72 @@ async def test_a_backend_that_cannot_open_is_one_sentence(
     runner = RobotRunner(load("inc1"), virtual_network.transport, backend="kinematic")
     with pytest.raises(ConfigError, match="the backend 'kinematic' cannot open the robot: OSError: no such bus"):
         await runner.open()
+
+
+class Changed:
+    """A part with other attributes, or without one."""
+
+    def __init__(self, part: object, missing: str = "", **changes: object) -> None:
+        self._part, self._missing = part, missing
+        vars(self).update(changes)
+
+    def __getattr__(self, name: str) -> object:
+        if name == self._missing:
+            raise AttributeError(name)
+        return getattr(self._part, name)
+
+
+@pytest.mark.parametrize(
+    ("change", "sentence"),
+    [
+        (
+            lambda robot: Changed(robot, drive=Changed(robot.drive, "twist")),
+            r"its drive \(Changed\) has no method twist\(\), which must be there: Velocity of the base in its",
+        ),
+        (
+            lambda robot: setattr(robot.drive, "pose", lambda: (0.0, 0.0)),
+            r"KinematicDrive\.pose\(\) returned a tuple, not a P",
+        ),
+        (lambda robot: setattr(robot.drive, "pose", lambda: Pose(y=math.nan)), r"\.pose\(\) returned y = nan"),
+        (
+            lambda robot: setattr(robot.groups["arm"], "state", lambda: None),
+            r"\.state\(\) returned None, not a JointState",
+        ),
+        (
+            lambda robot: setattr(robot.groups["arm"], "state", lambda: JointState((0.0,) * 5, (0.0,) * 4, (0.0,) * 5)),
+            r"\.state\(\) of the group 'arm' returned 4 velocities for 5 joints",
+        ),
+        (lambda robot: setattr(robot.drive, "stop", None), "stop of its drive .* is None, and must be a method"),
+        (
+            lambda robot: Changed(robot, lidars=None),
+            "lidars of the robot .* must be a mapping of parts by name, not None",
+        ),
+        (lambda robot: setattr(robot.drive, "pose", lambda: 1 / 0), "cannot read the robot: ZeroDivisionError"),
+    ],
+)
+async def test_what_a_backend_does_otherwise_than_the_contract_is_one_sentence(
+    virtual_network: VirtualNetwork, change: Callable[[Any], Any], sentence: str
+) -> None:
+    class Backend(KinematicBackend):
+        name = "mine"
+
+        def open(self, robot: RobotModel, world: str) -> KinematicRobot:
+            found = super().open(robot, world)
+            return change(found) or found
+
+    runner = RobotRunner(load("inc1"), virtual_network.transport, backend=Backend())
+    with pytest.raises(ConfigError, match=f"the backend 'mine'.*{sentence}"):
+        await runner.open()
+
+
+async def test_a_position_that_is_no_number_is_a_fault(
+    virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    async with running(virtual_network) as (runner, _, robot, _):
+        monkeypatch.setattr(KinematicDrive, "pose", lambda self: Pose(x=math.nan))
+        await settle(robot, 102, Status.FAILURE)
+        assert math.isfinite(runner.snapshot.pose.x)
+        assert "the robot: ValueError: KinematicDrive.pose() returned x = nan; Reset tries again" in caplog.text
 
 
 def test_a_fault_stops_every_other_part(fake_robot: FakeRobot) -> None:

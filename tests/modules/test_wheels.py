@@ -25,7 +25,7 @@ def files(tmp_path_factory: pytest.TempPathFactory) -> dict[str, str]:
     return {kind: str(write(folder, kind)) for kind in KINDS}
 
 
-@pytest.fixture(params=["kinematic", "sim"])
+@pytest.fixture(params=["kinematic", pytest.param("sim", marks=pytest.mark.slow)])
 def backend(request: pytest.FixtureRequest) -> str:
     if request.param == "sim":
         pytest.importorskip("mujoco", reason="MuJoCo is not installed")
@@ -63,6 +63,17 @@ def test_efforts_drive_and_turn_right(backend: str, kind: str, files: dict[str, 
     pose = cell.ask(m.QueryLocalPose(0xFFFF))
     assert pose.x > 0.3
     assert pose.yaw > 0.2
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_efforts_drive_in_the_simulator(kind: str, files: dict[str, str]) -> None:
+    pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+    cell = under_control("sim", files[kind])
+    cell.tell(m.SetWrenchEffort(propulsive_linear_effort_x=40.0, propulsive_rotational_effort_z=30.0))
+    cell.run(1.0)
+    pose = cell.ask(m.QueryLocalPose(0xFFFF))
+    assert pose.x > 0.2
+    assert pose.yaw > 0.08
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -12,7 +12,7 @@ from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
 
 
-@pytest.fixture(params=["inc1", "rover"])
+@pytest.fixture(params=["inc1", pytest.param("rover", marks=pytest.mark.slow)])
 def robot_name(request: pytest.FixtureRequest) -> str:
     return str(request.param)
 
@@ -234,3 +234,18 @@ def test_unknown_world_lists_the_known_ones(backend_name: str) -> None:
 
 def test_backend_has_its_name(backend_name: str) -> None:
     assert find(backend_name).name == backend_name
+
+
+def test_a_robot_on_wheels_drives_and_turns(backend_name: str) -> None:
+    if backend_name == "can":
+        pytest.skip("the backend can has no wheels")
+    rover = find(backend_name).open(robot_model(load("rover")), "empty")
+    rover.drive.set_effort(0.5, 0.3)
+    rover.advance(1.0)
+    pose = rover.drive.pose()
+    assert pose.x > 0.2
+    assert pose.yaw > 0.1
+    rover.drive.stop()
+    rover.advance(1.0)
+    assert_at_rest(rover.drive.twist())
+    rover.close()

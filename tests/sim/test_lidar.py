@@ -32,8 +32,8 @@ def at(scan: RangeScan, degrees: float) -> float:
 def test_measures_the_walls_of_the_yard() -> None:
     scan = scan_of(SimulatedRobot.open(EXACT, "yard"))
     assert len(scan.ranges) == 360
-    # the lidar stands 0.2 m behind the origin; the walls' faces are at x = -3 and y = 4
-    assert at(scan, -180) == pytest.approx(2.8, abs=0.005)
+    # the lidar stands 0.33 m behind the origin; the walls' faces are at x = -3 and y = 4
+    assert at(scan, -180) == pytest.approx(2.67, abs=0.005)
     assert at(scan, 90) == pytest.approx(4.0, abs=0.01)
     assert at(scan, -90) == math.inf, "there is no wall to the right"
 
@@ -50,7 +50,7 @@ def test_turns_with_the_robot() -> None:
     robot.drive.stop()
     robot.advance(0.5)
     pose, scan = robot.drive.pose(), scan_of(robot)
-    x, y = pose.x - 0.2 * math.cos(pose.yaw), pose.y - 0.2 * math.sin(pose.yaw)
+    x, y = pose.x - 0.33 * math.cos(pose.yaw), pose.y - 0.33 * math.sin(pose.yaw)
     beam = pose.yaw + math.radians(45)
     assert at(scan, 45) == pytest.approx((4.0 - y) / math.sin(beam), abs=0.02), f"from {x}, {y}"
 

@@ -34,31 +34,43 @@ REARWARD = turned(y=-math.pi / 2.0)
 HALF_HULL = 0.158
 
 
+LOW = 0.050
+"""From the axes of the idlers down to the hull's bottom."""
+
+
+def ends(size: Dimensions) -> Point:
+    """Rear and front of the hull."""
+    return size.track_x - size.half_hull, size.track_x + size.half_hull
+
+
 def hull(size: Dimensions) -> Look:
     """The welded housing with its front plates, and the bolted deck."""
-    low, top = size.idler_z - 0.040, size.deck - 0.018
+    low, top = size.idler_z - LOW, size.deck - 0.018
+    rear_x, front_x = ends(size)
     side: list[Point] = [
-        (-0.265, low),
-        (0.235, low),
-        (0.318, low + 0.055),
-        (0.318, low + 0.085),
-        (0.262, top),
-        (-0.290, top),
-        (-0.312, top - 0.022),
-        (-0.312, low + 0.045),
+        (rear_x + 0.047, low),
+        (front_x - 0.083, low),
+        (front_x, low + 0.055),
+        (front_x, low + 0.085),
+        (front_x - 0.056, top),
+        (rear_x + 0.022, top),
+        (rear_x, top - 0.022),
+        (rear_x, low + 0.045),
     ]
     body = across(extruded(side, -HALF_HULL, HALF_HULL, 0.006))
-    deck = extruded(round_rectangle(0.545, 0.300, 0.018), top - 0.002, size.deck, 0.0025).at(-0.018)
-    edge = [(x, y, size.deck) for x in np.linspace(-0.275, 0.239, 7) for y in (-0.139, 0.139)]
+    behind, ahead = rear_x + 0.022, front_x - 0.064
+    plate = round_rectangle(ahead - behind, 0.300, 0.018)
+    deck = extruded(plate, top - 0.002, size.deck, 0.0025).at((ahead + behind) / 2.0)
+    edge = [(x, y, size.deck) for x in np.linspace(behind + 0.014, ahead - 0.014, 7) for y in (-0.139, 0.139)]
     heads = screws([(float(x), y, z) for x, y, z in edge], 0.0042, 0.0028)
     skirts = both_sides(
         across(extruded(round_rectangle(0.40, 0.030, 0.006), 0.0, 0.006, 0.0015)).at(
-            0.0, HALF_HULL + 0.005, top - 0.024
+            size.track_x, HALF_HULL + 0.005, top - 0.024
         )
     )
     rows = [(float(x), 0.024 - top, 0.0) for x in np.linspace(-0.18, 0.18, 6)]
     skirt_heads = both_sides(
-        screws([(x, y, 0.0) for x, y, _ in rows], 0.0036, 0.0025).at(0.0, HALF_HULL + 0.005, 0.0, OUTWARD)
+        screws([(x, y, 0.0) for x, y, _ in rows], 0.0036, 0.0025).at(size.track_x, HALF_HULL + 0.005, 0.0, OUTWARD)
     )
     return {"olive": joined([body, skirts]), "dark": deck, "black": joined([heads, skirt_heads])}
 
@@ -227,12 +239,12 @@ def electronics(size: Dimensions) -> Look:
             0.0042,
         ),
     ]
-    return moved(merge(look, {"rubber": joined(cables)}), -0.212, 0.0, size.deck)
+    return moved(merge(look, {"rubber": joined(cables)}), ends(size)[0] + 0.100, 0.0, size.deck)
 
 
 def rear(size: Dimensions) -> Look:
     """Connectors, tail lamps and a tow eye at the back."""
-    low = size.idler_z - 0.040
+    low = size.idler_z - LOW
     z = low + 0.086
     lamps = merge(
         *(
@@ -254,12 +266,13 @@ def rear(size: Dimensions) -> Look:
     )
     pads = box((0.006, 0.06, 0.026), 0.002).at(-0.312, 0.0, low + 0.05)
     carry = moved(handle(0.11, 0.030), -0.312, 0.065, z + 0.004, REARWARD @ turned(z=math.pi / 2.0))
-    return merge(lamps, plugs, {"steel": joined([eye, pads])}, carry)
+    look = merge(lamps, plugs, {"steel": joined([eye, pads])}, carry)
+    return moved(look, ends(size)[0] + 0.312)
 
 
 def front(size: Dimensions) -> Look:
     """Head lamps, tow eyes and the bracket of the camera."""
-    low = size.idler_z - 0.040
+    low = size.idler_z - LOW
     z = low + 0.070
     lamps = merge(*(moved(lamp(0.019), 0.324, y, z, X_UP) for y in (-0.085, 0.085)))
     guards = []
@@ -284,14 +297,16 @@ def front(size: Dimensions) -> Look:
         )
         for y in (-0.04, 0.04)
     ]
-    return merge(lamps, {"black": joined(guards), "steel": joined(hooks)})
+    look = merge(lamps, {"black": joined(guards), "steel": joined(hooks)})
+    return moved(look, ends(size)[1] - 0.318)
 
 
 def camera_bracket(size: Dimensions) -> Look:
     """What carries the pan axis."""
     x, _, z = size.camera
     low, high = size.idler_z + 0.030, z - 0.018
-    foot = box((0.050, 0.060, 0.020), 0.004).at(x - 0.028, 0.0, low + 0.006)
+    nose = ends(size)[1] - 0.004
+    foot = box((x - nose, 0.060, 0.022), 0.004).at((x + nose) / 2.0 - 0.006, 0.0, low)
     post = box((0.022, 0.040, high - low), 0.004).at(x - 0.016, 0.0, (low + high) / 2.0)
     table = extruded(round_rectangle(0.056, 0.056, 0.012), z - 0.022, z - 0.017, 0.0012).at(x)
     ring = pin(z - 0.030, z - 0.021, 0.020).at(x)
@@ -353,11 +368,13 @@ def lidar_mast(size: Dimensions) -> Look:
 
 def body(size: Dimensions) -> Look:
     """All of the hull but what depends on the arm."""
-    stowage = moved(hatch(0.115, 0.110), -0.070, 0.0, size.deck)
-    battery = merge(*(moved(hatch(0.150, 0.060), -0.065, y, size.deck) for y in (-0.100, 0.100)))
-    sides = merge(*(moved(antenna(h), -0.262, y, size.deck + 0.042) for y, h in ((0.105, 0.36), (-0.105, 0.30))))
-    carry = merge(*(moved(handle(0.12, 0.026), 0.185, y, size.deck, None) for y in (-0.118, 0.118)))
-    button = moved(stop_button(), 0.045, 0.112, size.deck)
+    stowage = moved(hatch(0.115, 0.110), ends(size)[0] + 0.245, 0.0, size.deck)
+    battery = merge(*(moved(hatch(0.150, 0.060), ends(size)[0] + 0.255, y, size.deck) for y in (-0.100, 0.100)))
+    sides = merge(
+        *(moved(antenna(h), ends(size)[0] + 0.056, y, size.deck + 0.042) for y, h in ((0.105, 0.36), (-0.105, 0.30)))
+    )
+    carry = merge(*(moved(handle(0.12, 0.026), ends(size)[1] - 0.133, y, size.deck) for y in (-0.118, 0.118)))
+    button = moved(stop_button(), ends(size)[1] - 0.245, 0.112, size.deck)
     return merge(hull(size), stowage, battery, sides, carry, button, electronics(size), rear(size), front(size))
 
 

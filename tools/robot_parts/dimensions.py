@@ -24,8 +24,13 @@ class Dimensions:
 
     idler_radius: float
     """Outside of the treads."""
+    track_x: float
+    """The middle of the tracks and of the hull."""
     idler_x: float
+    """From there."""
     idler_z: float
+    half_hull: float
+    """Half the length of the hull."""
     belt_width: float
     gauge: float
     """From the middle of one belt to that of the other."""
@@ -46,8 +51,10 @@ def read() -> Dimensions:
     idler, flipper = _cylinder(robot, "left_track"), _cylinder(robot, "left_flipper")
     return Dimensions(
         idler_radius=idler[0],
+        track_x=_origin(robot, "left_track")[0],
         idler_x=idler[2],
         idler_z=idler[3],
+        half_hull=_length(robot, "base_link") / 2.0,
         belt_width=idler[1],
         gauge=2.0 * _origin(robot, "left_track")[1],
         flipper_length=flipper[2],
@@ -64,6 +71,12 @@ def _origin(robot: RobotDescription, link: str) -> Vector:
     """Where a link is in its parent."""
     (joint,) = (joint for joint in robot.joints.values() if joint.child == link)
     return joint.origin.x, joint.origin.y, joint.origin.z
+
+
+def _length(robot: RobotDescription, link: str) -> float:
+    """Of the box that collides."""
+    box = etree.fromstring(robot.urdf.encode()).find(f"link[@name='{link}']/collision/geometry/box")
+    return 0.0 if box is None else float(box.get("size", "0").split()[0])
 
 
 def _cylinder(robot: RobotDescription, link: str) -> tuple[float, float, float, float]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import signal
 import sys
 from collections.abc import AsyncIterator, Sequence
@@ -43,7 +44,9 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.node import config_file
 from jauspy.platform import backends
 from jauspy.platform.camera import Quality
+from jauspy.platform.contract import PartId, Snapshot
 from jauspy.platform.lights import TimeOfDay
+from jauspy.platform.localization import Localization
 from jauspy.protocol import junior
 from jauspy.transport import LocalTransport, local as local_socket
 
@@ -121,7 +124,8 @@ def up(
     The robot is in Standby until a client takes control and resumes it. The options for addresses and sockets are those
     of the node manager that is started. With --gateway they are in its configuration file, no other node manager may
     run, and it routes and filters between its networks (see `jauspy node-manager --print-config`). On a terminal a live
-    table shows modules, cameras and the node manager. SIGUSR1 prints all counters; Ctrl-C stops all processes in order.
+    table shows modules, cameras and the node manager. SIGUSR1 prints all counters,
+    and where a simulated robot really is; Ctrl-C stops all processes in order.
 
     Example:
       jauspy up inc1 --backend kinematic
@@ -324,6 +328,14 @@ def _forward(line: str) -> None:
     console.print_lines(f"node manager: {line}", file=sys.stderr)
 
 
+def print_truth(name: str, snapshot: Snapshot | None) -> None:
+    """Print where a simulated robot is, if it does not know it exactly itself."""
+    if snapshot is not None and PartId(Localization) in snapshot.parts:
+        pose = snapshot.pose
+        where = f"x {pose.x:+.3f} m  y {pose.y:+.3f} m  yaw {math.degrees(pose.yaw):+.2f}°"
+        console.print_if_read(f"true pose of {name}: {where}", file=sys.stderr)
+
+
 async def run_robot(
     runner: RobotRunner,
     node: AbstractAsyncContextManager[NodeSupervisor] | None,
@@ -345,6 +357,7 @@ async def run_robot(
             note_at_end("stopping the node manager")
 
         def print_all_counters() -> None:
+            print_truth(runner.config.name, runner.snapshot)
             console.print_counters({**runner.counters, **clouds.counters}, f"counters of {runner.config.name}:")
             if supervisor is not None:
                 supervisor.print_counters()

@@ -89,6 +89,8 @@ class RobotStatus:
     node: NodeStatus | None
     faults: Mapping[str, str] = field(default_factory=dict)
     """What has failed, by the id of the component that is in Failure for it."""
+    overloads: Mapping[str, str] = field(default_factory=dict)
+    """What joints cannot carry, by the ids of components and the names of joints."""
 
 
 @dataclass(slots=True)
@@ -116,6 +118,7 @@ class StatusSampler:
             tuple(self._camera(name, shown[name], camera) for name, camera in self.runner.videos.items()),
             None if status is None else _node_status(status, self._rate("routed")),
             self.runner.faults,
+            self.runner.overloads,
         )
 
     def _rate(self, name: str) -> float:
@@ -195,6 +198,11 @@ def table(config: RobotConfig, look: RobotStatus, seconds: float) -> RenderableT
         parts += [
             Text(),
             *(Text(f"{id} has failed: {why}; Reset tries again", "bold red") for id, why in _grouped(look.faults)),
+        ]
+    if look.overloads:
+        parts += [
+            Text(),
+            *(Text(f"{where.split()[0]}: {printable(what)}", "yellow") for where, what in look.overloads.items()),
         ]
     if losses := _losses(look):
         parts += [Text(), *losses]

@@ -17,6 +17,7 @@ from jauspy.modules.proxies import DriveProxy, ForceTorqueProxy, JointGroupProxy
 from jauspy.platform.camera import Camera
 from jauspy.platform.commands import CHASSIS
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Snapshot
+from jauspy.platform.contract_check import state_problem
 from jauspy.platform.joints import JointGroup
 
 _LOG: Final = get_logger("jauspy.robot")
@@ -233,6 +234,8 @@ class RealTime:
     def _advance(self) -> None:
         self._robot.advance(self._step)
         snapshot = Snapshot.of(self._robot)
+        if problem := state_problem(snapshot, self._robot):
+            raise ValueError(problem)
         with self._lock:
             self._snapshot = snapshot
 

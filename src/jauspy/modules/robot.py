@@ -20,6 +20,7 @@ from jauspy.modules.cell_hosts import is_present
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.faults import FaultMonitor, reason
 from jauspy.modules.hosts import Announcement, check_parts, host_of
+from jauspy.modules.loads import LoadMonitor, overloads
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import robot_model
@@ -27,6 +28,7 @@ from jauspy.modules.running import RunningModules
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot, Viewable
+from jauspy.platform.contract_check import check_robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
@@ -128,6 +130,19 @@ class RobotRunner:
             return {}
         found = {str(each.id): reason(module, self._realtime.faults) for each, module in self.running}
         return {id: why for id, why in found.items() if why}
+
+    @property
+    def overloads(self) -> Mapping[str, str]:
+        """What joints cannot carry, in words, by the id of the component that moves them and the joint's name."""
+        if self._realtime is None:
+            return {}
+        joints = {name: group.joints for name, group in self._realtime.groups.items()}
+        snapshot = self._realtime.snapshot
+        return {
+            f"{each.id} {name}": text
+            for each, module in self.running
+            for name, text in overloads(module, joints, snapshot).items()
+        }
 
     @property
     def counters(self) -> Mapping[str, int]:
@@ -260,7 +275,16 @@ class RobotRunner:
             raise ConfigError(
                 f"the backend {self.config.backend!r} cannot open the robot: {type(error).__name__}: {error}"
             ) from error
-        stack.callback(_close, robot)
+        if hasattr(robot, "close"):
+            stack.callback(_close, robot)
+        try:
+            check_robot(robot)
+        except ConfigError as error:
+            raise ConfigError(f"the backend {self.config.backend!r}: {error}") from error
+        except Exception as error:
+            raise ConfigError(
+                f"the backend {self.config.backend!r} cannot read the robot: {type(error).__name__}: {error}"
+            ) from error
         if self._view:
             if not isinstance(robot, Viewable):
                 raise ConfigError(f"the backend {self.config.backend!r} has no window to view; 'sim' has one")
@@ -296,6 +320,7 @@ def _host(
         more=(*more, recovery),
     )
     FaultMonitor(host, recovery, module, robot)
+    LoadMonitor(host, module, robot)
     return host
 
 

@@ -41,17 +41,40 @@ class JointController:
         """The active controller."""
         return self._setpoint.target.mode
 
+    @property
+    def wanted_velocity(self) -> float:
+        """Of the setpoint, rad/s or m/s; 0 without one."""
+        return self._setpoint.velocity
+
+    @property
+    def is_braking(self) -> bool:
+        """True while a stop brakes."""
+        return self._braking > 0.0
+
+    def hold_at(self, position: float, effort: float) -> None:
+        """Hold a position at which the joint rests, beginning with an effort in addition to what gravity needs."""
+        self._reset()
+        self._position_pid.reset(effort)
+        self._setpoint.hold(position)
+        self._holding, self._braking = True, 0.0
+
     def set_gains(self, gains: JointGains) -> None:
         """Set the gains; what is integrated is kept."""
         self._position_pid.gains, self._velocity_pid.gains = gains.position, gains.velocity
 
-    def follow(self, target: Target, position: float, velocity: float) -> None:
-        """Follow a target; a change of mode starts at the present `position` and `velocity`, without a jerk."""
+    def follow(self, target: Target, position: float, velocity: float, effort: float = 0.0) -> None:
+        """Follow a target; a change of mode starts at the present `position` and `velocity`, without a jerk.
+
+        It begins with `effort` in addition to what gravity needs: that of a load.
+        """
         if target.compensated and not target.value:
             self.hold(position)
             return
         if target.mode is not self.mode:
             self._reset()
+            self._position_pid.reset(effort)
+            self._velocity_pid.reset(effort)
+            self._integral = effort
             self._setpoint.start(position, velocity)
         self._setpoint.target = target
         self._holding, self._braking = False, 0.0
@@ -100,7 +123,7 @@ class JointController:
         wanted = self._joint.damping * abs(setpoint.velocity) + gains.p * error + sign * self._integral
         if wanted < ceiling or error < 0.0:
             integral = sign * self._integral + gains.i * error * dt
-            self._integral = sign * min(most, max(-most, integral))
+            self._integral = sign * min(most, max(-self._joint.effort, integral))
         return gravity + sign * min(wanted, ceiling)
 
     def _uncompensated(self, value: float, position: float, velocity: float, dt: float, gravity: float) -> float:

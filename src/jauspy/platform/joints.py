@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
 from enum import Enum
 from typing import Protocol
 
@@ -38,11 +38,13 @@ class Target:
 
 @dataclass(frozen=True, slots=True)
 class JointState:
-    """The joints of a group at one moment, base to tip. Efforts are those that the motors apply."""
+    """The joints of a group at one moment, base to tip. Efforts are those of the motors and their brakes."""
 
     positions: tuple[float, ...]
     velocities: tuple[float, ...]
     efforts: tuple[float, ...]
+    overloads: Mapping[str, float] = field(default_factory=dict)
+    """What loads those joints whose brakes hold because their motors cannot, by name; N m or N."""
 
 
 class JointGroup(Protocol):

@@ -1,15 +1,22 @@
 """Checks before the demo starts processes, and the output of the robot's process."""
 
+import math
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
+from tests.helpers.robot import described
 from typer.testing import CliRunner
 
 from jauspy.cli import demo as processes
-from jauspy.cli.demo import RobotOutput, _whole_tour
+from jauspy.cli.demo import RobotOutput, _whole_tour, true_place
 from jauspy.cli.main import app
+from jauspy.cli.up import print_truth
 from jauspy.errors import ConfigError, RequestError
+from jauspy.platform.contract import Snapshot
 from jauspy.platform.frame_sizes import FrameSize
+from jauspy.platform.kinematic import KinematicRobot
+from jauspy.platform.localization import LocalizationSetup
 
 SIZE = FrameSize.VGA_640_X480
 
@@ -38,6 +45,28 @@ async def test_robot_process_counters_are_read() -> None:
     for line in ("counters of inc1:", "  101.1.102.endpoint.sent  7", "  realtime.late    3", "  realtime.steps  120"):
         output.line(line)
     assert await output.counters() == {"realtime.late": 3, "realtime.steps": 120}
+
+
+def test_drive_is_judged_by_the_true_pose() -> None:
+    output = RobotOutput()
+    output.line("true pose of inc1: x +2.100 m  y -0.050 m  yaw +91.00°")
+    assert output.true_pose == pytest.approx((2.1, -0.05, math.radians(91.0)))
+    assert true_place(output.true_pose).reached
+    assert not true_place(output.true_pose._replace(x=2.4)).reached
+    assert not true_place(output.true_pose._replace(yaw=1.3)).reached
+
+
+def test_true_pose_is_printed_where_the_robot_does_not_know_it(capsys: pytest.CaptureFixture[str]) -> None:
+    model = described("inc1")[1]
+    for exact, printed in ((True, 0), (False, 1)):
+        robot = KinematicRobot(replace(model, localization=LocalizationSetup(exact=exact)))
+        print_truth("inc1", Snapshot.of(robot))
+        output = RobotOutput()
+        lines = capsys.readouterr().err.splitlines()
+        assert len(lines) == printed
+        for line in lines:
+            output.line(line)
+        assert (output.true_pose is not None) == (not exact)
 
 
 async def test_missing_counters_raise_an_error(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import re
 import signal
 import tempfile
@@ -22,6 +23,7 @@ from jauspy.cli.demo.tour import Tour
 from jauspy.cli.options import DEFAULT_PORT, Port
 from jauspy.cli.processes import ChildFailed, ChildProcess, run
 from jauspy.errors import ConfigError, RequestError
+from jauspy.geometry.poses import PlanarPose
 from jauspy.modules import robot_files
 from jauspy.ocu import OCU
 from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, FrameSize
@@ -125,6 +127,8 @@ async def play(port: int, backend: str, view: View, folder: Path, size: FrameSiz
             report.results.append(StageResult(stage, str(error), reached=False))
         robot.signal(signal.SIGUSR1)
         report.results += [_time(await output.counters()), _messages(ocu)]
+        if output.true_pose is not None and any(result.stage == "drive" for result in report.results):
+            report.results.append(true_place(output.true_pose))
     if whole:
         report.files.append("summary.json")
         report.save(folder)
@@ -132,15 +136,18 @@ async def play(port: int, backend: str, view: View, folder: Path, size: FrameSiz
 
 
 class RobotOutput:
-    """Collects the counters that the robot's process prints."""
+    """Collects what the robot's process prints at SIGUSR1: counters, and where a simulated robot really is."""
 
     def __init__(self) -> None:
         self._counters: dict[str, int] = {}
+        self.true_pose: PlanarPose | None = None
 
     def line(self, text: str) -> None:
         """Read one line."""
         if found := re.fullmatch(r"\s+(realtime\.\w+)\s+(\d+)", text):
             self._counters[found[1]] = int(found[2])
+        elif found := re.match(r"true pose of .*: x (\S+) m  y (\S+) m  yaw (\S+)°", text):
+            self.true_pose = PlanarPose(float(found[1]), float(found[2]), math.radians(float(found[3])))
 
     async def counters(self) -> dict[str, int]:
         """The real-time counters, once they are printed; counters of zero are missing."""
@@ -148,6 +155,18 @@ class RobotOutput:
             while "realtime.steps" not in self._counters:  # noqa: ASYNC110 - lines come when they come
                 await asyncio.sleep(0.05)
         return self._counters
+
+
+def true_place(pose: PlanarPose) -> StageResult:
+    """Judge by the simulation, not by the robot's own pose, whether it stands where it was to drive."""
+    off = math.dist(pose[:2], plan.TABLE_POSITION)
+    turn = math.remainder(pose.yaw - plan.TABLE_HEADING, math.tau)
+    return StageResult(
+        "truth",
+        f"{100 * off:.1f} cm and {math.degrees(turn):+.1f}° off in the simulation, by which the drive is judged",
+        off <= plan.TRUE_TOLERANCE[0] and abs(turn) <= plan.TRUE_TOLERANCE[1],
+        {"true_distance_error": off, "true_heading_error": turn},
+    )
 
 
 def _whole_tour(folder: Path, size: FrameSize) -> Callable[..., Tour]:

@@ -19,14 +19,17 @@ DRIVE_SPEED: Final = 0.6
 DRIVE_TOLERANCE: Final = (0.15, math.radians(3.0))
 """Tolerance in m and rad."""
 
+TRUE_TOLERANCE: Final = (0.25, math.radians(5.0))
+"""As the simulation knows it, m and rad: the robot stands where its drifting pose is at the goal."""
+
 CAMERA_AIM: Final = (0.0, 0.2)
 """Pan and tilt of the camera on the chassis, rad right and up: it sees the gripper lift the can."""
 
 # --- what stands on the table, in the local frame
 CAN_POSITION: Final = (2.0, 0.9, 0.41)
 """Nominal centre of the can, m; its position is measured with the camera."""
-MAX_CAN_OFFSET: Final = 0.10
-"""Metres between nominal and measured position."""
+MAX_CAN_OFFSET: Final = 0.20
+"""Metres between nominal and measured position: the pose has drifted, and the attitude is off by 0.3 degrees."""
 CAN_WIDTH: Final = 0.05
 """Metres, between the fingers."""
 CAN_WEIGHT: Final = 1.0

@@ -63,7 +63,7 @@ class Arm:
         state = self.joints.state()
         rows = zip(self.geometry.from_urdf(state.positions), self.geometry.links, strict=True)
         positions = tuple(_wrapped(position) if _is_endless(link.joint) else position for position, link in rows)
-        return JointState(positions, state.velocities, state.efforts)
+        return JointState(positions, state.velocities, state.efforts, state.overloads)
 
     def kinematic_state(self) -> KinematicState:
         """Pose and Jacobian of the tool after the last step."""

@@ -58,7 +58,8 @@ class ReversedJoints:
     def state(self) -> JointState:
         """Positions, velocities and efforts after the last step."""
         state = self._group.state()
-        return JointState(*(self._signed(values) for values in (state.positions, state.velocities, state.efforts)))
+        positions, velocities, efforts = map(self._signed, (state.positions, state.velocities, state.efforts))
+        return JointState(positions, velocities, efforts, state.overloads)
 
     def _signed(self, values: tuple[float, ...]) -> tuple[float, ...]:
         return tuple(sign * value for sign, value in zip(self._signs, values, strict=True))
