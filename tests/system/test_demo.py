@@ -56,7 +56,7 @@ def test_demo_drives_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
     assert found["lift"]["figures"]["weight"] == pytest.approx(1.0, abs=0.2)
     assert found["real time"]["figures"]["held"] > 0.0
 
-    for camera in ("arm", "chassis"):
+    for camera in ("arm", "chassis", "outside"):
         with av.open(folder / f"{camera}.mp4") as video:
             frames = [(frame.width, frame.height) for frame in video.decode(video=0)]
         assert len(frames) == found[f"{camera} video"]["figures"]["pictures"]
