@@ -50,7 +50,7 @@ def test_demo_drives_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
     assert not with_environment("DEMO", str(folder))
 
     found = {each["stage"]: each for each in json.loads((folder / "summary.json").read_text())["results"]}
-    goals = ["drive", "map", "aim", "look", "reach", "grasp", "lift", "arm video", "chassis video"]
+    goals = ["drive", "map", "aim", "look", "reach", "grasp", "lift", "arm video", "chassis video", "outside video"]
     assert [stage for stage, each in found.items() if each["reached"]] == goals
     assert found["lift"]["figures"]["lifted"] >= 0.1
     assert found["lift"]["figures"]["weight"] == pytest.approx(1.0, abs=0.2)
