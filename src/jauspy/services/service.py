@@ -205,6 +205,11 @@ class ServiceHost:
         self._by_class: dict[type[Service], Service | None] = {}
 
     @property
+    def first_error(self) -> tuple[str, Exception] | None:
+        """The first exception of a service, with its traceback, and which action, guard or timer raised it."""
+        return self._errors.first
+
+    @property
     def services(self) -> tuple[Service, ...]:
         """All services, most derived first."""
         return tuple(self._bound.services.values())
