@@ -236,6 +236,8 @@ class ModuleConfig(StrictConfig):
     """The joints that a CM-MAN or CM-EEF moves, `arm` or `gripper` when left out; those that turn a CM-VIS's camera."""
     camera: UrdfName | None = None
     """Name of the camera that a CM-VIS streams."""
+    older_versions: bool = False
+    """True to offer version 1.0 of the services beside 1.1 and 2.0, for clients of that age."""
     access_control: AccessControlConfig = AccessControlConfig()
     registrants: Registrants = "machine"
     """Whose registrations the module's Discovery lists: those of components on its machine, or of its subsystem."""
