@@ -7,6 +7,7 @@ from typing import Final
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 ALONG_THE_TRACK: Final = 1e-4
 """Normals whose cosine to the track is smaller are perpendicular to it: there, MuJoCo's own Jacobian is right."""
@@ -48,15 +49,28 @@ class Belts:
         rows = contacts.efc_address[which]
         keep = (rows >= 0) & (contacts.dim[which] >= 3)
         which, side, rows = which[keep], side[keep], rows[keep]
+        if not len(which):
+            return
         belt = belts[which, side]
         frames = contacts.frame[which].reshape(-1, 3, 3)
         axes = np.einsum("bij,bj->bi", data.xmat[self._bodies].reshape(-1, 3, 3), self._lateral)[belt]
         across = np.einsum("kij,kj->ki", frames, axes)
         dofs = self._dofs[belt]
-        jacobian = data.efc_J.reshape(-1, self._nv)
         index = rows[:, None] + np.arange(3)
+        places = self._places(index, dofs)
         new = np.stack((np.zeros(len(which)), across[:, 2], -across[:, 1]), axis=1)
-        change = (new - jacobian[index, dofs[:, None]]) * self._qvel[dofs][:, None]
-        jacobian[index, dofs[:, None]] = new
+        change = (new - data.efc_J.ravel()[places]) * self._qvel[dofs][:, None]
+        data.efc_J.reshape(-1)[places] = new
         data.efc_vel[index] += change
         data.efc_aref[index] -= data.efc_KBIP[index, 1] * change
+
+    def _places(self, rows: NDArray[np.int64], dofs: NDArray[np.int64]) -> NDArray[np.int64]:
+        """Where the Jacobian has the entries of these rows (contacts x 3) and degrees of freedom (contacts)."""
+        if not self._sparse:
+            return rows * self._nv + dofs[:, None]
+        data = self._data
+        start, length = data.efc_J_rowadr[rows], data.efc_J_rownnz[rows]
+        offsets = np.arange(length.max())
+        columns = data.efc_J_colind[np.minimum(start[..., None] + offsets, len(data.efc_J_colind) - 1)]
+        found = (columns == dofs[:, None, None]) & (offsets < length[..., None])
+        return np.asarray(start + np.argmax(found, axis=-1))

@@ -13,3 +13,6 @@ COLLISION: Final = 3
 
 RAY_MESHES: Final = 4
 """The meshes that replace height fields in ray casts."""
+
+SOLID: Final = 5
+"""Simple shapes of the included worlds: they collide and rays hit them; meshes of the group `VISUAL` are drawn."""

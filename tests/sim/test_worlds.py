@@ -1,0 +1,90 @@
+"""The included worlds: everything rests at the start, and what a robot would push, lift or open moves."""
+
+import dataclasses
+
+import pytest
+
+pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+
+import mujoco
+import numpy as np
+
+from jauspy.modules.robot_files import load, robot_model
+from jauspy_sim.robot import SimulatedRobot
+
+BLIND = dataclasses.replace(robot_model(load("inc1")), lidars=(), cameras=())
+MADE = ("street", "yard")
+
+
+@pytest.fixture
+def opened(request: pytest.FixtureRequest) -> SimulatedRobot:
+    return SimulatedRobot.open(BLIND, request.param)
+
+
+def push(robot: SimulatedRobot, body: str, force: tuple[float, float, float], seconds: float) -> None:
+    """Apply a force at the middle of a body."""
+    number = robot.model.body(body).id
+    robot.data.xfrc_applied[number, :3] = force
+    robot.advance(seconds)
+    robot.data.xfrc_applied[number] = 0.0
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("opened", MADE, indirect=True)
+def test_everything_rests_where_it_was_put(opened: SimulatedRobot) -> None:
+    model, data = opened.model, opened.data
+    free = [int(joint) for joint in np.flatnonzero(model.jnt_type == mujoco.mjtJoint.mjJNT_FREE)]
+    starts = np.array([model.qpos0[model.jnt_qposadr[joint] :][:3] for joint in free])
+    opened.advance(2.0)
+    ends = np.array([data.qpos[model.jnt_qposadr[joint] :][:3] for joint in free])
+    assert len(free) > 4
+    assert np.abs(ends - starts).max() < 0.05, "nothing flies or sinks"
+    assert np.abs(data.qvel).max() < 0.05
+    pose = opened.drive.pose()
+    assert max(abs(pose.roll), abs(pose.pitch)) < 0.01
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("world", MADE)
+def test_the_same_commands_give_the_same_world(world: str) -> None:
+    ends = []
+    for _ in range(2):
+        robot = SimulatedRobot.open(BLIND, world)
+        robot.drive.set_effort(0.5, 0.1)
+        robot.advance(2.0)
+        ends.append(robot.data.qpos.copy())
+    assert (ends[0] == ends[1]).all()
+
+
+@pytest.mark.parametrize("opened", ["street"], indirect=True)
+def test_things_of_the_street_can_be_lifted_opened_and_tipped(opened: SimulatedRobot) -> None:
+    data = opened.data
+    push(opened, "rucksack_strap", (0.0, 0.0, 28.0), 0.4)
+    assert data.body("rucksack").xpos[2] > 0.15, "by its strap"
+    push(opened, "pipe_device", (0.0, 0.0, 15.0), 0.4)
+    assert data.body("pipe_device").xpos[2] > 0.2
+    door = data.joint("car_door")
+    before = float(door.qpos[0])
+    push(opened, "car_door", (60.0, 0.0, 0.0), 1.0)
+    assert abs(door.qpos[0] - before) > 0.2
+    lid = opened.model.body("bin_lid").id  # at the upper edge, as a gripper would push it
+    data.xfrc_applied[lid, :3] = (0.0, -80.0, 0.0)
+    opened.advance(0.7)
+    data.xfrc_applied[lid] = 0.0
+    opened.advance(1.0)
+    assert abs(data.body("bin").xmat[8]) < 0.5, "it lies"
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("opened", ["street"], indirect=True)
+def test_drives_over_the_kerb(opened: SimulatedRobot) -> None:
+    opened.drive.set_effort(0.5, 0.0)
+    for _ in range(40):
+        opened.advance(0.1)
+        if opened.drive.pose().x > 2.75:
+            break
+    opened.drive.stop()
+    opened.advance(1.0)
+    pose = opened.drive.pose()
+    assert pose.z == pytest.approx(0.1, abs=0.01)
+    assert max(abs(pose.roll), abs(pose.pitch)) < 0.03
