@@ -6,12 +6,13 @@ import math
 from collections.abc import Callable
 from typing import Final, TypeAlias
 
+import mujoco
 import numpy as np
 from PIL import Image
 from scipy.ndimage import gaussian_filter, map_coordinates
 from scipy.spatial import ConvexHull
 
-from .scene import WORLDS, Part, Scene, obj
+from .scene import WORLDS, Part, Scene, numbers, obj
 from .shapes import Array, Mesh, box, joined, prism, tube
 
 ABOUT: Final = """
@@ -21,7 +22,7 @@ ABOUT: Final = """
 SIDE: Final = 8.0
 CELLS: Final = 97
 TOP: Final = 0.8
-STONES: Final = 34
+STONES: Final = 28
 Level: TypeAlias = Callable[[float, float], float]
 
 
@@ -76,10 +77,27 @@ def rubble() -> Scene:
     for number, (x, y, radius) in enumerate(places):
         kind, name = number % len(shapes), f"stone_{number + 1}"
         scene.asset("mesh", name=name, file=f"assets/rubble/stone_{kind}.obj", scale=f"{radius} {radius} {radius * 0.8:.4g}")
-        stone = world.body(name, (x, y, max(level(x + a, y + b) for a in (-0.05, 0, 0.05) for b in (-0.05, 0, 0.05)) + 0.55 * radius))
+        stone = world.body(name, (x, y, max(level(x + a, y + b) for a in (-0.05, 0, 0.05) for b in (-0.05, 0, 0.05)) + 0.55 * radius), free=False)
         volume = ConvexHull(shapes[kind].vertices).volume * radius**3 * 0.8
+        stone.add("joint", type="free", damping=0.4 * 2300.0 * volume)  # dust and splinters: it rocks little
         stone.add("geom", type="mesh", mesh=name, material="rock" if number % 3 else "dust", mass=2300.0 * volume, friction=[0.8, 0.02, 0.01], condim=6.0)
+    _settle(scene)
     return scene
+
+
+def _settle(scene: Scene) -> None:
+    """Put the loose bodies where they come to rest."""
+    scene.write()
+    model = mujoco.MjModel.from_xml_path(str(WORLDS / "rubble.xml"))
+    model.opt.timestep, model.opt.cone, model.opt.impratio = 0.002, mujoco.mjtCone.mjCONE_ELLIPTIC, 10.0
+    data = mujoco.MjData(model)
+    mujoco.mj_step(model, data, 8000)
+    for part in scene.world.parts:
+        body = data.body(part.name)
+        part.element.set("pos", numbers(body.xpos))
+        part.element.set("quat", numbers(body.xquat))
+        part.element.attrib.pop("euler", None)
+    scene.forget_meshes()
 
 
 def _stone(random: np.random.Generator) -> Mesh:
@@ -181,9 +199,10 @@ def _bars(world: Part, random: np.random.Generator, level: Level) -> None:
 
 def _beams(world: Part, level: Level) -> None:
     """Beams of wood, loose."""
-    for number, (x, y, length, yaw) in enumerate(((2.1, 0.85, 1.3, 70.0), (3.9, -0.5, 1.6, 35.0), (-1.3, -1.5, 1.2, -30.0))):
+    for number, (x, y, length, yaw) in enumerate(((1.9, -1.9, 1.3, 70.0), (2.75, 0.55, 1.4, 10.0), (-1.3, -1.5, 1.2, -30.0))):
         a = math.radians(yaw)
         ends = [(x + s * length / 2.0 * math.cos(a), y + s * length / 2.0 * math.sin(a)) for s in (-1, -0.5, 0, 0.5, 1)]
-        beam = world.body(f"beam_{number + 1}", (x, y, max(level(*end) for end in ends) + 0.06), euler=(0.0, 0.0, yaw))
+        beam = world.body(f"beam_{number + 1}", (x, y, max(level(*end) for end in ends) + 0.06), free=False, euler=(0.0, 0.0, yaw))
+        beam.add("joint", type="free", damping=1.5)
         beam.see("planks_uv", box(length, 0.10, 0.08, 0.006))
         beam.box((length, 0.10, 0.08), (0.0, 0.0, 0.0), mass=600.0 * length * 0.008, friction=[0.8, 0.005, 0.0001])

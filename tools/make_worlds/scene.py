@@ -111,6 +111,16 @@ class Scene:
         (folder / f"{self.name}.xml").write_bytes(etree.tostring(self.root) + b"\n")
         return counts
 
+    def forget_meshes(self) -> None:
+        """Remove what `write` added, to write again."""
+        for mesh in self.assets.findall("mesh"):
+            if mesh.get("inertia") == "shell":
+                self.assets.remove(mesh)
+        for geom in list(self.root.iter("geom")):
+            owner = geom.getparent()
+            if owner is not None and owner.tag != "default" and geom.get("class") == "seen":
+                owner.remove(geom)
+
     def _write(self, part: Part, folder: Path) -> tuple[int, int]:
         triangles = size = 0
         for material, pieces in part.meshes.items():
