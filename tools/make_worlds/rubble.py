@@ -16,8 +16,8 @@ from .scene import WORLDS, Part, Scene, numbers, obj
 from .shapes import Array, Mesh, box, joined, prism, tube
 
 ABOUT: Final = """
-    Rubble, metres: a height map of 16 x 16, up to 0.8 high, flat around the start. Broken slabs, the rest of a wall and bars of
-    steel stand fast; stones of 0.3 to 25 kg and beams of wood are loose. Made by tools/make_worlds.
+    Rubble, metres: a height map of 16 x 16, up to 0.8 high, flat around the start. Broken slabs, the rest of a wall and
+    bars of steel stand fast; stones of 0.3 to 25 kg and beams of wood are loose. Made by tools/make_worlds.
   """
 SIDE: Final = 8.0
 CELLS: Final = 97
@@ -76,11 +76,25 @@ def rubble() -> Scene:
             places.append((x, y, radius))
     for number, (x, y, radius) in enumerate(places):
         kind, name = number % len(shapes), f"stone_{number + 1}"
-        scene.asset("mesh", name=name, file=f"assets/rubble/stone_{kind}.obj", scale=f"{radius} {radius} {radius * 0.8:.4g}")
-        stone = world.body(name, (x, y, max(level(x + a, y + b) for a in (-0.05, 0, 0.05) for b in (-0.05, 0, 0.05)) + 0.55 * radius), free=False)
+        scene.asset(
+            "mesh", name=name, file=f"assets/rubble/stone_{kind}.obj", scale=f"{radius} {radius} {radius * 0.8:.4g}"
+        )
+        stone = world.body(
+            name,
+            (x, y, max(level(x + a, y + b) for a in (-0.05, 0, 0.05) for b in (-0.05, 0, 0.05)) + 0.55 * radius),
+            free=False,
+        )
         volume = ConvexHull(shapes[kind].vertices).volume * radius**3 * 0.8
         stone.add("joint", type="free", damping=0.4 * 2300.0 * volume)  # dust and splinters: it rocks little
-        stone.add("geom", type="mesh", mesh=name, material="rock" if number % 3 else "dust", mass=2300.0 * volume, friction=[0.8, 0.02, 0.01], condim=6.0)
+        stone.add(
+            "geom",
+            type="mesh",
+            mesh=name,
+            material="rock" if number % 3 else "dust",
+            mass=2300.0 * volume,
+            friction=[0.8, 0.02, 0.01],
+            condim=6.0,
+        )
     _settle(scene)
     return scene
 
@@ -96,7 +110,8 @@ def _settle(scene: Scene) -> None:
         body = data.body(part.name)
         part.element.set("pos", numbers(body.xpos))
         part.element.set("quat", numbers(body.xquat))
-        part.element.attrib.pop("euler", None)
+        if "euler" in part.element.attrib:
+            del part.element.attrib["euler"]
     scene.forget_meshes()
 
 
@@ -125,7 +140,12 @@ def _border() -> list[Mesh]:
     strip = box(2 * far, far - SIDE, 0.02)
     middle = (far + SIDE) / 2.0
     side = box(far - SIDE, 2 * SIDE, 0.02)
-    return [strip.at(0.0, middle, -0.01), strip.at(0.0, -middle, -0.01), side.at(middle, 0.0, -0.01), side.at(-middle, 0.0, -0.01)]
+    return [
+        strip.at(0.0, middle, -0.01),
+        strip.at(0.0, -middle, -0.01),
+        side.at(middle, 0.0, -0.01),
+        side.at(-middle, 0.0, -0.01),
+    ]
 
 
 def _pebbles(world: Part, random: np.random.Generator, level: Level) -> None:
@@ -138,16 +158,35 @@ def _pebbles(world: Part, random: np.random.Generator, level: Level) -> None:
         size = random.uniform(0.012, 0.045)
         if number % 4 == 0:
             piece = box(0.11 * random.uniform(0.5, 1.0), 0.10, 0.06, 0.008)
-            made["brick_uv"].append(piece.at(x, y, level(x, y) + 0.01, rpy=(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(0, 3))))
+            made["brick_uv"].append(
+                piece.at(
+                    x,
+                    y,
+                    level(x, y) + 0.01,
+                    rpy=(random.uniform(-0.5, 0.5), random.uniform(-0.5, 0.5), random.uniform(0, 3)),
+                )
+            )
         else:
-            made["dust" if number % 2 else "rock"].append(shapes[number % 4].scaled(size, size, size * 0.7).at(x, y, level(x, y) + size * 0.2, rpy=(0.0, 0.0, random.uniform(0, 6))))
+            made["dust" if number % 2 else "rock"].append(
+                shapes[number % 4]
+                .scaled(size, size, size * 0.7)
+                .at(x, y, level(x, y) + size * 0.2, rpy=(0.0, 0.0, random.uniform(0, 6)))
+            )
     for material, meshes in made.items():
         world.see(material, *meshes)
 
 
 def _slabs(scene: Scene, random: np.random.Generator, level: Level) -> None:
     """Broken slabs of concrete, which lie tilted; bars stick out of their edges."""
-    placed = ((3.3, 1.7, 0.9, 0.10, 0.05, 0.4), (3.0, -1.9, 1.1, -0.22, 0.16, 1.9), (5.2, 0.4, 1.2, 0.06, -0.20, 0.9), (-2.8, 2.2, 1.0, 0.30, 0.12, 2.2), (-3.0, -2.4, 1.3, -0.12, 0.25, 0.2), (0.6, -3.2, 1.0, 0.35, -0.1, 1.2), (1.2, 3.3, 1.2, -0.3, 0.1, 2.9))
+    placed = (
+        (3.3, 1.7, 0.9, 0.10, 0.05, 0.4),
+        (3.0, -1.9, 1.1, -0.22, 0.16, 1.9),
+        (5.2, 0.4, 1.2, 0.06, -0.20, 0.9),
+        (-2.8, 2.2, 1.0, 0.30, 0.12, 2.2),
+        (-3.0, -2.4, 1.3, -0.12, 0.25, 0.2),
+        (0.6, -3.2, 1.0, 0.35, -0.1, 1.2),
+        (1.2, 3.3, 1.2, -0.3, 0.1, 2.9),
+    )
     for number, (x, y, size, roll, pitch, yaw) in enumerate(placed):
         turns = np.sort(random.uniform(0.0, math.tau, 7) * 0.25 + np.arange(7) * math.tau / 7)
         reach = size * random.uniform(0.6, 0.8, 7)
@@ -159,12 +198,20 @@ def _slabs(scene: Scene, random: np.random.Generator, level: Level) -> None:
         placed_slab = slab.at(x, y, z, rpy=(roll, pitch, yaw))
         scene.files[f"slab_{number}.obj"] = obj(placed_slab)
         scene.asset("mesh", name=f"slab_{number}", file=f"assets/rubble/slab_{number}.obj")
-        scene.world.add("geom", type="mesh", mesh=f"slab_{number}", material="concrete_uv", friction=[0.9, 0.005, 0.0001])
+        scene.world.add(
+            "geom", type="mesh", mesh=f"slab_{number}", material="concrete_uv", friction=[0.9, 0.005, 0.0001]
+        )
         bars = []
         for corner in convex[::2]:
             direction = corner / np.linalg.norm(corner)
             path = [(*(corner * 0.7), 0.0), (*(corner + 0.06 * direction), 0.0)]
-            path += [(*(corner + (0.14 + 0.1 * t) * direction + 0.05 * t * random.normal(size=2)), 0.06 * t * random.uniform(0.0, 1.0)) for t in (1, 2, 3)]
+            path += [
+                (
+                    *(corner + (0.14 + 0.1 * t) * direction + 0.05 * t * random.normal(size=2)),
+                    0.06 * t * random.uniform(0.0, 1.0),
+                )
+                for t in (1, 2, 3)
+            ]
             bars.append(tube(path, 0.007, 6).at(x, y, z, rpy=(roll, pitch, yaw)))
         scene.world.see("rust_uv", joined(bars))
 
@@ -187,22 +234,32 @@ def _bars(world: Part, random: np.random.Generator, level: Level) -> None:
     for x, y in ((2.4, -1.0), (2.5, -1.12), (4.4, -1.3), (4.1, 1.9), (-2.0, 1.2), (-1.9, -2.0)):
         z, turn = level(x, y), random.uniform(0, math.tau)
         dx, dy = math.cos(turn), math.sin(turn)
-        path = [(x, y, z - 0.1), (x, y, z + 0.18), (x + 0.05 * dx, y + 0.05 * dy, z + 0.32), (x + 0.2 * dx, y + 0.2 * dy, z + 0.42), (x + 0.42 * dx, y + 0.42 * dy, z + 0.40)]
+        path = [
+            (x, y, z - 0.1),
+            (x, y, z + 0.18),
+            (x + 0.05 * dx, y + 0.05 * dy, z + 0.32),
+            (x + 0.2 * dx, y + 0.2 * dy, z + 0.42),
+            (x + 0.42 * dx, y + 0.42 * dy, z + 0.40),
+        ]
         world.see("rust_uv", tube(path, 0.008, 7))
         for start, end in ((0, 1), (1, 3), (3, 4)):
             world.capsule(0.008, path[start], path[end])
     beam = [box(3.0, 0.14, 0.012).at(0.0, 0.0, s * 0.094) for s in (-1, 1)] + [box(3.0, 0.01, 0.18)]
-    at, turn = (-3.2, 0.4, level(-3.2, 0.4) + 0.22), (0.15, -0.09, 1.2)
-    world.see("rust_uv", *(part.at(*at, rpy=turn) for part in beam))
-    world.add("geom", class_="solid", type="box", size=[1.5, 0.07, 0.1], pos=at, euler=np.degrees(turn))
+    place, tilt = (-3.2, 0.4, level(-3.2, 0.4) + 0.22), (0.15, -0.09, 1.2)
+    world.see("rust_uv", *(part.at(*place, rpy=tilt) for part in beam))
+    world.add("geom", class_="solid", type="box", size=[1.5, 0.07, 0.1], pos=place, euler=np.degrees(tilt))
 
 
 def _beams(world: Part, level: Level) -> None:
     """Beams of wood, loose."""
-    for number, (x, y, length, yaw) in enumerate(((1.9, -1.9, 1.3, 70.0), (2.75, 0.55, 1.4, 10.0), (-1.3, -1.5, 1.2, -30.0))):
+    for number, (x, y, length, yaw) in enumerate(
+        ((1.9, -1.9, 1.3, 70.0), (2.75, 0.55, 1.4, 10.0), (-1.3, -1.5, 1.2, -30.0))
+    ):
         a = math.radians(yaw)
         ends = [(x + s * length / 2.0 * math.cos(a), y + s * length / 2.0 * math.sin(a)) for s in (-1, -0.5, 0, 0.5, 1)]
-        beam = world.body(f"beam_{number + 1}", (x, y, max(level(*end) for end in ends) + 0.06), free=False, euler=(0.0, 0.0, yaw))
+        beam = world.body(
+            f"beam_{number + 1}", (x, y, max(level(*end) for end in ends) + 0.06), free=False, euler=(0.0, 0.0, yaw)
+        )
         beam.add("joint", type="free", damping=1.5)
         beam.see("planks_uv", box(length, 0.10, 0.08, 0.006))
         beam.box((length, 0.10, 0.08), (0.0, 0.0, 0.0), mass=600.0 * length * 0.008, friction=[0.8, 0.005, 0.0001])
