@@ -64,9 +64,9 @@ VIEWS: Final[Mapping[str, View]] = {
     "inc1_front": View((0.02, 0.0, 0.28), 1.65, 152.0, -17.0),
     "inc1_side": View((0.08, 0.0, 0.30), 2.0, 90.0, -7.0, pose=REACHING),
     "inc1_rear": View((-0.05, 0.0, 0.26), 1.6, 38.0, -24.0),
-    "inc1_gripper": View((0.66, 0.0, 0.52), 0.62, 128.0, -32.0, pose=REACHING),
+    "inc1_gripper": View((0.74, 0.0, 0.56), 0.60, 128.0, -30.0, pose=REACHING),
     "inc1_camera": View((0.37, 0.0, 0.235), 0.36, 165.0, -10.0),
-    "inc1_track": View((0.02, -0.3, 0.11), 0.82, 112.0, -10.0, pose={"base_link_to_flippers": 0.9}),
+    "inc1_track": View((-0.02, -0.3, 0.13), 0.95, 112.0, -10.0, pose={"base_link_to_flippers": 0.9}),
     "inc1_pprm": View(
         (0.10, 0.0, 0.42),
         2.2,

@@ -36,6 +36,7 @@ MIN_AWAY: Final = 0.6
 
 if TYPE_CHECKING:
     from jauspy_sim.lamps import Darkness
+    from jauspy_sim.sun_shadow import SunShadow
 
 
 def state_of(data: mujoco.MjData, lamps: Sequence[Lamp] = ()) -> bytes:
@@ -85,11 +86,13 @@ class Renderer(Protocol):
         rotation: NDArray[np.float64],
         spread: float,
         size: int,
+        *,
+        parallel: bool = False,
     ) -> NDArray[np.float32] | None:
         """What a lamp sees: depths along the x axis of a frame (x ahead, y left, z up), in metres; None if it cannot.
 
-        The picture is square, of at most `size` pixels across; `spread` is half its width at a distance of one. To be
-        called after `measure`.
+        The picture is square, of at most `size` pixels across; `spread` is half its width at a distance of one, and in
+        a `parallel` projection at any. To be called after `measure`.
         """
         ...
 
@@ -144,6 +147,7 @@ class SimulatedCameraSession:
             self._darkness = Darkness(self._model, camera.prefix, camera.lamps, camera.time_of_day)
             light_evenly(self._model)
         self._base = camera.base
+        self._sun: SunShadow | None = None
         self._outside = OutsideView(camera.setup.outside) if camera.setup.outside else None
         self._fov = camera.setup.fov
 
@@ -174,10 +178,11 @@ class SimulatedCameraSession:
         taken = self._update()
         fov = self._fov if fov is None else fov
         self._renderer.zoom(fov)
-        if distances or self._darkness is not None:
+        lighting = self._lighting(thoroughly=thoroughly)
+        if distances or lighting is not None:
             image, far = self._renderer.measure(self._data, width, height, thoroughly=thoroughly)
             image, far = _in_size(image, far, width, height)
-            light = 1.0 if self._darkness is None else self._light(self._darkness, far, fov, coarse=not thoroughly)
+            light = 1.0 if lighting is None else self._light(lighting, far, fov, coarse=not thoroughly)
             return Frame(image, taken, light, far if distances else None)
         return Frame(self._renderer.paint(self._data, width, height, thoroughly=thoroughly), taken)
 
@@ -192,17 +197,27 @@ class SimulatedCameraSession:
         self._renderer.close()
         self._state.close()
 
+    def _lighting(self, *, thoroughly: bool) -> Darkness | SunShadow | None:
+        """What lights the picture besides the renderer."""
+        if self._darkness is not None:
+            return self._darkness
+        renderer = self._renderer
+        if not isinstance(renderer, GlRenderer) or not renderer.needs_shadows or not self._model.nlight:
+            return None
+        if thoroughly and renderer.makes_films:
+            return None
+        if self._sun is None:
+            from jauspy_sim.sun_shadow import SunShadow  # noqa: PLC0415 - OpenCV is for the cameras' processes
+
+            self._sun = SunShadow(self._model)
+        return self._sun if self._sun.is_cast else None
+
     def _light(
-        self, darkness: Darkness, distances: NDArray[np.float32], fov: float, *, coarse: bool
-    ) -> NDArray[np.float32]:
-        return darkness.light(
-            self._data,
-            self._number,
-            distances,
-            math.tan(fov / 2.0),
-            levels=self._levels,
-            source=self._renderer,
-            coarse=coarse,
+        self, lighting: Darkness | SunShadow, distances: NDArray[np.float32], fov: float, *, coarse: bool
+    ) -> NDArray[np.float32] | float:
+        spread, number = math.tan(fov / 2.0), self._number
+        return lighting.light(
+            self._data, number, distances, spread, levels=self._levels, source=self._renderer, coarse=coarse
         )
 
     def _update(self) -> float:

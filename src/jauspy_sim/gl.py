@@ -19,8 +19,8 @@ MIN_DISTANCE: Final = 0.02
 LAMP_PLANES: Final = (0.04, 60.0)
 """Near and far plane of what a lamp sees, in metres."""
 
-QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1536), Quality.HIGH: (4, 2048)}
-"""Samples for each pixel, and pixels across the picture that the sun sees."""
+QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1), Quality.HIGH: (4, 2048)}
+"""Samples for each pixel, and pixels across the picture that the sun sees, for MuJoCo's own shadows."""
 
 SHADOW_RADIUS: Final = 4.0
 """Metres around a point before the camera in which things cast shadows, except in films."""
@@ -60,13 +60,23 @@ class GlRenderer:
         self._context = self._make_context(*QUALITIES[quality])
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
-        self._cast_shadows(quality is not Quality.LOW)
+        self._cast_shadows(quality is Quality.HIGH)
 
     @property
     def description(self) -> str:
         """The GL library, and the quality if it was lowered."""
         how = "without shadows" if self._quality is Quality.LOW else "with coarser shadows and without smooth edges"
         return f"renders with {self._name}" + (f", {how}: better pictures take too long here" if self._too_slow else "")
+
+    @property
+    def needs_shadows(self) -> bool:
+        """True if `SunShadow` is to add the shadows: MuJoCo's own are better, and take much longer."""
+        return self._quality is Quality.MEDIUM
+
+    @property
+    def makes_films(self) -> bool:
+        """True if the world has a quality of its own for thorough pictures."""
+        return self._samples > 0
 
     @property
     def is_simplified(self) -> bool:
@@ -83,7 +93,7 @@ class GlRenderer:
         self._context.free()
         self._context = self._make_context(*QUALITIES[self._quality])
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
-        self._cast_shadows(self._quality is not Quality.LOW)
+        self._cast_shadows(self._quality is Quality.HIGH)
         return True
 
     def zoom(self, fov: float) -> None:
@@ -126,21 +136,31 @@ class GlRenderer:
         rotation: NDArray[np.float64],
         spread: float,
         size: int,
+        *,
+        parallel: bool = False,
     ) -> NDArray[np.float32] | None:
         """As `Renderer.depths_from`, of the scene of the last picture."""
         size = min(size, self._rect.width, self._rect.height)
         near, far = LAMP_PLANES
         for camera in self._scene.camera:
             camera.pos, camera.forward, camera.up = position, rotation[:, 0], rotation[:, 2]
-            camera.frustum_center, camera.frustum_width = 0.0, near * spread
-            camera.frustum_bottom, camera.frustum_top = -near * spread, near * spread
+            half = spread if parallel else near * spread
+            camera.orthographic = int(parallel)
+            camera.frustum_center, camera.frustum_width = 0.0, half
+            camera.frustum_bottom, camera.frustum_top = -half, half
             camera.frustum_near, camera.frustum_far = near, far
-        skybox, self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX], 0
         square, depth = mujoco.MjrRect(0, 0, size, size), np.empty((size, size), np.float32)
+        before = self._scene.flags.copy()
+        self._scene.flags[:] = 0
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_CULL_FACE] = 1
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SEGMENT] = 1  # without light and textures, which take time
         mujoco.mjr_render(square, self._scene, self._context)
         mujoco.mjr_readPixels(None, depth, square, self._context)
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = skybox
+        self._scene.flags[:] = before
         upright = depth[::-1]
+        if parallel:
+            straight: NDArray[np.float32] = np.float32(far) - upright * np.float32(far - near)
+            return straight
         along: NDArray[np.float32] = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
         return along
 
@@ -178,7 +198,7 @@ class GlRenderer:
             return
         other = self._other or self._make_context(self._samples if self._samples > 1 else 0, *self._film_shadows)
         self._context, self._other, self._thorough = other, self._context, thoroughly
-        self._cast_shadows(thoroughly or self._quality is not Quality.LOW)
+        self._cast_shadows(thoroughly or self._quality is Quality.HIGH)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
 
     def _cast_shadows(self, wanted: bool) -> None:

@@ -99,7 +99,7 @@ class Darkness:
         lit += [(beam, 1.0) for beam in self._fixed]
         if not lit:
             return np.full(size[::-1], self._sky, np.float32)
-        surface = _Surface(distances, spread)
+        surface = Surface(distances, spread)
         eye, axes = data.cam_xpos[camera], data.cam_xmat[camera].reshape(3, 3)
         for beam, level in lit:
             position, rotation = beam.pose(data)
@@ -119,7 +119,7 @@ class Darkness:
         return np.asarray(cv2.resize(made, size), np.float32) if coarse else made
 
 
-class _Surface:
+class Surface:
     """What a picture shows, in the camera's frame: x right, y up, z ahead."""
 
     def __init__(self, distances: Floats, spread: float) -> None:
@@ -135,15 +135,25 @@ class _Surface:
         self._nz = inverse - self._x * self._nx - self._y * self._ny
         self._length = np.sqrt(self._nx**2 + self._ny**2 + self._nz**2)
 
+    def seen_from(self, place: Floats, axes: Floats) -> tuple[Floats, Floats, Floats]:
+        """The pixels' coordinates ahead, to the left and up of a place with those axes, as columns."""
+        found = []
+        for axis in range(3):
+            a = axes[:, axis]
+            found.append((a[0] * self._x + (a[1] * self._y + a[2])) * self._z - np.float32(a @ place))
+        return found[0], found[1], found[2]
+
+    def facing(self, direction: Floats) -> Floats:
+        """The cosine of the angle at which light in that direction falls on the surface; 0 from behind."""
+        towards = self._nx * direction[0] + self._ny * direction[1] + self._nz * direction[2]
+        made: Floats = np.maximum(towards / self._length, np.float32(0.0))
+        return made
+
     def lit(
         self, lamp: Floats, axes: Floats, intensity: np.float32, half_angle: float, shadow: tuple[Floats, float] | None
     ) -> Floats:
         """The light of a lamp at that place, with those axes (x ahead, y left, z up) as columns."""
-        local = []
-        for axis in range(3):
-            a = axes[:, axis]
-            local.append((a[0] * self._x + (a[1] * self._y + a[2])) * self._z - np.float32(a @ lamp))
-        ahead, left, up = local
+        ahead, left, up = self.seen_from(lamp, axes)
         squared = np.maximum(ahead**2 + left**2 + up**2, np.float32(MIN_DISTANCE**2))
         distance = np.sqrt(squared)
         facing = 1.0 - (self._nx * lamp[0] + self._ny * lamp[1] + self._nz * lamp[2])
@@ -202,13 +212,13 @@ def _lights_of_world(model: mujoco.MjModel) -> list[_Beam]:
         intensity = float(model.light_intensity[number]) or DEFAULT_INTENSITY * float(
             model.light_diffuse[number].mean()
         )
-        axes = _axes(model.light_dir[number])
+        axes = axes_along(model.light_dir[number])
         body = int(model.light_bodyid[number])
         found.append(_Beam(body, model.light_pos[number].copy(), axes, intensity, half_angle, casts_shadow=False))
     return found
 
 
-def _axes(direction: Vectors) -> Vectors:
+def axes_along(direction: Vectors) -> Vectors:
     """Axes (x ahead, y left, z up) with that x axis, as columns."""
     ahead = direction / np.linalg.norm(direction)
     left = np.cross((0.0, 0.0, 1.0) if abs(ahead[2]) < 0.9 else (1.0, 0.0, 0.0), ahead)

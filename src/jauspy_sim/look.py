@@ -16,6 +16,7 @@ GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "black": (0.3, 0.35),
     "rubber": (0.12, 0.15),
     "steel": (0.75, 0.55),
+    "alloy": (0.75, 0.55),
     "dark": (0.4, 0.4),
     "brass": (0.7, 0.6),
     "amber": (0.4, 0.45),
@@ -25,8 +26,8 @@ GLOSS: Final[Mapping[str, tuple[float, float]]] = {
 }
 """Specular reflection and shininess of materials by their name in the URDF, which has no words for them."""
 
-SHADOWLESS: Final = frozenset({"black", "brass", "lamp", "lens"})
-"""Materials of small parts, whose shadows would cost more than they show."""
+SHADOWLESS: Final = frozenset({"amber", "black", "brass", "lamp", "lens", "red", "steel"})
+"""Materials of small parts, which are in the shadows of larger ones anyway; theirs would cost a fifth of a picture."""
 
 NO_SHADOW_ALPHA: Final = 0.999
 """MuJoCo draws no shadows of what is not quite opaque."""

@@ -77,6 +77,8 @@ class RayRenderer:
         rotation: NDArray[np.float64],  # noqa: ARG002
         spread: float,  # noqa: ARG002
         size: int,  # noqa: ARG002
+        *,
+        parallel: bool = False,  # noqa: ARG002
     ) -> NDArray[np.float32] | None:
         """Return None: lamps cast no shadows here, since rays for them would take as long as those for the picture."""
         return None

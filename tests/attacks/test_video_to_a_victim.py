@@ -76,6 +76,13 @@ def test_video_goes_to_no_port_of_the_system_or_of_jaus(module: Module, port: in
     assert module.enter(f"rtp://10.0.6.1:{port}", ATTACKERS[0]) == 0
 
 
+@pytest.mark.parametrize("port", [4793, 4794])
+def test_video_goes_to_no_port_of_a_node_manager_with_another_one(module: Module, port: int) -> None:
+    module.where[ATTACKERS[0]] = Location(hosts=frozenset({"10.0.6.1"}), ports=frozenset({4794}))
+    assert module.enter(f"rtp://10.0.6.1:{port}", ATTACKERS[0]) == 0
+    assert module.enter("rtp://10.0.6.1:4795", ATTACKERS[0]) != 0
+
+
 def test_who_takes_all_places_does_not_lock_the_operator_out(module: Module) -> None:
     for number, each in enumerate(ATTACKERS):
         assert bool(module.enter(f"rtp://10.0.6.{each.component}:5004", each)) == (number < PLACES)

@@ -55,6 +55,10 @@ LEFT = {
     ("manipulator-2.0", "inc1 101.1.104"): {
         f"ManipulatorJointPositionListDriver, {FREE}: QueryCommandedJointPositions [targetExists()]": UNKNOWN,
     },
+    ("ugv-1.0", IGVC): {
+        f"IlluminationService, {HELD}: SetIlluminationState "
+        "[isControllingClient(transportData) && isSupported(msg)]": OTHERWISE,
+    },
     ("sensing-2.0", "inc1 101.1.106"): CAMERA,
     ("sensing-2.0", "inc1 101.1.107"): CAMERA,
     ("sensing-2.0", "inc1 101.1.108"): {

@@ -53,7 +53,7 @@ class FakeVideo:
 class Module:
     """The CM-VIS of the chassis camera of a kinematic inc1; a `fixed` one is where the lidar is, without a mount."""
 
-    def __init__(self, component=107, video=None, *, fixed=False):
+    def __init__(self, component=107, video=None, *, fixed=False, older_versions=False):
         config = robot_files.load("inc1")
         if fixed:
             config = _with_fixed_cameras(config)
@@ -63,7 +63,8 @@ class Module:
         self.where = {}
         """Machines of clients, unless they are on this one."""
         (module,) = (each for each in config.modules if each.component == component)
-        module = module.model_copy(update={"access_control": AccessControlConfig(timeout=0)})
+        update = {"access_control": AccessControlConfig(timeout=0), "older_versions": older_versions}
+        module = module.model_copy(update=update)
         (setup,) = (each for each in model.cameras if each.name == module.camera)
         self.video = video(self.robot.cameras[module.camera]) if video else FakeVideo(setup)
         clock = lambda: START + timedelta(seconds=self.now)  # noqa: E731

@@ -128,6 +128,25 @@ def test_lines_that_were_added_are_named(path, write):
     assert verify(path).problem == "line 4 was changed"
 
 
+@pytest.mark.parametrize("restarted", [False, True])
+def test_lines_that_were_appended_after_the_head_was_saved_are_named(path, write, restarted):
+    write()
+    report = verify(path)
+    forged = {
+        "n": report.head.number + 1,
+        "time": "2026-11-22",
+        "message": "SetEmergency",
+        "previous": report.head.hash,
+    }
+    with path.open("a") as stream:
+        stream.write(json.dumps(forged) + "\n")
+    if restarted:
+        with AuditLog(path, "inc1"):
+            pass
+    number = report.head.number
+    assert f"lines {number + 1} to {number + 1} follow the line of the head file" in verify(path).problem
+
+
 def test_without_its_head_a_cut_is_not_excluded(path, write):
     write()
     head_file(path).unlink()

@@ -179,6 +179,26 @@ def test_repeated_emergencies_take_no_memory(rig) -> None:
     assert rig.host.state == FREE_STANDBY
 
 
+@pytest.mark.parametrize("forged", ["9.1.{}", "{}.1.1"])
+def test_forged_emergencies_do_not_displace_a_real_one(rig, forged) -> None:
+    rig.tell(A, RequestControl(200))
+    for number in range(MAX_EMERGENCY_CLIENTS):
+        rig.tell(forged.format(250 - number), STOP)
+    rig.tell(A, STOP)  # in control
+    if forged.startswith("9."):
+        rig.tell(B, STOP)
+    for number in range(300):
+        rig.tell(forged.format(number % 200 + 51), STOP)
+    for number in range(200):
+        rig.tell(forged.format(number + 51), CLEAR)
+    assert rig.host.status is ReportStatus.Status.EMERGENCY
+    rig.tell(B, CLEAR)
+    assert rig.host.status is ReportStatus.Status.EMERGENCY
+    rig.tell(A, CLEAR)
+    assert rig.host.status is ReportStatus.Status.STANDBY
+    assert len(rig.host.service(Management)._emergency_clients) == 0
+
+
 def test_initialization_may_be_lengthy(make) -> None:
     class Slow(Management):
         def initialize(self) -> None:

@@ -9,9 +9,11 @@ from contextlib import contextmanager
 import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup, Quality
+from jauspy.video.imaging import Imaging
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.robot import SimulatedRobot
 
@@ -23,10 +25,7 @@ def robots():
     if choose_gl() is None:
         pytest.skip("there is neither libegl1 nor libosmesa6")
     model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT,))
-    opened = {
-        quality: SimulatedRobot.open(dataclasses.replace(model, quality=quality), "yard")
-        for quality in (Quality.LOW, Quality.MEDIUM)
-    }
+    opened = {quality: SimulatedRobot.open(dataclasses.replace(model, quality=quality), "yard") for quality in Quality}
     yield opened
     for robot in opened.values():
         robot.close()
@@ -42,17 +41,31 @@ def opened(robot):
     eye.close()
 
 
+def seen(robot, eye):
+    return Imaging(robot.cameras["front"].setup).take(eye, 320, 240).image.astype(int)
+
+
 def picture(robot):
     with opened(robot) as eye:
-        return eye.look(320, 240).image.astype(int)
+        return seen(robot, eye)
 
 
-def test_shadows_are_darker_and_nothing_else_changes(robots):
-    plain, shaded = (picture(robot).mean(axis=2) for robot in robots.values())
+@pytest.mark.parametrize("quality", [Quality.MEDIUM, Quality.HIGH])
+def test_shadows_are_darker_and_nothing_else_changes(robots, quality):
+    plain, shaded = (picture(robots[each]).mean(axis=2) for each in (Quality.LOW, quality))
     darker = shaded < 0.85 * plain
     same = abs(shaded - plain) < 3.0
     assert 0.01 < darker.mean() < 0.5
     assert (darker | same).mean() > 0.9
+
+
+def test_both_ways_to_make_shadows_agree(robots):
+    """MuJoCo's own, and those that are computed from depths."""
+    plain, computed, drawn = (picture(robot).mean(axis=2) for robot in robots.values())
+    dark = [each < 0.85 * plain for each in (computed, drawn)]
+    both = dark[0] & dark[1]
+    assert both.sum() > 0.7 * dark[0].sum()
+    assert computed[both].mean() == pytest.approx(drawn[both].mean(), rel=0.15)
 
 
 def test_a_camera_that_is_too_slow_leaves_shadows_out_and_says_so(robots):
@@ -63,5 +76,5 @@ def test_a_camera_that_is_too_slow_leaves_shadows_out_and_says_so(robots):
         assert eye.simplify()
         assert eye.reduced
         assert eye.description == f"{before}, without shadows: better pictures take too long here"
-        assert abs(eye.look(320, 240).image - plain).mean() < 0.5
+        assert abs(seen(robots[Quality.MEDIUM], eye) - plain).mean() < 0.5
         assert not eye.simplify()

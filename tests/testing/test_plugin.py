@@ -55,6 +55,23 @@ async def test_it(virtual_network):
     asyncio.get_running_loop().call_soon(lambda: 1 / 0)
     await asyncio.sleep(1)
 """,
+    "action": """
+import pytest
+from jauspy.errors import ResponseTimeout
+from jauspy.messages.core import QueryHeartbeatPulse
+from jauspy.services.core import Liveness
+
+class Broken(Liveness):
+    def report_heartbeat_pulse(self, query):
+        return self.missing_attribute
+
+@pytest.mark.parametrize("allowed", [False, True])
+async def test_it(virtual_network, ocu, allowed):
+    virtual_network.allow_errors = allowed
+    async with virtual_network.component("101.1.1", [Broken()]):
+        with pytest.raises(ResponseTimeout):
+            await ocu.query("101.1.1", QueryHeartbeatPulse())
+""",
     "unawaited_task": """
 import asyncio
 
@@ -182,6 +199,13 @@ def test_unhandled_error_fails_the_test(automatic: dict[str, Outcome], file: str
     assert outcome.passed
     assert "an unhandled error" in outcome.problem
     assert error in outcome.problem
+
+
+def test_exception_in_an_action_fails_the_test_with_its_traceback(automatic: dict[str, Outcome]) -> None:
+    problem = automatic["action:test_it[False]"].problem
+    assert "of 101.1.1 raised AttributeError: 'Broken' object has no attribute 'missing_attribute'" in problem
+    assert "return self.missing_attribute" in problem
+    assert automatic["action:test_it[True]"] == Outcome(True, "")
 
 
 def test_the_node_manager_serves_a_test_without_asyncio(without_asyncio: dict[str, Outcome]) -> None:

@@ -6,6 +6,7 @@ import asyncio
 import json
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
+from functools import partial
 from pathlib import Path
 
 import pytest
@@ -13,6 +14,7 @@ import pytest
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
+from jauspy.testing import until
 from jauspy.transport import node_status
 
 GOOD = {
@@ -57,3 +59,19 @@ async def test_what_is_no_status_is_none(root: Path, text: bytes) -> None:
         location: Location = await asyncio.wait_for(found, 10.0)
         assert location == UNKNOWN_LOCATION
         locator.close()
+
+
+async def test_a_location_has_the_ports_of_the_node_managers(root: Path) -> None:
+    networks = {"networks": [{"address": "127.0.0.1:4794"}, {"address": 7}, 3]}
+    peers = {"peers": [{"id": "42.1.1", "address": "192.0.2.7:4795", "heard": 0.5}]}
+    async with serving(root, json.dumps({**GOOD, **networks, **peers}).encode()):
+        locator = node_status.Locator(root)
+        found: dict[str, Location] = {}
+        for id in ("42.1.1", "101.1.102", "7.1.1"):
+            locator.locate(JausID.parse(id), partial(found.__setitem__, id))
+        locator.locate(JausID.parse("8.1.1"), partial(found.__setitem__, "8.1.1"), is_here=True)
+        await until(lambda: len(found) == 4)
+        locator.close()
+    assert found["42.1.1"] == Location(hosts=frozenset({"192.0.2.7"}), ports=frozenset({4794, 4795}))
+    assert found["7.1.1"] == Location(ports=frozenset({4794}))
+    assert found["101.1.102"] == found["8.1.1"] == node_status.this_machine()._replace(ports=frozenset({4794}))

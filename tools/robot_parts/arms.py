@@ -339,7 +339,8 @@ def mast(height: float = 0.75) -> Look:
         for n in range(int((height - 0.08) / 0.0162))
     )
     return {
-        "steel": joined([profile.at(y=0.05), profile.at(y=-0.05), lathe(screw, 8)]),
+        "alloy": joined([profile.at(y=0.05), profile.at(y=-0.05)]),
+        "steel": lathe(screw, 8),
         "olive": joined([foot, top, *ribs]),
         "dark": motor,
         "black": joined([heads, caps, links]),
@@ -402,7 +403,7 @@ def telescope() -> Look:
     heads = screws([(0.33, 0.0, 0.050)], 0.012, 0.004)
     below = screws([(0.33, 0.0, 0.0)], 0.012, 0.004).at(0.0, 0.0, -0.050, FLIP)
     return {
-        "steel": boom,
+        "alloy": boom,
         "dark": joined([rack, grooves, ends]),
         "olive": joined([end, cheeks, web]),
         "black": joined([heads, below]),

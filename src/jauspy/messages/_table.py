@@ -930,6 +930,15 @@ TABLE: Final = (
         (0x4404, "ReportVelocityState", "391ae0ea"), (0x44A4, "ReportVelocityStateExt", "bcdc3de7"),
     ),
     *entries(
+        "jauspy.messages.older.v1_0.digital_video_capabilities", "urn:jauspy:older:DigitalVideoCapabilities", "1.0",
+        (0x2808, "QueryDigitalVideoSensorCapabilities", "29d792ee"),
+        (0x4808, "ReportDigitalVideoSensorCapabilities", "857bcf75"),
+    ),
+    *entries(
+        "jauspy.messages.older.v1_0.still_image_data", "urn:jauspy:older:StillImageData", "1.0",
+        (0x2814, "QueryStillImageData", "7397a634"), (0x4814, "ReportStillImageData", "044f3094"),
+    ),
+    *entries(
         "jauspy.messages.operators.v1_0.command_seal", "urn:jauspy:operators:CommandSeal", "1.0",
         (0xDA50, "SealedCommand", "c669c717"), (0xEA50, "QuerySealChallenge", "2e38e77b"),
         (0xFA50, "ReportSealChallenge", "18626799"), (0xFA51, "RejectCommand", "fadfe3c3"),

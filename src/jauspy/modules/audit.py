@@ -13,6 +13,7 @@ import json
 import os
 import queue
 import threading
+import time
 from collections import Counter, defaultdict
 from collections.abc import Hashable, Iterable, Iterator, Mapping
 from contextlib import suppress
@@ -45,6 +46,10 @@ MAX_PAYLOAD: Final = 16 * 1024
 MAX_LINE: Final = 64 * 1024
 REPORT_INTERVAL: Final = 1.0
 """Seconds from one line about what was not recorded to the next."""
+ATTEMPTS: Final = 4
+"""Times that a log is read whose head file is behind: a robot that writes it saves the head after the lines."""
+ATTEMPT_PAUSE: Final = 0.1
+"""Seconds."""
 CLOSE_TIMEOUT: Final = 5.0
 """Seconds that a disk has for the last lines."""
 FIRST: Final = "0" * 64
@@ -155,7 +160,7 @@ class AuditLog:
             self._size -= len(torn)
         last = whole[:-1].rpartition(b"\n")[2]
         self.head = Head(_number(last), _hash(last)) if last else Head()
-        if expected and expected != str(self.head) and _is_behind(self.head, expected):
+        if expected and expected != str(self.head):
             found["expected_head"] = expected
             _LOG.error("%s ends at line %d, and should not: its head was %s", self.path, self.head.number, expected)
         return found
@@ -260,12 +265,24 @@ def verify(path: Path, anchors: Iterable[Head] = (), operators: Iterable[Operato
 
     Raises `ConfigError` for files that cannot be read.
     """
+    anchors, by_name = list(anchors), {each.name: each for each in operators}
     try:
-        text = head_file(path).read_text("ascii").strip() if head_file(path).exists() else ""
-        with path.open("rb") as stream:
-            return _verify(stream, text, list(anchors), {each.name: each for each in operators})
+        for attempt in range(ATTEMPTS):
+            before = _saved_head(path)
+            with path.open("rb") as stream:
+                report = _verify(stream, before, anchors, by_name)
+            if report.problem or not before or report.head.number <= (last := Head.parse(before).number):
+                break
+            if _saved_head(path) == before and attempt == ATTEMPTS - 1:
+                report.problem = _beyond(last, report.head.number)
+            time.sleep(ATTEMPT_PAUSE)  # the robot may be writing: lines first, then the head
     except (OSError, UnicodeDecodeError) as error:
         raise ConfigError(f"{path}: cannot be read: {error}") from error
+    return report
+
+
+def _saved_head(path: Path) -> str:
+    return head_file(path).read_text("ascii").strip() if head_file(path).exists() else ""
 
 
 def _verify(stream: BinaryIO, head: str, anchors: list[Head], operators: Mapping[str, Operator]) -> AuditReport:
@@ -306,8 +323,20 @@ def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping
     if (expected := hashes.get(number)) is not None and expected != _hash(line):
         return f"line {number} was changed: its hash is not that of the head"
     if "expected_head" in entry:
-        return f"lines were cut off before line {number}: the head was {entry['expected_head']!r}"
+        expected_head = str(entry["expected_head"])
+        last, _, _ = expected_head.partition(":")
+        if last.isdecimal() and int(last[:18]) < number - 1:
+            return _beyond(int(last[:18]), number - 1)
+        return f"lines were cut off before line {number}: the head was {expected_head!r}"
     return ""
+
+
+def _beyond(head: int, last: int) -> str:
+    """What lines after the one of the head file mean."""
+    return (
+        f"lines {head + 1} to {last} follow the line of the head file: they were added by somebody else, or the robot "
+        "lost power before it could write its head"
+    )
 
 
 def _count(entry: dict[str, Any], report: AuditReport, operators: Mapping[str, Operator]) -> str:
@@ -371,11 +400,3 @@ def _number(line: bytes) -> int:
 
 def _hash(line: bytes) -> str:
     return hashlib.sha256(line).hexdigest()
-
-
-def _is_behind(head: Head, expected: str) -> bool:
-    """True when the file ends before the line of its head file, or has another one there."""
-    try:
-        return head.number <= Head.parse(expected).number
-    except ConfigError:
-        return True

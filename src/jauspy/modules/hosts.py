@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import datetime
 from typing import Final
 
@@ -23,9 +23,22 @@ from jauspy.platform.localization import Localization, LocalizedDrive
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
-from jauspy.services.environment_sensing import VideoSource, VideoStreams
+from jauspy.services.environment_sensing import (
+    DigitalVideo,
+    DigitalVideoCapabilities,
+    StillImage,
+    StillImageData,
+    VideoSource,
+    VideoStreams,
+)
 from jauspy.services.host import Host
-from jauspy.services.manipulator import Arm, ManipulatorListDriver, PanTilt, PrimitiveEndEffector
+from jauspy.services.manipulator import (
+    Arm,
+    ManipulatorListDriver,
+    ManipulatorSpecification,
+    PanTilt,
+    PrimitiveEndEffector,
+)
 from jauspy.services.mobility import GlobalPose, Vehicle
 from jauspy.services.service import Service
 
@@ -103,13 +116,26 @@ def module_host(
         raise ConfigError(f"{id}: {error}") from error
     if isinstance(context, catalogue.ManipulatorContext) and any(config.offers(name) for name in LIST_DRIVERS):
         services.append(ManipulatorListDriver(context.arm))
+    if config.older_versions:
+        services += _older(context, services)
     for service in services:
         if isinstance(service, ContinuousCommands):
             service.command_timeout = config.command_timeout_of(service.urn.rpartition(":")[2])
-    host = Host(id, [*core, *services], utc_now=utc_now, now=now)
+    host = Host(id, [*core, *services], utc_now=utc_now, now=now, older_versions=config.older_versions)
     if context.moving is not None:
         Watchdog(host, context.moving)
     return host
+
+
+def _older(context: Context, services: Sequence[Service]) -> Iterator[Service]:
+    """Services that answer what version 1.0 of these has, and the newer versions have elsewhere or not at all."""
+    for service in services:
+        if isinstance(service, DigitalVideo) and isinstance(context, catalogue.VisionContext):
+            yield DigitalVideoCapabilities(context.streams.cameras)
+        elif isinstance(service, StillImage):
+            yield StillImageData(service)
+        elif isinstance(service, PrimitiveEndEffector) and isinstance(context, catalogue.EndEffectorContext):
+            yield ManipulatorSpecification(context.arm)
 
 
 def _context(

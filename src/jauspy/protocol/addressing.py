@@ -94,6 +94,8 @@ class Location(NamedTuple):
 
     is_here: bool = False
     hosts: frozenset[str] = frozenset()
+    ports: frozenset[int] = frozenset()
+    """UDP ports of JAUS, as far as they are known: of the node manager here, and of the component's machine."""
 
     def has(self, host: str) -> bool:
         """True when this is an address of the machine; loopback addresses are those of this one only."""

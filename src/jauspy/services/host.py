@@ -36,7 +36,8 @@ class Host(ServiceHost):
 
     Core services that are inherited from but not given are added with their defaults. Raises `ConfigError` that names
     every action, predicate and report that a service lacks. An exception in an action is logged, counted and contained;
-    then, with `on_action_error="failure"`, the component goes to its state Failure until it is restarted.
+    then, with `on_action_error="failure"`, the component goes to its state Failure until it is restarted. With
+    `older_versions`, Discovery also lists version 1.0 of the services that are answered in that version, too.
     """
 
     def __init__(
@@ -50,10 +51,12 @@ class Host(ServiceHost):
         registry: Registry | None = None,
         max_output: int = 1024,
         on_action_error: Literal["failure", "stay"] = "stay",
+        older_versions: bool = False,
     ) -> None:
         if on_action_error not in ("failure", "stay"):
             raise ConfigError(f"on_action_error is {on_action_error!r}; it must be 'stay' or 'failure'")
         super().__init__(id, utc_now=utc_now, now=now, max_output=max_output)
+        self.older_versions = older_versions
         self._background_from = self._background_end = -math.inf
         self._fails_on_error = on_action_error == "failure"
         given = list(services)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Hashable, Iterable, Mapping
+from collections.abc import Callable, Collection, Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from datetime import datetime, timedelta
 from typing import TYPE_CHECKING, Any, ClassVar, Final, Protocol, TypeVar
@@ -183,6 +183,8 @@ class ServiceHost:
         """The id that the component wants to change to."""
         self.controller: JausID | None = None
         """The client in control; set by AccessControl."""
+        self.older_versions = False
+        """True if Discovery lists version 1.0 of the services that the component also answers in that version."""
         self.admission: Admission | None = None
         """Decides what is handled; None: everything."""
         self.operator: Operator | None = None
@@ -205,6 +207,11 @@ class ServiceHost:
         self._by_class: dict[type[Service], Service | None] = {}
 
     @property
+    def first_error(self) -> tuple[str, Exception] | None:
+        """The first exception of a service, with its traceback, and which action, guard or timer raised it."""
+        return self._errors.first
+
+    @property
     def services(self) -> tuple[Service, ...]:
         """All services, most derived first."""
         return tuple(self._bound.services.values())
@@ -213,6 +220,11 @@ class ServiceHost:
     def definitions(self) -> Mapping[str, Definition]:
         """The definitions of the services, by URN, in the order of `services`."""
         return self._bound.definitions
+
+    @property
+    def inputs(self) -> Collection[int]:
+        """The ids of the messages that the component takes."""
+        return self._bound.inputs
 
     @property
     def state(self) -> str:

@@ -69,6 +69,8 @@ class ActionErrors:
         self._counters = counters
         self._on_error = on_error
         self._times: Counter[str] = Counter()
+        self.first: tuple[str, Exception] | None = None
+        """The first exception, with its traceback, and what raised it."""
 
     def record(self, name: str, trigger: Trigger, error: Exception) -> None:
         """Count it; `name` says which action of which service and state raised it.
@@ -76,6 +78,7 @@ class ActionErrors:
         It is logged the 1st, 2nd, 4th, 8th ... time, so that a client cannot fill the disk.
         """
         self._counters["action_failed"] += 1
+        self.first = self.first or (name, error)
         self._times[name] += 1
         times = self._times[name]
         if times & (times - 1) == 0:

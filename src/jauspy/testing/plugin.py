@@ -41,12 +41,16 @@ def node_manager() -> Iterator[LocalNode]:
 
 @_asynchronous
 async def virtual_network() -> AsyncIterator[VirtualNetwork]:
-    """A network in memory, on virtual time; a test fails when it leaves tasks or unhandled errors behind."""
+    """A network in memory, on virtual time; a test fails when it leaves tasks or unhandled errors behind.
+
+    It also fails when a service of a component raised an exception, unless `virtual_network.allow_errors` is true.
+    """
     from jauspy.testing import VirtualNetwork  # noqa: PLC0415
     from jauspy.testing.assertions import no_leftovers  # noqa: PLC0415
 
     async with no_leftovers(), VirtualNetwork() as network:
         yield network
+        network.check_services()
 
 
 @pytest.fixture

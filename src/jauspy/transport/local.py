@@ -24,7 +24,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.transport import base, node_status
 from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, SendQueue, ignore
-from jauspy.transport.node_status import Locator, this_machine
+from jauspy.transport.node_status import Locator
 
 _LOGGER = get_logger(__name__)
 
@@ -139,10 +139,7 @@ class LocalTransport:
 
     def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
         """Call `found`, now or later, with the machine of a component, as far as the node manager says it."""
-        if is_alive(self._path(id)):
-            found(this_machine())
-        else:
-            self._locator.locate(id, found)
+        self._locator.locate(id, found, is_here=is_alive(self._path(id)))
 
     async def id_clash(self) -> str | None:
         """The address of another machine that uses this id, as the node manager has noted it."""

@@ -92,15 +92,18 @@ class Locator:
 
     def __init__(self, root: Path) -> None:
         self._root = root
-        self._requests: list[tuple[JausID, Callable[[Location], None]]] = []
+        self._requests: list[tuple[JausID, Callable[[Location], None], bool]] = []
         self._task: asyncio.Task[None] | None = None
 
-    def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
-        """Call `found` with the location, in a later turn of the event loop unless there are too many requests."""
+    def locate(self, id: JausID, found: Callable[[Location], None], *, is_here: bool = False) -> None:
+        """Call `found` with the location, in a later turn of the event loop unless there are too many requests.
+
+        `is_here`: it is known to be on this machine, whatever the status says.
+        """
         if len(self._requests) >= MAX_LOOKUPS:
-            found(UNKNOWN_LOCATION)
+            found(this_machine() if is_here else UNKNOWN_LOCATION)
             return
-        self._requests.append((id, found))
+        self._requests.append((id, found, is_here))
         if self._task is None:
             self._task = asyncio.get_running_loop().create_task(self._answer(), name="locate")
 
@@ -118,11 +121,11 @@ class Locator:
                 status = await read(self._root)
             except TransportError:  # a node manager of others, or none
                 status = {}
-            here = this_machine()
+            here = this_machine()._replace(ports=_ports(status.get("networks", ())))
             components = {str(each["id"]) for each in status.get("components", ())}
             peers = {str(each["id"]): str(each["address"]) for each in status.get("peers", ())}
-            for id, found in requests:
-                found(here if str(id) in components else _location(peers.get(str(id)), here))
+            for id, found, is_here in requests:
+                found(here if is_here or str(id) in components else _location(peers.get(str(id)), here))
             await asyncio.sleep(READ_INTERVAL)
         self._task = None
 
@@ -139,6 +142,13 @@ def host_of(address: str) -> str:
 
 def _location(address: str | None, here: Location) -> Location:
     if address is None:
-        return UNKNOWN_LOCATION
-    host = host_of(address)
-    return here if here.has(host) else Location(hosts=frozenset({host}))
+        return Location(ports=here.ports)
+    host, ports = host_of(address), here.ports | _ports([{"address": address}])
+    return here._replace(ports=ports) if here.has(host) else Location(hosts=frozenset({host}), ports=ports)
+
+
+def _ports(rows: object) -> frozenset[int]:
+    """The ports of the addresses in a part of a status."""
+    listed = rows if isinstance(rows, list) else []
+    parts = (str(each.get("address")).rpartition(":") for each in listed if isinstance(each, dict))
+    return frozenset(int(port) for host, _, port in parts if host and port.isdecimal() and len(port) < 6)

@@ -5,17 +5,19 @@ from __future__ import annotations
 import asyncio
 import random
 from collections import deque
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from datetime import datetime
 from itertools import count
 from types import TracebackType
-from typing import TYPE_CHECKING, Final, Self
+from typing import TYPE_CHECKING, Any, Final, Self
 
 from jauspy.codec.message import Message
+from jauspy.component import Component
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.protocol.header import Packet
 from jauspy.protocol.judp import unpack_all
+from jauspy.services.service import Service
 from jauspy.transport import LoopbackHub, LoopbackTransport
 from jauspy.virtual.clock import VirtualClock
 from jauspy.virtual.environment import Environment, VirtualTime
@@ -53,6 +55,9 @@ class VirtualNetwork(Environment):
         self.log: deque[Packet] = deque(maxlen=MAX_LOG)
         self.keeps: Callable[[Packet], bool] = lambda _: True
         """Packets for which it returns false are lost, in addition to random loss."""
+        self.allow_errors = False
+        """With the fixture `virtual_network`, a test does not fail when a service raised an exception."""
+        self._components: list[Component] = []
         self._disconnected: set[JausID] = set()
         self._random = random.Random(seed)  # noqa: S311 - repeatable, not secret
         self._hub = _Hub(self)
@@ -60,6 +65,19 @@ class VirtualNetwork(Environment):
     def transport(self, id: str | JausID) -> LoopbackTransport:
         """A transport for the component of this id."""
         return LoopbackTransport(JausID.of(id), self._hub)
+
+    def component(self, id: str | JausID, services: Iterable[Service], **options: Any) -> Component:
+        """A component of these services; `options` are those of `Component`."""
+        made = super().component(id, services, **options)
+        self._components.append(made)
+        return made
+
+    def check_services(self) -> None:
+        """Raise `AssertionError`, from the exception, if a service of a component raised one; see `allow_errors`."""
+        for each in () if self.allow_errors else self._components:
+            if each.host.first_error is not None:
+                name, error = each.host.first_error
+                raise AssertionError(f"{name} of {each.id} raised {type(error).__name__}: {error}") from error
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 from itertools import groupby
 from typing import Final, TypeAlias
 
@@ -18,6 +19,7 @@ from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.access_control import ACCESS, SILENT_CLIENT
 from jauspy.conformance.state_tests.arms import ARMS
 from jauspy.conformance.state_tests.behaviour import (
+    TRANSPORT,
     BehaviourModel,
     ComponentUnderTest,
     MergedTransition,
@@ -46,6 +48,8 @@ from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
 from jauspy.schema import behavior
+from jauspy.schema.inheritance import lineage, parents_among
+from jauspy.schema.loader import load_builtin
 
 
 def untried(
@@ -188,6 +192,8 @@ INTERNAL_EVENTS_1_0: Final = (replace(SILENT_CLIENT, message="Timeout"), DUE)
 ACCESS_CONTROL_1_0: Final = ("urn:jaus:jss:core:AccessControl", "1.0")
 
 
+ENDS_LATER: Final = "it would end the component, which the steps of the newer version do at the end"
+TRANSPORT_1_0: Final = (TRANSPORT, "1.0")
 STANDARD: Final = "urn:jaus:jss:"
 OWN: Final = "urn:jauspy:"
 """Beginning of the ids of services that only jauspy defines."""
@@ -214,17 +220,38 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
                 f"the target offers no service of {set_name} {version} or older, so nothing was tested; "
                 f"it offers {', '.join(there) or 'nothing'}"
             )
-        prefix = len(found) > 1
-        return [
-            replace(step, id=f"{id}/{step.id}") if prefix else step
-            for id, services in found.items()
-            for step in (
-                *table_steps(id, offers.components[id], services),
-                *Planner(component_under_test(id, offers.components[id]), services).steps(),
-            )
-        ]
+        planned: list[Step] = []
+        for id, services in found.items():
+            for label, offered in _generations(offers.components[id]).items():
+                prefix = "/".join((str(id),) * (len(found) > 1) + (label,) * bool(label))
+                tested = services & offered
+                planner = Planner(component_under_test(id, offered), tested, may_end=not label)
+                steps = (*table_steps(id, offered, tested), *planner.steps())
+                planned += (replace(step, id=f"{prefix}/{step.id}") if prefix else step for step in steps)
+        return planned
 
     return Profile(name, title, steps, (ROLE_NOTE,))
+
+
+def _generations(offered: frozenset[ServiceKey]) -> dict[str, frozenset[ServiceKey]]:
+    """The services of a component by the version of the core services that they inherit from.
+
+    A component may offer version 1.0 of its services beside the newer ones: then each version is tested by itself, the
+    older one under the label `1.0`.
+    """
+    older = frozenset(key for key in offered if key in _inheriting_from(TRANSPORT_1_0))
+    newer = offered - older
+    if not older or (TRANSPORT, "1.1") not in newer:
+        return {"": offered}
+    return {"1.0": older, "": newer}
+
+
+@cache
+def _inheriting_from(root: ServiceKey) -> frozenset[ServiceKey]:
+    """The built-in services that inherit from a service, and the service itself."""
+    schema = load_builtin()
+    parent_of = parents_among(schema.services)
+    return frozenset(each.key for each in schema.services if lineage(each, parent_of)[-1].key == root)
 
 
 def _services(set_name: str, newest: str) -> frozenset[ServiceKey]:
@@ -244,6 +271,8 @@ class Planner:
 
     subject: ComponentUnderTest
     services: frozenset[ServiceKey]
+    may_end: bool = True
+    """False if steps that end the component are skipped, as other steps do that at the end."""
 
     def steps(self) -> list[Step]:
         """All steps: states that can be left come first, steps that end the component last."""
@@ -254,6 +283,9 @@ class Planner:
         tests = [test for situation in lasting for test in self._state_tests(situation, paths[situation])]
         fatal = [test for test in tests if any(each.after in ends for each in test.predictions)]
         steps = [_step(test) for test in tests if test not in fatal]
+        if not self.may_end:
+            steps += [replace(_step(test), run=skip(ENDS_LATER)) for test in fatal]
+            return [*steps, *untried(self.subject, self.services, steps, paths)]
         steps += [_skipped(_step(test), _step(fatal[-1])) for test in fatal[:-1]]
         steps += [_step(test) for test in fatal[-1:]]
         if fatal:

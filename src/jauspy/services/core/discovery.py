@@ -27,6 +27,7 @@ from jauspy.messages.core import (
     SubsystemRec,
 )
 from jauspy.protocol.addressing import HERE, Location
+from jauspy.services import older_versions
 from jauspy.services.core.directory import AddressPattern, Directory, OfferedService, SearchFilters, within
 from jauspy.services.service import Service, ServiceHost
 
@@ -280,10 +281,13 @@ def _one_component(id: str | JausID) -> JausID:
 
 
 def offered_services(host: ServiceHost) -> list[OfferedService]:
-    """The services of a component and all they inherit from."""
+    """The services of a component and all they inherit from; older versions of them if it lists those."""
+    keys = {(urn, definition.version) for urn, definition in host.definitions.items()}
+    if host.older_versions:
+        keys |= {(urn, older_versions.VERSION) for urn in older_versions.answered(host.definitions, host.inputs)}
     offers = []
-    for urn, definition in host.definitions.items():
-        major, _, minor = definition.version.partition(".")
+    for urn, version in keys:
+        major, _, minor = version.partition(".")
         offers.append(OfferedService(urn, int(major), int(minor or 0)))
     return sorted(offers)
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable
 from datetime import datetime
 from typing import Final
@@ -14,7 +15,8 @@ from jauspy.services.state_machine import STAY, ActionResult
 from jauspy.services.units import date_stamp, time_stamp
 
 MAX_EMERGENCY_CLIENTS: Final = 64
-"""Clients whose emergency is remembered; further ones set the emergency, but need not clear it."""
+"""Clients whose emergency is remembered. One more displaces the oldest of the subsystem that has most of them, but none
+with a seal, nor that of the client in control; without such, it sets the emergency, and need not clear it."""
 
 
 class Management(Service, urn="urn:jaus:jss:core:Management"):
@@ -39,8 +41,22 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
     def store_id(self, source: JausID) -> None:
         """`source` has set the emergency."""
         sealed = self.host.operator is not None
-        if len(self._emergency_clients) < MAX_EMERGENCY_CLIENTS or source in self._emergency_clients:
+        counts = sealed or source == self.host.controller
+        if source in self._emergency_clients or self._make_room(source, counts=counts):
             self._emergency_clients[source] = sealed or self._emergency_clients.get(source, False)
+
+    def _make_room(self, source: JausID, *, counts: bool) -> bool:
+        """True if the emergency of one more client can be remembered; one that `counts` displaces any other one."""
+        if len(self._emergency_clients) < MAX_EMERGENCY_CLIENTS:
+            return True
+        others = [id for id in self._unsealed() if id != self.host.controller]
+        of = Counter(id.subsystem for id in others)
+        most = max(of.values(), default=0)
+        if not others or (of[source.subsystem] >= most and not counts) or (most == 1 and not counts):
+            return False
+        self.host.count("emergency_displaced", f"by that of {source}")
+        del self._emergency_clients[next(id for id in others if of[id.subsystem] == most)]
+        return True
 
     def is_id_stored(self, source: JausID) -> bool:
         """`source` may clear the emergency, since it has set it."""

@@ -88,7 +88,7 @@ class VideoStreams:
         sensor, another client's end point, or too many end points.
         """
         address = parse_rtp_url(url)
-        self._check_target(address[0], location, client)
+        self._check_target(address, location, client)
         if sensor not in self.cameras:
             raise ConfigError(f"there is no sensor {sensor}; there are: {', '.join(map(str, self.cameras))}")
         for number, known in self.end_points.items():
@@ -102,7 +102,11 @@ class VideoStreams:
         self.end_points[number] = EndPoint(client, sensor, url, address, location)
         return number
 
-    def _check_target(self, host: str, location: Location, client: JausID) -> None:
+    def _check_target(self, target: Address, location: Location, client: JausID) -> None:
+        host, port = target
+        if location.ports & {port, port + 1}:  # control packets (RTCP) are sent to the next one
+            ports = ", ".join(map(str, sorted(location.ports)))
+            raise ConfigError(f"{host}:{port}: video is not sent to a port of JAUS: {ports}")
         address = ipaddress.ip_address(host)
         if location.has(host) or any(address in each and address != each.broadcast_address for each in self._targets):
             return

@@ -61,7 +61,7 @@ class DigitalVideo(Service, urn="urn:jaus:jss:environmentSensing:DigitalVideo"):
         requested = requested_sensors(
             query.query_digital_video_sensor_capabilities_list, self._cameras, known_only=True
         )
-        return ReportDigitalVideoSensorCapabilitiesExt([_capabilities(sensor) for sensor, _ in requested])
+        return ReportDigitalVideoSensorCapabilitiesExt([capabilities(sensor) for sensor, _ in requested])
 
     def send_report_digital_video_sensor_configuration(
         self, query: QueryDigitalVideoSensorConfiguration
@@ -170,7 +170,8 @@ def _find_problems(requested: _RequestedSettings) -> list[tuple[_Code, str]]:
     return problems
 
 
-def _capabilities(sensor: int) -> _Capabilities:
+def capabilities(sensor: int) -> _Capabilities:
+    """What the streams of every camera support."""
     return _Capabilities(
         sensor,
         minimum_bit_rate=MIN_BIT_RATE // KILO,

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 from datetime import timedelta
 from functools import partial
 from typing import Final, TypeAlias
 
+from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.messages.environment_sensing.v1_0.types import (
     SensorIdRec,
@@ -27,7 +28,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensor
 from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, frame_size, supported_frame_sizes
 from jauspy.platform.video_settings import Still, StillFormat, StillSettings
 from jauspy.services.deferred import Deferred
-from jauspy.services.environment_sensing.sensors import requested_sensors
+from jauspy.services.environment_sensing.sensors import SensorRecord, requested_sensors
 from jauspy.services.environment_sensing.visual_sensor import Cameras
 from jauspy.services.service import Service
 from jauspy.services.units import time_stamp
@@ -80,13 +81,17 @@ class StillImage(Service, urn="urn:jaus:jss:environmentSensing:StillImage"):
 
     def capture_still_image(self, msg: QueryStillImageDataExt) -> None:
         """Take an image with each requested camera."""
-        requested = requested_sensors(msg.query_still_image_data_list, self._cameras, known_only=True)
-        pending = PendingReport([sensor for sensor, _ in requested], self.host.defer)
+        self._reply = self.take(msg.query_still_image_data_list, ReportStillImageDataExt)
+
+    def take(self, records: Sequence[SensorRecord], make_report: Callable[[list[Record]], Message]) -> Deferred:
+        """Take an image with each camera that the records name; the reply is what `make_report` makes of them."""
+        requested = requested_sensors(records, self._cameras, known_only=True)
+        pending = PendingReport([sensor for sensor, _ in requested], self.host.defer, make_report)
         for sensor, _ in requested:
             settings = self._settings[sensor]
             make_record = partial(self._image_record, sensor, settings.format)
             self._image_requests.take(sensor, settings, partial(pending.add, sensor, make_record))
-        self._reply = pending.reply
+        return pending.reply
 
     def send_report_still_image_data_ext_in_native_coordinate_system(self) -> Deferred | None:
         """Return the deferred reply to the query that was just received."""
@@ -194,16 +199,20 @@ class PendingReport:
     """
 
     def __init__(
-        self, sensors: Iterable[int], defer: Callable[[Callable[[], ReportStillImageDataExt]], Deferred]
+        self,
+        sensors: Iterable[int],
+        defer: Callable[[Callable[[], Message]], Deferred],
+        make_report: Callable[[list[Record]], Message],
     ) -> None:
+        self._make_report = make_report
         self._records = {sensor: Record(sensor, NATIVE) for sensor in sensors}
         self._missing = set(self._records)
         self.reply = defer(self.report)
         self._reply_if_complete()
 
-    def report(self) -> ReportStillImageDataExt:
+    def report(self) -> Message:
         """Return the report with the images delivered so far."""
-        return ReportStillImageDataExt(list(self._records.values()))
+        return self._make_report(list(self._records.values()))
 
     def add(self, sensor: int, make_record: Callable[[Still], Record], still: Still | None) -> None:
         """Add the image of a camera; None if the camera failed."""

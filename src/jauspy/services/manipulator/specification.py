@@ -32,7 +32,7 @@ class ManipulatorSpecification(Service, urn="urn:jaus:jss:manipulator:Manipulato
             manipulator_coordinate_system_rec=coordinate_system(self._arm.geometry.base),
             first_joint_parameters=_first_revolute(first) if first.is_revolute else _first_prismatic(first),
             joint_specification_list=[_revolute(link) if link.is_revolute else _prismatic(link) for link in others],
-            joint_names_list=names,
+            joint_names_list=None if self.host.older_versions else names,  # version 1.0 of the report has no names
         )
 
 

@@ -1,0 +1,94 @@
+"""The shadows of the sun, computed for the pixels of a picture from their depths.
+
+MuJoCo's own shadows triple the time of a picture without a GPU: it draws everything once more for each light that casts
+them. Here one picture of depths is drawn, from the sun, of what is nearby.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Final
+
+import cv2
+import mujoco
+import numpy as np
+
+from jauspy_sim.lamps import Floats, Surface, axes_along
+
+if TYPE_CHECKING:
+    from jauspy_sim.cameras import Renderer
+
+RADIUS: Final = 4.5
+"""Metres around a point before the camera in which things cast shadows."""
+AHEAD: Final = 2.8
+"""Metres from the camera to that point."""
+SIZE: Final = 512
+"""Pixels of each side of what the sun sees; fewer in smaller pictures."""
+AWAY: Final = 20.0
+"""Metres from that point to where the sun looks from."""
+BIAS: Final = 0.01
+"""Metres by which a surface may be behind what the sun sees."""
+STEEPEST: Final = 6.0
+"""Largest factor by which the size of a pixel is added to that where the sun shines flat on a surface."""
+
+
+class SunShadow:
+    """The first directional light of a model that casts shadows, and what lights the shadows."""
+
+    def __init__(self, model: mujoco.MjModel) -> None:
+        is_sun = (model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL) & (model.light_active != 0)
+        suns = np.flatnonzero(is_sun & (model.light_castshadow != 0))
+        self._sun = int(suns[0]) if len(suns) else None
+        others = np.setdiff1d(np.flatnonzero(is_sun), suns[:1])
+        headlight = model.vis.headlight
+        self._fill = float(np.mean(headlight.ambient) + 0.5 * np.mean(headlight.diffuse))
+        self._fill += float(
+            model.light_ambient.mean(axis=1).sum() + 0.5 * model.light_diffuse[others].mean(axis=1).sum()
+        )
+        self._strength = 0.0 if self._sun is None else float(model.light_diffuse[self._sun].mean())
+
+    @property
+    def is_cast(self) -> bool:
+        """False in a world without a sun."""
+        return self._sun is not None
+
+    def light(
+        self,
+        data: mujoco.MjData,
+        camera: int,
+        distances: Floats,
+        spread: float,
+        *,
+        levels: Sequence[float],  # noqa: ARG002 - in daylight, lamps make no difference
+        source: Renderer,
+        coarse: bool,
+    ) -> Floats | float:
+        """The light on each pixel as a fraction of that without shadows; parameters as for `Darkness.light`."""
+        if self._sun is None:
+            return 1.0
+        axes = data.cam_xmat[camera].reshape(3, 3)
+        direction = data.light_xdir[self._sun]
+        rotation = axes_along(direction)
+        centre = data.cam_xpos[camera] - AHEAD * axes[:, 2]
+        at = centre - AWAY * direction
+        depths = source.depths_from(data, at, rotation, RADIUS, SIZE, parallel=True)
+        if depths is None:
+            return 1.0
+        size = distances.shape[::-1]
+        surface = Surface(np.ascontiguousarray(distances[::2, ::2]) if coarse else distances, spread)
+        to_camera = axes.T * np.array([[1.0], [1.0], [-1.0]])
+        turned = (to_camera @ rotation).astype(np.float32)
+        ahead, left, up = surface.seen_from((to_camera @ (at - data.cam_xpos[camera])).astype(np.float32), turned)
+        facing = surface.facing(turned[:, 0])
+        pixels = depths.shape[0]
+        scale, middle = np.float32(pixels / 2.0 / RADIUS), np.float32((pixels - 1) / 2.0)
+        found = np.asarray(
+            cv2.remap(depths, middle - left * scale, middle - up * scale, cv2.INTER_NEAREST, borderValue=1e4)
+        )
+        steep = np.minimum(np.float32(1.0) / np.maximum(facing, np.float32(0.05)), np.float32(STEEPEST))
+        is_dark = (found + np.float32(BIAS) + np.float32(2.0 * RADIUS / pixels) * steep < ahead).astype(np.float32)
+        lost = np.float32(self._strength) * facing
+        shaded = np.float32(1.0) - cv2.blur(is_dark, (3, 3)) * (lost / (np.float32(self._fill) + lost))
+        # Pixels are the root of light.
+        made = np.asarray(shaded * shaded, np.float32)
+        return np.asarray(cv2.resize(made, size), np.float32) if coarse else made

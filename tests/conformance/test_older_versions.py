@@ -1,0 +1,44 @@
+"""A robot that offers version 1.0 of its services beside the newer ones passes the conformance test of both."""
+
+from __future__ import annotations
+
+import pytest
+from tests.conformance import simulated
+
+from jauspy.conformance import Report, Verdict
+from jauspy.ids import JausID
+from jauspy.modules import robot_files
+
+MODULES = [
+    ("core-1.1", "101.1.102"),
+    ("mobility-1.1", "101.1.102"),
+    ("manipulator-2.0", "101.1.104"),
+    ("manipulator-2.0", "101.1.105"),
+    ("manipulator-2.0", "101.1.107"),
+    ("sensing-2.0", "101.1.107"),
+]
+QUICK = ("manipulator-2.0", "101.1.105")
+
+
+def run_of(profile: str, id: str, monkeypatch: pytest.MonkeyPatch) -> Report:
+    config = robot_files.load("inc1")
+    modules = tuple(each.model_copy(update={"older_versions": True}) for each in config.modules)
+    config = config.model_copy(update={"modules": modules})
+    monkeypatch.setattr(robot_files, "load", lambda _: config)
+    target = JausID.parse(id)
+    body = simulated.robot(name="inc1", timeout=5, component=target.component, tick=None)
+    return simulated.examined(profile, body, target)
+
+
+@pytest.mark.parametrize(
+    ("profile", "id"),
+    [pytest.param(*each, marks=() if each == QUICK else pytest.mark.slow) for each in MODULES],
+)
+def test_both_versions_pass(profile: str, id: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    report = run_of(profile, id, monkeypatch)
+    failed = [each.id for each in report.results if each.verdict not in (Verdict.PASS, Verdict.SKIPPED)]
+    assert failed == []
+    passed = [each.id for each in report.results if each.verdict is Verdict.PASS]
+    older = [id for id in passed if id.startswith("1.0/")]
+    assert len(older) > 20
+    assert len(passed) - len(older) > 20
