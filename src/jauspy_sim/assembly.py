@@ -6,6 +6,7 @@ import logging
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import chain
 from typing import TYPE_CHECKING, Final, cast
 
 import mujoco
@@ -20,6 +21,7 @@ from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.look import colour_solids, polish, without_visuals
+from jauspy_sim.self_contacts import depth_below_base, exclude_touching
 from jauspy_sim.shapes import same_shape
 from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.wheel_joints import add_wheels
@@ -63,9 +65,16 @@ class DrawnModel:
 def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjModel:
     """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are.
 
+    A robot whose base is above the ground, as that of a walking robot, is as high as its lowest part needs.
     Not to be `drawn`, it lacks visual shapes: physics does not need them, and takes a tenth longer with them.
     """
-    spec = world_spec(world, robot.model_path)
+    return build_in(
+        world_spec(world, robot.model_path), robot, f"robot {robot.description.name} in world {world}", drawn
+    )
+
+
+def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", drawn: bool = False) -> mujoco.MjModel:
+    """The compiled model of that robot at the origin of a world that is not compiled yet, which is changed."""
     if drawn:
         added = robot_spec(robot)
         polish(added, robot.description)
@@ -73,14 +82,27 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
         _remove_scenery(spec)
         added = robot_spec(replace(robot, description=without_visuals(robot.description)))
         colour_solids(added, robot.description)
-    spec.attach(added, prefix=prefix(robot.description.name), frame=spec.worldbody.add_frame())
+    height = 0.0 if robot.tracks else depth_below_base(added, robot.description, _start(robot))
+    frame = spec.worldbody.add_frame(pos=(0.0, 0.0, height))
+    spec.attach(added, prefix=prefix(robot.description.name), frame=frame)
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
     if not drawn:
         spec.option.enableflags |= SLEEP
-    return compiled(spec, f"robot {robot.description.name} in world {world}")
+    model = compiled(spec, what)
+    _make_slippery(model)
+    return model
+
+
+def _make_slippery(model: mujoco.MjModel) -> None:
+    """Belts have the friction of a ground that has less than they: ice, mud, a smooth wall."""
+    belts = model.geom_priority == BELT_PRIORITY
+    if belts.any():
+        fixed = model.body_weldid[model.geom_bodyid] == 0
+        slippery = model.geom_friction[:, 0] < model.geom_friction[belts, 0].max()
+        model.geom_priority[fixed & slippery] = BELT_PRIORITY + 1
 
 
 def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:
@@ -127,7 +149,14 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
         add_force_torque(spec, sensor)
     for geom in spec.geoms:
         geom.group = VISUAL if not (geom.contype or geom.conaffinity) else COLLISION
+    exclude_touching(spec, robot.description, _start(robot))
     return spec
+
+
+def _start(robot: RobotModel) -> dict[str, float]:
+    """The initial positions of joints."""
+    rows = (zip(group.joints, group.start, strict=True) for group in robot.groups.values())
+    return dict(chain.from_iterable(rows))
 
 
 def _rolling_freely(robot: RobotModel) -> set[str]:

@@ -50,13 +50,13 @@ def test_demo_drives_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
     assert not with_environment("DEMO", str(folder))
 
     found = {each["stage"]: each for each in json.loads((folder / "summary.json").read_text())["results"]}
-    goals = ["drive", "map", "aim", "look", "reach", "grasp", "lift", "arm video", "chassis video"]
+    goals = ["drive", "map", "aim", "look", "reach", "grasp", "lift", "arm video", "chassis video", "outside video"]
     assert [stage for stage, each in found.items() if each["reached"]] == goals
     assert found["lift"]["figures"]["lifted"] >= 0.1
     assert found["lift"]["figures"]["weight"] == pytest.approx(1.0, abs=0.2)
     assert found["real time"]["figures"]["held"] > 0.0
 
-    for camera in ("arm", "chassis"):
+    for camera in ("arm", "chassis", "outside"):
         with av.open(folder / f"{camera}.mp4") as video:
             frames = [(frame.width, frame.height) for frame in video.decode(video=0)]
         assert len(frames) == found[f"{camera} video"]["figures"]["pictures"]

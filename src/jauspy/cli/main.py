@@ -71,6 +71,10 @@ NEW_VERBS: Final = {
         "jauspy.cli.new.definition:definition",
         "Write the definition (JSIDL) of a service with a query and a report of numbers.",
     ),
+    "robot": (
+        "jauspy.cli.new.robot:robot",
+        "Write a first TOML file for a robot of which there is a URDF only, so that it moves in the simulation.",
+    ),
 }
 SCHEMA_VERBS: Final = {
     "ls": (

@@ -64,8 +64,8 @@ class TracksConfig(StrictConfig):
 
     left: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
     right: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
-    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 40.0
-    """Inertia of rotors and sprockets at the belt, in kilograms."""
+    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 6.0
+    """Inertia of rotors and sprockets at the belts of a side, in kilograms."""
 
     def setup(self) -> TrackSetup:
         """Return the setup for the backend."""
@@ -80,6 +80,19 @@ class JointConfig(StrictConfig):
     """Initial position, in radians or metres."""
     position: GainsConfig
     velocity: GainsConfig
+
+
+class JointLimitsConfig(StrictConfig):
+    """Limits of a joint in place of those of the URDF, which often are zero or missing."""
+
+    effort: Annotated[float, Field(gt=0.0, le=1e6)] | None = None
+    """N m, or N."""
+    velocity: Annotated[float, Field(gt=0.0, le=1e4)] | None = None
+    """Rad/s, or m/s."""
+    lower: Annotated[float, Field(ge=-1e4, le=1e4)] | None = None
+    upper: Annotated[float, Field(ge=-1e4, le=1e4)] | None = None
+    """Radians, or metres."""
+    damping: Annotated[float, Field(ge=0.0, le=1e6)] | None = None
 
 
 class GroupConfig(StrictConfig):
@@ -348,6 +361,8 @@ class RobotConfig(StrictConfig):
     """The factory cell around the robot. Parts with a servo or connectors that no module names get one for each."""
     can: CanConfig | None = None
     """The servo drives of the robot, for the backend `can`."""
+    joint_limits: Mapping[UrdfName, JointLimitsConfig] = Field(default_factory=dict)
+    """Limits in place of those of the URDF, by the names of joints."""
     groups: Groups = Field(default_factory=dict)
     """The groups of joints, by name."""
     lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -18,7 +19,7 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
 from jauspy.modules.can_config import CanConfig, can_setup
-from jauspy.modules.config import GroupConfig, JointConfig, RobotConfig, TracksConfig
+from jauspy.modules.config import GroupConfig, JointConfig, JointLimitsConfig, RobotConfig, TracksConfig
 from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
@@ -116,6 +117,7 @@ MAX_AXIS_COSINE: Final = 1e-3
 def robot_model(config: RobotConfig) -> RobotModel:
     """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
     description = read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))), config.xacro_arguments)
+    description = _with_limits(description, config.joint_limits)
     if config.tracks is not None:
         _check_tracks(config.tracks, description)
     for name, group in config.groups.items():
@@ -165,6 +167,20 @@ def robot_model(config: RobotConfig) -> RobotModel:
     )
 
 
+def _with_limits(description: RobotDescription, limits: Mapping[str, JointLimitsConfig]) -> RobotDescription:
+    """The robot with the limits of the table `joint_limits`."""
+    joints = dict(description.joints)
+    for name, given in limits.items():
+        if name not in joints or joints[name].kind is JointKind.FIXED:
+            moving = ", ".join(each.name for each in joints.values() if each.kind is not JointKind.FIXED)
+            raise ConfigError(f"joint_limits: the URDF has no joint {name!r} that moves; it has: {moving or 'none'}")
+        changed = {key: value for key, value in given.model_dump().items() if value is not None}
+        joints[name] = joint = replace(joints[name], **changed)
+        if joint.lower > joint.upper:
+            raise ConfigError(f"joint_limits.{name}: lower {joint.lower:g} is above upper {joint.upper:g}")
+    return replace(description, joints=joints) if limits else description
+
+
 def _can_setup(
     config: CanConfig, description: RobotDescription, tracks: TrackSetup | None, groups: Mapping[str, GroupSetup]
 ) -> CanSetup | str:
@@ -209,6 +225,8 @@ def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
             raise ConfigError(
                 f"tracks.{key}: {name!r} is not a prismatic joint of the URDF; those are: {', '.join(known)}"
             )
+        if not (joint.effort > 0.0 and joint.velocity > 0.0):
+            raise ConfigError(f"tracks.{key}: {name!r} needs a <limit> with effort (N) and velocity (m/s) above 0")
 
 
 def _check_link(key: str, link: str, description: RobotDescription) -> None:
@@ -255,7 +273,7 @@ def check_motor(key: str, joint: Joint) -> None:
             f'{key}: the joint {joint.name!r} needs <limit effort="..." velocity="..."> above zero in the URDF, '
             f"and has effort {joint.effort:g} and velocity {joint.velocity:g}"
             + (f" at {joint.place}" if joint.place else "")
-            + "; or give effort and velocity of that joint in the TOML file"
+            + f"; or give both in the TOML file, as in [joint_limits.{joint.name}]"
         )
 
 

@@ -51,10 +51,11 @@ def demo(
 ) -> None:
     """Run the whole system: a simulated robot drives to a table, finds a can, grasps and lifts it.
 
-    The node manager and the robot run as child processes; this process is the operator control unit (OCU). It discovers
-    the robot over UDP, takes control, records both cameras, maps with the lidar, drives by waypoint, finds the can in a
-    still, moves the arm and the gripper, and releases control. Videos, map and measurements are written to DIR, and a
-    summary is printed. The exit status is 0 if every goal was reached. The demo takes less than 90 s.
+    The node manager and the robot run as child processes; this process is the operator control unit (OCU). It
+    discovers the robot over UDP, takes control, records its cameras and one outside of it, maps with the lidar,
+    drives by waypoint, finds the can in a still, moves the arm and the gripper, and releases control. Videos, map
+    and measurements are written to DIR, and a summary is printed. The exit status is 0 if every goal was reached.
+    The demo takes less than 90 s.
 
     Example:
       jauspy demo --port 3795 --output /tmp/demo

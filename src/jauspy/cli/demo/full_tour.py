@@ -28,6 +28,7 @@ from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid, Points, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
+from jauspy.modules.camera_config import CameraConfig
 from jauspy.modules.config import RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
@@ -48,6 +49,8 @@ class VideoRecording:
     name: str
     receiver: RtpReceiver
     recorder: Recorder
+    wanted: int
+    """Pictures per second that the camera is set to."""
     latencies: deque[float] = field(default_factory=lambda: deque(maxlen=MAX_LATENCIES))
     began: float = field(default_factory=time.monotonic)
     ended: float = 0.0
@@ -77,22 +80,29 @@ class VideoRecording:
         late = median(self.latencies) if self.latencies else 0.0
         return StageResult(
             f"{self.name} video",
-            f"{pictures} pictures ({rate:.1f} Hz), {lost or 'no'} packets lost, {damaged or 'none'} damaged; "
-            f"{1e3 * late:.0f} ms delay (median)",
+            f"{pictures} pictures ({rate:.1f} of {self.wanted} Hz), {lost or 'no'} packets lost, "
+            f"{damaged or 'none'} damaged; {1e3 * late:.0f} ms delay (median)",
             pictures > 0 and not lost and not damaged,
-            {"pictures": pictures, "rate": rate, "packets_lost": lost, "damaged": damaged, "latency": late},
+            {
+                "pictures": pictures,
+                "rate": rate,
+                "wanted_rate": self.wanted,
+                "packets_lost": lost,
+                "damaged": damaged,
+                "latency": late,
+            },
         )
 
 
 @asynccontextmanager
 async def recorded(
-    ocu: OCU, camera: ComponentClient, name: str, file: Path, size: FrameSize
+    ocu: OCU, camera: ComponentClient, setup: CameraConfig, file: Path, size: FrameSize
 ) -> AsyncIterator[VideoRecording]:
     """Record the camera's video in that size while this context is open."""
-    await change_stream(camera, SENSOR, StreamSettings(size), authority=plan.AUTHORITY)
+    await change_stream(camera, SENSOR, StreamSettings(size, setup.rate), authority=plan.AUTHORITY)
     loop = asyncio.get_running_loop()
     with RtpReceiver(LOCALHOST) as receiver, Recorder(file) as recorder:
-        recording = VideoRecording(name, receiver, recorder)
+        recording = VideoRecording(setup.name, receiver, recorder, setup.rate)
         loop.add_reader(receiver.fileno(), recording.take)
         try:
             async with registered(ocu, camera.id, SENSOR, url_of((LOCALHOST, receiver.port))):
@@ -260,11 +270,14 @@ class FullTour(Tour):
 
     async def _record(self, stack: AsyncExitStack, robot: Robot) -> dict[str, VideoRecording]:
         recordings = {}
+        setups = {camera.name: camera for camera in self._config.cameras}
         for module in self._config.modules:
             if module.camera is not None:
                 self._view.step(f"Record camera {module.camera} of {self._config.id_of(module)}")
                 file = self._folder / f"{module.camera}.mp4"
-                recording = recorded(self._ocu, robot.component(module.component), module.camera, file, self._size)
+                recording = recorded(
+                    self._ocu, robot.component(module.component), setups[module.camera], file, self._size
+                )
                 recordings[module.camera] = await stack.enter_async_context(recording)
                 self._state.recordings[module.camera] = recordings[module.camera]
                 self._report.files.append(file.name)

@@ -1,0 +1,114 @@
+"""`jauspy new robot`: from a URDF to a robot that moves."""
+
+from __future__ import annotations
+
+import tomllib
+from pathlib import Path
+
+import pytest
+from typer.testing import CliRunner
+
+from jauspy.cli.main import app
+from jauspy.modules import robot_files
+from jauspy.platform.joints import ControlMode, Target
+
+LINK = """<link name="{}"><inertial><mass value="{}"/>
+<inertia ixx=".02" iyy=".02" izz=".02" ixy="0" ixz="0" iyz="0"/></inertial><collision>{}</collision></link>"""
+BOX = '<geometry><box size=".2 .2 .1"/></geometry>'
+WHEEL = '<origin rpy="1.5708 0 0"/><geometry><cylinder radius=".1" length=".05"/></geometry>'
+
+
+def joint(name: str, kind: str, parent: str, child: str, more: str) -> str:
+    return f'<joint name="{name}" type="{kind}"><parent link="{parent}"/><child link="{child}"/>{more}</joint>'
+
+
+def rover() -> str:
+    """A body on four wheels without limits, with an arm of three joints of zero effort, a gripper and sensors."""
+    parts = [LINK.format("body", 20, BOX)]
+    for x in (-0.2, 0.2):
+        for side, y in (("left", 0.2), ("right", -0.2)):
+            name = f"{side}_{'front' if x > 0 else 'rear'}"
+            parts.append(LINK.format(name, 1, WHEEL))
+            parts.append(
+                joint(f"{name}_joint", "continuous", "body", name, f'<origin xyz="{x} {y} 0"/><axis xyz="0 1 0"/>')
+            )
+    above = "body"
+    for number, axis in enumerate(("0 0 1", "0 1 0", "0 1 0"), 1):
+        parts.append(LINK.format(f"arm_{number}", 1, BOX))
+        limit = f'<origin xyz="0 0 .2"/><axis xyz="{axis}"/><limit lower="-2" upper="2" effort="0" velocity="1"/>'
+        parts.append(joint(f"joint_{number}", "revolute", above, f"arm_{number}", limit))
+        above = f"arm_{number}"
+    limit = '<origin xyz="0 0 .1"/><axis xyz="1 0 0"/><limit lower="0" upper="0.04" effort="20" velocity="0.1"/>'
+    parts += [LINK.format("finger", 0.1, BOX), joint("finger_joint", "prismatic", above, "finger", limit)]
+    for name in ("laser_link", "front_camera_link"):
+        parts += [f'<link name="{name}"/>', joint(f"{name}_joint", "fixed", "body", name, '<origin xyz=".3 0 .2"/>')]
+    return f'<robot name="rover">{"".join(parts)}</robot>'
+
+
+@pytest.fixture
+def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
+    monkeypatch.chdir(tmp_path)
+    Path("rover.urdf").write_text(rover())
+    done = CliRunner().invoke(app, ["new", "robot", "rover.urdf", "--subsystem", "9"])
+    assert done.exit_code == 0, done.output
+    assert "jauspy up rover.toml" in done.output
+    return tmp_path / "rover.toml"
+
+
+def test_wheels_groups_limits_and_sensors_are_found(written: Path) -> None:
+    data = tomllib.loads(written.read_text())
+    assert (data["name"], data["urdf"], data["subsystem"]) == ("rover", "rover.urdf", 9)
+    assert sorted(data["wheels"]["left"]) == ["left_front_joint", "left_rear_joint"]
+    assert {name: len(group["joints"]) for name, group in data["groups"].items()} == {"arm": 3, "gripper": 1}
+    assert [module["type"] for module in data["modules"]] == ["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN", "CM-VIS"]
+    assert (data["lidars"][0]["link"], data["cameras"][0]["link"]) == ("laser_link", "front_camera_link")
+    assert set(data["joint_limits"]) == {
+        *(f"{side}_{end}_joint" for side in ("left", "right") for end in ("front", "rear")),
+        *("joint_1", "joint_2", "joint_3"),
+    }
+    assert "# guesses" in written.read_text()
+
+
+def test_the_robot_moves(written: Path) -> None:
+    pytest.importorskip("mujoco")
+    from jauspy_sim.robot import SimulatedRobot
+
+    robot = SimulatedRobot.open(robot_files.robot_model(robot_files.load(written)), "empty")
+    try:
+        assert 0.08 < robot.drive.pose().z < 0.12  # on its wheels, which are below the base
+        robot.drive.set_effort(0.5, 0.0)
+        robot.groups["arm"].command([Target(ControlMode.POSITION, 0.4)] * 3)
+        robot.advance(3.0)
+        assert robot.drive.pose().x > 0.3
+        assert robot.groups["arm"].state().positions == pytest.approx((0.4, 0.4, 0.4), abs=0.03)
+    finally:
+        robot.close()
+
+
+def test_mistakes_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, written: Path) -> None:
+    for arguments, said in (
+        (["rover.urdf"], "rover.toml exists; remove it"),
+        (["no.urdf"], "no.urdf: there is no such file"),
+        (["rover.urdf", "--arg", "a=b"], "'a=b' is not NAME:=VALUE"),
+    ):
+        done = CliRunner().invoke(app, ["new", "robot", *arguments])
+        assert done.exit_code != 0
+        assert said in " ".join((done.output + str(done.exception or "")).split())
+
+
+@pytest.mark.parametrize(
+    ("limits", "said"),
+    [
+        (
+            "[joint_limits.elbow]\neffort = 3",
+            "joint_limits: the URDF has no joint 'elbow' that moves; it has: .*joint_1",
+        ),
+        ("[joint_limits.finger_joint]\nlower = 1", "joint_limits.finger_joint: lower 1 is above upper 0.04"),
+    ],
+)
+def test_wrong_limits_are_named(written: Path, limits: str, said: str) -> None:
+    from jauspy.errors import ConfigError
+
+    written.write_text(f"{written.read_text()}\n{limits}\n")
+    with pytest.raises(ConfigError, match=said):
+        robot_files.robot_model(robot_files.load(written))
