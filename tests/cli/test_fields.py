@@ -5,10 +5,13 @@ import math
 import pytest
 import yaml
 
+from jauspy.cli import fields
 from jauspy.cli.fields import describe, message_from
 from jauspy.cli.render import field_lines
+from jauspy.codec.names import members
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
+from jauspy.schema import load_builtin, model as m
 
 
 def build(name, *assignments):
@@ -25,12 +28,47 @@ def test_integers_are_parsed(text):
     assert build("querylocalpose", f"presence_vector={text}").presence_vector == 67
 
 
-@pytest.mark.parametrize("text", ["EVERY_CHANGE", "every change", "Every-Change", "1"])
+@pytest.mark.parametrize(
+    "text",
+    [
+        *("EVERY_CHANGE", "every change", "Every-Change", "1", "1 Every change"),
+        *("EventType.EVERY_CHANGE", "CreateEvent.EventType.EVERY_CHANGE", "<EventType.EVERY_CHANGE: 1>"),
+    ],
+)
 def test_enumerations_are_parsed_by_name_and_number(text):
     message = build(
         "CreateEvent", "request_id=1", f"event_type={text}", "requested_periodic_rate=0", "query_message=0220"
     )
     assert message.event_type.name == "EVERY_CHANGE"
+
+
+def test_names_of_enumerations_inside_lists_are_parsed():
+    kind = registry.by_name("RegisterServices").layout().slots[0].item
+    assert fields._with_names(kind, [{"uri": "urn:a", "unknown": "1 x"}, 3]) == [{"uri": "urn:a", "unknown": "1 x"}, 3]
+    query = build(
+        "QueryVisualSensorCapabilities",
+        "query_visual_sensor_capabilities_list=[{sensor_id: all sensors, query_presence_vector: 0}]",
+    )
+    assert query.query_visual_sensor_capabilities_list[0].sensor_id.name == "ALL_SENSORS"
+
+
+def names_of_enumerations(node):
+    if isinstance(node, m.FixedField):
+        yield [(each.value, each.name) for each in node.values.enums] if node.values else []
+    for each in (*(getattr(node, "fields", ())), *(getattr(node, "items", ())), *(getattr(node, "arms", ()))):
+        yield from names_of_enumerations(each)
+    if hasattr(node, "element"):
+        yield from names_of_enumerations(node.element)
+
+
+def test_every_name_that_schema_show_prints_is_parsed():
+    bodies = [message.body for service in load_builtin().services for message in service.messages]
+    sets = [listed for body in bodies for listed in names_of_enumerations(body) if listed]
+    assert len(sets) > 300
+    for listed in sets:
+        known = members(listed)
+        for value, name in listed:
+            assert known[fields._enumerated(name)] == value == fields._enumerated(f"{value} {name}")
 
 
 def test_nested_message_is_given_as_mapping():

@@ -14,14 +14,16 @@ import pytest
 from dpkt.ip import IP
 from tests.conformance.scripted import ScriptedWire
 
+import jauspy
 from jauspy.capture.reader import CaptureReader
-from jauspy.cli.conformance import ReportFiles
+from jauspy.cli.conformance import ReportFiles, show
 from jauspy.conformance import Profile, Step, Verdict, ask, has, run
 from jauspy.conformance.reports import capture, junit, page, result_json, summary, summary_json
 from jauspy.conformance.results import DEPENDS_ON_TARGET, Report, Result, Transition
 from jauspy.errors import ConfigError
 from jauspy.messages.core import QueryIdentification, QueryStatus, ReportIdentification, ReportStatus
 
+VENDOR = Path(__file__).parents[1] / "vendor" / "Gate.xml"
 NAME = b"<b>\x01\x9f&"
 ANSWERS = {
     0x2002: bytes.fromhex("02400200000000"),
@@ -102,6 +104,35 @@ class Page(HTMLParser):
 
     def handle_data(self, data):
         self.text += data
+
+
+def test_the_failed_check_and_what_came_are_in_every_report(report, capsys):
+    name = "ReportStatus 4002h has status 1 READY"
+    problem = "status is 2 STANDBY, not 1 READY"
+    came = "101.1.1 to 42.1.1: 4002h ReportStatus(status=<Status.STANDBY: 2>, reserved=0)"
+    step = report.results[1]
+    assert result_json(step)["failed"] == [name]
+    assert result_json(step)["came"] == [came]
+    failure = ET.fromstring(junit(report)).find(".//failure")
+    assert f"failed check: {name}: {problem}\ncame: {came}" in failure.text
+    html = re.sub("&lt;", "<", re.sub("&gt;", ">", page(report)))
+    assert f"{name}: {problem}" in html
+    assert f"Came: {came}" in html
+    show(report)
+    text = capsys.readouterr().out
+    assert f"failed check: {name}: {problem}" in text
+    assert f"came: {came}" in text
+
+
+def test_messages_of_a_vendor_are_decoded_in_the_report():
+    known = jauspy.load(VENDOR)
+    answer = known.by_name("ReportGate")(opening=55)
+    wire = ScriptedWire("101.1.1", lambda payload: [(0.1, answer.encode())])
+    wrong = ask("42.1.1", known.by_name("QueryGate")(), type(answer), has(opening=100))
+    report = run(Profile("mine", "mine", (Step("1", "gate", wrong),)), wire, wire.id, began=0.0, registry=known)
+    (result,) = report.results
+    assert [each.name for each in result.failed_checks] == [f"ReportGate {answer.CODE:04X}h has opening 100"]
+    assert "ReportGate(opening=55" in result.came[0]
 
 
 def test_html_is_complete_escaped_and_self_contained(report):

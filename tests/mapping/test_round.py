@@ -20,6 +20,7 @@ import mujoco
 from tests.helpers.robot import described
 from tests.mapping.test_tour import near
 
+from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import PlanarPose, Pose
 from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
@@ -42,8 +43,6 @@ ROUND = [
     (LEFT + 1.0, LOW + 1.0),
     (4.0, LOW + 1.0),
 ]
-LIDAR = PlanarPose(-0.2)
-
 BOXES = [
     (LEFT - WALL, LOW - WALL, RIGHT + WALL, LOW),
     (LEFT - WALL, TOP, RIGHT + WALL, TOP + WALL),
@@ -123,6 +122,8 @@ def driven() -> dict[str, Result]:
         "dead reckoning": Result(Mapper(OccupancyGrid(44.0), matching=False), []),
         "matched": Result(Mapper(OccupancyGrid(44.0)), []),
     }
+    mounted = FrameTree(model.description).pose(model.lidars[0].link).position
+    lidar = PlanarPose(mounted[0], mounted[1])
     way, last = 0.0, robot.drive.pose()
     for _ in rounds(robot):
         for _ in range(5):
@@ -133,7 +134,7 @@ def driven() -> dict[str, Result]:
         way, last = way + math.dist((true.x, true.y), (last.x, last.y)), true
         for name, result in found.items():
             odometry = planar((wheels if name == "wheels" else known).state().local.pose)
-            pose = result.mapper.add(odometry, LIDAR, scan.angles, scan.ranges)
+            pose = result.mapper.add(odometry, lidar, scan.angles, scan.ranges)
             result.errors.append(math.dist(pose[:2], (true.x, true.y)))
     assert 58.0 < way < 64.0
     return found

@@ -15,12 +15,13 @@ from numpy.typing import NDArray
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 import mujoco
+from tests.helpers.robot import described
 
+from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.files import save_map
 from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.mapper import Mapper
-from jauspy.modules.robot_files import load, robot_model
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 
@@ -36,7 +37,9 @@ TOUR = (  # m
     (0.8, 1.0),
     (0.0, 0.0),
 )
-LIDAR = PlanarPose(-0.2)
+MODEL = described("inc1")[1]
+MOUNTED = FrameTree(MODEL.description).pose(MODEL.lidars[0].link).position
+LIDAR = PlanarPose(MOUNTED[0], MOUNTED[1])
 HEIGHT = 0.44
 """Metres above the ground of the lidar."""
 LEVEL = 0.03
@@ -105,7 +108,7 @@ def near(cells: NDArray[np.bool_]) -> NDArray[np.bool_]:
 @pytest.fixture(scope="module")
 def tour() -> tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]:
     """The robot after the tour, maps with and without matching, errors of the matched poses, and that of odometry."""
-    robot = SimulatedRobot.open(robot_model(load("inc1")), "yard")
+    robot = SimulatedRobot.open(MODEL, "yard")
     odometry, errors = Odometry(seed=1), []
     mappers = {matching: Mapper(OccupancyGrid(16.0), matching=matching) for matching in (True, False)}
     for true in drive(robot):

@@ -17,18 +17,21 @@ from rich.table import Table
 from rich.text import Text
 
 from jauspy.cli import console
+from jauspy.cli.definitions import SchemasOption, definitions
 from jauspy.cli.options import Json
 from jauspy.cli.processes import stoppable
 from jauspy.cli.schema.ls import find as find_definitions
+from jauspy.codec.registry import Registry
 from jauspy.conformance import reports
 from jauspy.conformance.offers import Offers
 from jauspy.conformance.profile import Profile, Step, find, known
-from jauspy.conformance.reports import result_json, summary, summary_json, transcript
+from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
 from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
 from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
 from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Service
@@ -100,6 +103,7 @@ def conformance(
     junit: Junit = None,
     html: Html = None,
     pcapng: Pcapng = None,
+    schemas: SchemasOption = None,
 ) -> None:
     """Test a robot or component of any vendor, step by step.
 
@@ -113,6 +117,7 @@ def conformance(
       jauspy conformance igvc-2015 --target 101.1.255 --html report.html
       jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
       jauspy conformance core-1.1 --target 126.1.11 --connect local:/tmp --services Management@1.0
+      jauspy conformance acme_steps:PROFILE --target 101.1.120 --schemas acme.xml
       jauspy conformance --list
     """
     if profile is not None and ":" in profile:
@@ -131,7 +136,8 @@ def conformance(
             try:
                 with progress_line() as progress:
                     watch = _print_json if json else progress
-                    report = report_of(find(profile), target, connect, settings, watch, offers=offers)
+                    chosen, messages = find(profile), definitions(schemas).registry
+                    report = report_of(chosen, target, connect, settings, watch, offers=offers, messages=messages)
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
@@ -270,12 +276,15 @@ def report_of(
     watch: OnResult,
     *,
     offers: Offers | None = None,
+    messages: Registry = registry,
 ) -> Report:
     """Run a profile; raises `Interrupted`, which has the report so far."""
     id = _id(target)
     with closing(asyncio.run(open_wire(connect))) as wire:
         try:
-            report = run(profile, wire, id, began=time.time(), offers=offers, settings=settings, watch=watch)
+            report = run(
+                profile, wire, id, began=time.time(), offers=offers, settings=settings, registry=messages, watch=watch
+            )
         except Interrupted as stop:
             stop.report = _with_notes(stop.report, wire)
             raise
@@ -343,8 +352,8 @@ def _explain(result: Result) -> None:
     out = console.stdout()
     out.print(Text(f"\n{result.id} {result.title}: {result.verdict}", style="bold red"))
     out.print(Text(f"  {result.reason}"))
-    for expected in result.expected:
-        out.print(Text(f"  expected: {expected}"))
+    for line in explanation(result):
+        out.print(Text(f"  {line}", style="red" if line.startswith("failed check") else ""))
     if result.why:
         out.print(Text(f"  from: {result.why}"))
     lines = transcript(result)

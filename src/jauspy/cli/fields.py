@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from difflib import get_close_matches
@@ -13,6 +14,7 @@ from jauspy.cli.render import unit_symbol
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message
+from jauspy.codec.names import members
 from jauspy.codec.registry import NO_HINTS, Hints, Registry
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.errors import ConfigError, EncodeError
@@ -134,15 +136,37 @@ def _value(item: Item, text: str, path: str) -> Any:
         return text
     if isinstance(item, (Number, Real)) and (number := _number(text)) is not None:
         return number
+    if isinstance(item, Number) and item.values.enum:
+        return _enumerated(text)
     try:
         value = yaml.safe_load(text)
     except yaml.YAMLError:
         raise ConfigError(f"{path}={text!r} is neither a number, a name, nor JSON or YAML") from None
-    if isinstance(item, Number) and item.values.enum and isinstance(value, str):
-        return value.upper().replace(" ", "_").replace("-", "_")
     if isinstance(item, Blob) and isinstance(value, (str, int)):
         return {"hex": text.strip().removeprefix("0x")}
+    return _with_names(item, value)
+
+
+def _with_names(item: Item, value: Any) -> Any:
+    """The value with names of enumerations as messages have them; `schema show` prints those of the definition."""
+    if isinstance(item, Number) and item.values.enum and isinstance(value, str):
+        return _enumerated(value)
+    if isinstance(item, Repeat | Grid) and isinstance(value, list):
+        return [_with_names(item.item, each) for each in value]
+    if isinstance(value, dict):
+        parts = dict(_parts(item))
+        return {name: _with_names(parts[name], each) if name in parts else each for name, each in value.items()}
     return value
+
+
+def _enumerated(text: str) -> str | int:
+    """A member of an enumeration: `STOP`, `Stop`, `1 STOP`, `EmergencyCode.STOP` or `<EmergencyCode.STOP: 1>`."""
+    number, _, name = text.strip().partition(" ")
+    if name and number.isdecimal():
+        return int(number)
+    found = re.fullmatch(r"<?(?:\w+\.)*([^<>:]+?)(?:: *\d+>)?", text.strip())
+    (member,) = members([(0, found[1] if found else text)])
+    return member
 
 
 def _number(text: str) -> float | None:

@@ -77,7 +77,13 @@ def query(
 async def _ask(ocu: OCU, to: JausID, query_message: Message) -> None:
     """Print the answer of one component."""
     async with ocu:
-        answer = await ocu.query(to, query_message)
+        try:
+            answer = await ocu.query(to, query_message)
+        except ResponseTimeout as error:
+            reason = await ocu.explain(to, query_message)
+            if reason and not reason.startswith(f"{to} does not answer"):
+                raise ResponseTimeout(f"{query_message.NAME} was not answered: {reason}") from error
+            raise
     _show(answer, to)
 
 

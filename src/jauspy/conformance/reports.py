@@ -100,9 +100,18 @@ def _case(suite: ET.Element, report: Report, result: Result) -> None:
         ET.SubElement(case, "skipped", message=printable_lines(result.reason))
     elif result.verdict is not Verdict.PASS:
         failure = ET.SubElement(case, "failure", type=str(result.verdict), message=printable_lines(result.reason))
-        lines = (*(f"expected: {each}" for each in result.expected), f"from: {result.why}")
+        lines = (*explanation(result), f"from: {result.why}")
         failure.text = printable_lines("\n".join(lines))
     ET.SubElement(case, "system-out").text = printable_lines("\n".join(transcript(result)))
+
+
+def explanation(result: Result) -> list[str]:
+    """What a failed step expected, which check does not hold, and what came."""
+    return [
+        *(f"expected: {each}" for each in result.expected),
+        *(f"failed check: {each.name}: {each.problem}" for each in result.failed_checks),
+        *(f"came: {each}" for each in result.came),
+    ]
 
 
 def transcript(result: Result) -> list[str]:
@@ -127,6 +136,8 @@ def result_json(result: Result) -> dict[str, Any]:
         "why": result.why,
         "expected": list(result.expected),
         "checks": [{"check": each.name, "problem": each.problem} for each in result.checks],
+        "failed": [each.name for each in result.failed_checks],
+        "came": list(result.came),
         "began": round(result.began, 6),
         "elapsed": round(result.elapsed, 6),
         "points": result.points,

@@ -6,9 +6,10 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 from enum import StrEnum
+from itertools import islice
 from typing import Final
 
-from jauspy.conformance.trace import TraceEntry
+from jauspy.conformance.trace import Direction, TraceEntry
 from jauspy.errors import JausError
 
 
@@ -28,6 +29,8 @@ class Verdict(StrEnum):
     """Not run; the reason says why."""
 
 
+MAX_CAME: Final = 3
+"""Messages that a failed step names; its traffic has all."""
 DEPENDS_ON_TARGET: Final = (
     "it depends on internal state of the target: another transition was taken, or it is not known which"
 )
@@ -79,6 +82,19 @@ class Result:
     def earned(self) -> float:
         """The points of a step that passed."""
         return self.points if self.verdict is Verdict.PASS else 0.0
+
+    @property
+    def failed_checks(self) -> tuple[CheckResult, ...]:
+        """The checks that do not hold."""
+        return tuple(each for each in self.checks if each.problem)
+
+    @property
+    def came(self) -> tuple[str, ...]:
+        """The last messages that came in a step that did not pass, decoded, the last one first."""
+        if self.verdict in (Verdict.PASS, Verdict.SKIPPED):
+            return ()
+        received = (each for each in reversed(self.entries) if each.direction is Direction.RECEIVED)
+        return tuple(islice((line for each in received for line in each.lines), MAX_CAME)) or ("nothing",)
 
     @property
     def rest(self) -> str:
