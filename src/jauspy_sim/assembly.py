@@ -68,7 +68,13 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     A robot whose base is above the ground, as that of a walking robot, is as high as its lowest part needs.
     Not to be `drawn`, it lacks visual shapes: physics does not need them, and takes a tenth longer with them.
     """
-    spec = world_spec(world, robot.model_path)
+    return build_in(
+        world_spec(world, robot.model_path), robot, f"robot {robot.description.name} in world {world}", drawn
+    )
+
+
+def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", drawn: bool = False) -> mujoco.MjModel:
+    """The compiled model of that robot at the origin of a world that is not compiled yet, which is changed."""
     if drawn:
         added = robot_spec(robot)
         polish(added, robot.description)
@@ -85,7 +91,18 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
     if not drawn:
         spec.option.enableflags |= SLEEP
-    return compiled(spec, f"robot {robot.description.name} in world {world}")
+    model = compiled(spec, what)
+    _make_slippery(model)
+    return model
+
+
+def _make_slippery(model: mujoco.MjModel) -> None:
+    """Belts have the friction of a ground that has less than they: ice, mud, a smooth wall."""
+    belts = model.geom_priority == BELT_PRIORITY
+    if belts.any():
+        fixed = model.body_weldid[model.geom_bodyid] == 0
+        slippery = model.geom_friction[:, 0] < model.geom_friction[belts, 0].max()
+        model.geom_priority[fixed & slippery] = BELT_PRIORITY + 1
 
 
 def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:

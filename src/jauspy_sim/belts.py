@@ -1,4 +1,4 @@
-"""Belts of tracks in MuJoCo's contacts: at each contact, the belt moves along the surface of its shape."""
+"""Belts of tracks in MuJoCo's contacts: at each contact, a belt moves along the surface of its shape."""
 
 from __future__ import annotations
 
@@ -7,70 +7,93 @@ from typing import Final
 
 import mujoco
 import numpy as np
-from numpy.typing import NDArray
 
-ALONG_THE_TRACK: Final = 1e-4
-"""Normals whose cosine to the track is smaller are perpendicular to it: there, MuJoCo's own Jacobian is right."""
+ALONG_THE_TRACK: Final = 0.002
+"""Cosines of normals to the track, of all contacts together, below which MuJoCo's own Jacobian is right."""
+
+FRICTION: Final = 3
+"""Rows of the Jacobian for a contact with friction: along the normal and two tangents."""
 
 
 class Belts:
-    """The sliding joints of belts. Between `mj_step1` and `mj_step2`, `run_around` corrects MuJoCo's contacts.
+    """The sliding joints of belts. Between `mj_step1` and `mj_step2`, `run_around` corrects their contacts.
 
-    MuJoCo moves all points of a belt's body along the joint's axis, which is right for the flat part only. The belt's
-    velocity at a contact is that along the tangent of its shape: lateral axis times normal, for each m/s of the joint.
+    MuJoCo moves all points of a belt's body along the axis of its joint. That is right where the contact's normal is
+    perpendicular to the track: on the flat part. On an idler a belt moves along the tangent instead, which is the
+    lateral axis times the normal for each m/s of the joint (docs/adr/0110-tracks-that-climb.md).
     """
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, joints: Sequence[str]) -> None:
-        self._model, self._data = model, data
-        self._nv = int(model.nv)
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, base: int, joints: Sequence[str]) -> None:
+        """`base` is the first degree of freedom of the free joint; `joints` are the names of those of the belts."""
+        self._data, self._nv = data, int(model.nv)
+        found = [model.joint(name) for name in joints]
+        dofs = [int(joint.dofadr[0]) for joint in found]
+        self._columns = np.array([base, base + 1, base + 2, *dofs])
+        self._column_of = np.full(self._nv, -1)
+        self._column_of[self._columns] = np.arange(len(self._columns))
+        self._dofs, self._qvel = np.array(dofs), data.qvel
+        self._frame = data.xmat[int(model.jnt_bodyid[found[0].id])].reshape(3, 3)
+        x, y, _ = found[0].axis.tolist()
+        self._lateral = np.array((-y, x, 0.0))  # up times the axis of the joint
         self._sparse = bool(mujoco.mj_isSparse(model))
-        self._joints = [int(model.joint(name).id) for name in joints]
-        self._dofs = np.array([model.jnt_dofadr[joint] for joint in self._joints])
-        self._qvel = data.qvel
-        self._belt = np.full(model.ngeom, -1)
-        for number, joint in enumerate(self._joints):
-            body = model.jnt_bodyid[joint]
-            first = model.body_geomadr[body]
-            self._belt[first : first + model.body_geomnum[body]] = number
-        self._bodies = model.jnt_bodyid[self._joints]
-        self._lateral = np.stack([np.cross((0.0, 0.0, 1.0), model.jnt_axis[joint]) for joint in self._joints])
+        self._uniform = bool((model.geom_condim == FRICTION).all() and (model.pair_dim == FRICTION).all())
+        self._known: tuple[int, int] = (0, 0)
+        self._places = self._rows = np.empty((0, FRICTION), np.int64)
+        self._normals = np.empty(0, np.int64)
+        self._missing = np.empty((0, FRICTION), np.bool_)
 
     def run_around(self) -> None:
         """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it."""
         data = self._data
-        first = data.ne + data.nf + data.nl
-        if first == data.nefc:
+        contacts = data.ne + data.nf + data.nl, data.nefc
+        if contacts[0] == contacts[1]:
             return
-        contacts = data.contact
-        belts = self._belt[contacts.geom]
-        which, side = np.nonzero(belts >= 0)
-        if not len(which):
+        if contacts != self._known or self._sparse or not self._uniform:
+            self._find(*contacts)
+        jacobian, places = data.efc_J, self._places
+        if self._sparse:
+            pushes = np.where(self._missing[:, 0, 3:], 0.0, jacobian[places[:, 0, 3:]]).ravel()
+        else:
+            pushes = jacobian[self._normals]
+        if pushes.dot(pushes) < ALONG_THE_TRACK**2:
             return
-        rows = contacts.efc_address[which]
-        keep = (rows >= 0) & (contacts.dim[which] >= 3)
-        which, side, rows = which[keep], side[keep], rows[keep]
-        if not len(which):
-            return
-        belt = belts[which, side]
-        frames = contacts.frame[which].reshape(-1, 3, 3)
-        axes = np.einsum("bij,bj->bi", data.xmat[self._bodies].reshape(-1, 3, 3), self._lateral)[belt]
-        across = np.einsum("kij,kj->ki", frames, axes)
-        dofs = self._dofs[belt]
-        index = rows[:, None] + np.arange(3)
-        places = self._places(index, dofs)
-        new = np.stack((np.zeros(len(which)), across[:, 2], -across[:, 1]), axis=1)
-        change = (new - data.efc_J.ravel()[places]) * self._qvel[dofs][:, None]
-        data.efc_J.reshape(-1)[places] = new
-        data.efc_vel[index] += change
-        data.efc_aref[index] -= data.efc_KBIP[index, 1] * change
+        block = jacobian[places]  # contact; normal and tangents; x, y and z of the base, and belts
+        if self._sparse:
+            block[self._missing] = 0.0
+        before = block[:, :, 3:]
+        x, y, z = self._frame.dot(self._lateral).tolist()
+        directions = block[:, :, :3]
+        tangents = directions[:, 0].dot(np.array(((0.0, z, -y), (-z, 0.0, x), (y, -x, 0.0))))
+        after = (directions @ tangents[:, :, None]) * before.any(axis=1)[:, None, :]
+        if self._sparse:
+            there = ~self._missing[:, :, 3:]
+            jacobian[places[:, :, 3:][there]] = after[there]
+        else:
+            jacobian[places[:, :, 3:]] = after
+        change = (after - before).dot(self._qvel[self._dofs])
+        if self._uniform:
+            data.efc_aref[contacts[0] :] -= data.efc_KBIP[contacts[0] :, 1] * change.ravel()
+        else:
+            data.efc_aref[self._rows] -= data.efc_KBIP[self._rows, 1] * change
 
-    def _places(self, rows: NDArray[np.int64], dofs: NDArray[np.int64]) -> NDArray[np.int64]:
-        """Where the Jacobian has the entries of these rows (contacts x 3) and degrees of freedom (contacts)."""
-        if not self._sparse:
-            return rows * self._nv + dofs[:, None]
+    def _find(self, first: int, end: int) -> None:
+        """Find the rows of contacts with friction, and where the Jacobian has their columns."""
         data = self._data
-        start, length = data.efc_J_rowadr[rows], data.efc_J_rownnz[rows]
-        offsets = np.arange(length.max())
-        columns = data.efc_J_colind[np.minimum(start[..., None] + offsets, len(data.efc_J_colind) - 1)]
-        found = (columns == dofs[:, None, None]) & (offsets < length[..., None])
-        return np.asarray(start + np.argmax(found, axis=-1))
+        if self._uniform:
+            rows = np.arange(first, end).reshape(-1, FRICTION)
+        else:
+            contacts = data.contact
+            starts = contacts.efc_address[(contacts.dim >= FRICTION) & (contacts.efc_address >= 0)]
+            rows = starts[:, None] + np.arange(FRICTION)
+        self._known, self._rows = (first, end), rows
+        if not self._sparse:
+            self._places = rows[:, :, None] * self._nv + self._columns
+            self._normals = self._places[:, 0, 3:].ravel()
+            return
+        begin = data.efc_J_rowadr[first:end]
+        wanted = self._column_of[data.efc_J_colind[begin[0] :]]
+        found = np.flatnonzero(wanted >= 0)
+        places = np.full((end - first, len(self._columns)), -1)
+        places[np.searchsorted(begin, found + begin[0], side="right") - 1, wanted[found]] = found + begin[0]
+        self._places = places[rows - first]
+        self._missing = self._places < 0

@@ -144,7 +144,7 @@ class TrackedDrive(SkidSteerDrive):
         self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
         names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
-        self._belts = Belts(model, data, names)
+        self._belts = Belts(model, data, int(base.dofadr[0]), names)
         self._belt_positions = [int(model.joint(name).qposadr[0]) for name in names]
         driven = [f"{prefix}{side[0]}" for side in (tracks.left, tracks.right)]
         self._dofs = [int(model.joint(name).dofadr[0]) for name in driven]

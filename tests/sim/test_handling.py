@@ -56,17 +56,17 @@ def test_grasps_a_can_of_a_kilogram_and_lifts_it() -> None:
     assert on_the_hand() - empty == pytest.approx(9.81, rel=0.05)
 
 
-def test_climbs_a_step_of_10_cm_with_its_flippers() -> None:
+def test_climbs_the_stairs_of_the_yard() -> None:
     robot = SimulatedRobot.open(INC1, "yard")
-    put(robot, 0.3, -3.2, math.pi)
-    robot.groups["flippers"].command([Target(ControlMode.POSITION, 0.6)])
+    put(robot, 0.2, -3.2, math.pi)
+    robot.groups["flippers"].command([Target(ControlMode.POSITION, -0.15)])
     robot.advance(1.5)
-    robot.drive.set_effort(0.8, 0.0)
-    highest = 0.0
-    for _ in range(40):
+    robot.drive.set_effort(0.35, 0.0)
+    while (pose := robot.drive.pose()).x > -2.0:
+        assert math.cos(pose.roll) * math.cos(pose.pitch) > math.cos(0.85)
+        assert robot.time < 20.0
         robot.advance(0.1)
-        highest = max(highest, robot.drive.pose().z)
-    assert highest > 0.095
+    assert pose.z == pytest.approx(0.72, abs=0.01)
 
 
 def test_the_same_commands_give_the_same_trajectory() -> None:

@@ -64,8 +64,8 @@ class TracksConfig(StrictConfig):
 
     left: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
     right: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
-    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 40.0
-    """Inertia of rotors and sprockets at the belt, in kilograms."""
+    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 6.0
+    """Inertia of rotors and sprockets at the belts of a side, in kilograms."""
 
     def setup(self) -> TrackSetup:
         """Return the setup for the backend."""

@@ -225,6 +225,8 @@ def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
             raise ConfigError(
                 f"tracks.{key}: {name!r} is not a prismatic joint of the URDF; those are: {', '.join(known)}"
             )
+        if not (joint.effort > 0.0 and joint.velocity > 0.0):
+            raise ConfigError(f"tracks.{key}: {name!r} needs a <limit> with effort (N) and velocity (m/s) above 0")
 
 
 def _check_link(key: str, link: str, description: RobotDescription) -> None:

@@ -68,7 +68,10 @@ class GroupSetup:
 
 @dataclass(frozen=True, slots=True)
 class TrackSetup:
-    """Two tracks: the joints of the belts of each side, and the inertia of rotors and sprockets at a belt, in kg."""
+    """Two tracks: the joints of the belts of each side, and the inertia of rotors and sprockets at them, in kg.
+
+    The first joint of a side has the motor, the others run with it.
+    """
 
     left: tuple[str, ...]
     right: tuple[str, ...]
