@@ -35,6 +35,9 @@ logger = logging.getLogger("jauspy_sim.mujoco")
 SLEEP: Final = int(mujoco.mjtEnableBit.mjENBL_SLEEP) if hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP") else 0
 """Things that rest cost no time until something touches them, with MuJoCo 3.4 and later."""
 
+SLEEP_TOLERANCE: Final = 0.002
+"""Metres per second (radians times metres): what is slower than that rests."""
+
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
 
@@ -91,6 +94,8 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
     if not drawn:
         spec.option.enableflags |= SLEEP
+        if SLEEP:
+            spec.option.sleep_tolerance = SLEEP_TOLERANCE
     model = compiled(spec, what)
     _make_slippery(model)
     return model

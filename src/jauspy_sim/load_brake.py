@@ -38,6 +38,7 @@ class LoadBrake:
         self._joint, self._dof, self._dt = joint, dof, dt
         self._friction = float(model.dof_frictionloss[dof])
         self._solref, self._solimp = model.dof_solref[dof].copy(), model.dof_solimp[dof].copy()
+        self._most = SATURATED * joint.effort
         self._count = 0
         self._last = 0.0
         self._light = self._heavy = 0.0
@@ -69,11 +70,13 @@ class LoadBrake:
         self._gravity = gravity
         if self.engaged:
             return self._hold(controller, position, gravity)
+        if abs(wanted) < self._most or controller.is_braking:
+            self._count, self._last = 0, 0.0
+            return wanted
         against = -math.copysign(velocity, velocity * wanted)
         commanded = max(0.0, -math.copysign(1.0, wanted) * controller.wanted_velocity)
         gives_way = against - commanded > GIVING_WAY * self._joint.velocity and against >= self._last
-        powerless = abs(wanted) >= SATURATED * self._joint.effort and not controller.is_braking
-        self._count = self._count + 1 if gives_way and powerless else 0
+        self._count = self._count + 1 if gives_way else 0
         self._last = against
         if self._count < STEPS:
             return wanted

@@ -28,6 +28,7 @@ class Link:
         return Snapshot.of(self._robot)
 
 
+@pytest.mark.slow
 def test_a_load_that_is_too_heavy_is_told_once(caplog: pytest.LogCaptureFixture) -> None:
     caplog.set_level(logging.INFO, logger="jauspy.robot")
     cell = Workcell("sim", "inc1", 104)

@@ -126,6 +126,8 @@ class ChildProcess:
     ) -> None:
         """`on_error_line` gets each line of standard error once the child is ready; else `ChildFailed` has the last."""
         self.name = name
+        self.first_line = ""
+        """What it printed when it was ready."""
         self._on_error_line = on_error_line
         self._arguments = tuple(arguments)
         self._process: asyncio.subprocess.Process | None = None
@@ -218,8 +220,10 @@ class ChildProcess:
 
     async def _read_output(self, stream: asyncio.StreamReader) -> None:
         """The first line of standard output says that the child is ready; the rest is discarded."""
-        async for _ in _lines(stream):
-            self._ready.set()
+        async for line in _lines(stream):
+            if not self._ready.is_set():
+                self.first_line = line
+                self._ready.set()
 
     async def _read_errors(self, stream: asyncio.StreamReader) -> None:
         async for line in _lines(stream):

@@ -15,6 +15,7 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.can_bus import on_bus
+from jauspy.cli.operator_console import DEFAULT_PORT as CONSOLE_PORT, console_beside
 from jauspy.cli.options import (
     DEFAULT_ADDRESS,
     DEFAULT_GROUP,
@@ -112,6 +113,12 @@ def up(
             "may be repeated.",
         ),
     ] = None,
+    with_console: Annotated[
+        bool, typer.Option("--console", help="Also run the operator's console in the browser (extra 'console').")
+    ] = False,
+    console_port: Annotated[
+        int, typer.Option("--console-port", min=0, max=65535, help="The port of its page; 0 is any free one.")
+    ] = CONSOLE_PORT,
     plain: Annotated[
         bool, typer.Option("--plain", help="Print lines of text and no live table, as in a pipe and with --verbose.")
     ] = False,
@@ -165,7 +172,8 @@ def up(
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
     live = not (plain or verbose) and console.is_interactive()
-    run(run_robot(runner, node, local_root, clouds, live=live))
+    page = console_beside(local_root, console_port) if with_console else None
+    run(run_robot(runner, node, local_root, clouds, live=live, page=page))
     if own_root:
         remove_if_empty(local_root)
 
@@ -178,7 +186,7 @@ LONG_CONTROL_TIMEOUT: Final = 30
 """Seconds; a longer time in which a module keeps obeying a dead client causes a warning."""
 
 
-def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
+def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -> None:
     """Print what runs, and commands to try."""
     config = runner.config
     first = runner.components[0].id
@@ -193,6 +201,7 @@ def print_summary(runner: RobotRunner, where: str, root: Path) -> None:
         *(f"  {each.id}  {module.type}{f' {module.part}' if module.part else ''}" for each, module in pairs),
         f"  node manager: {where}",
         *([f"  audit log: {runner.audit.path}, head {runner.audit.head}"] if runner.audit else []),
+        *[f"console:   {page}"] * bool(page),
         *[f"see it:    jauspy ls{connect}"] * discoverable,
         f"ask it:    jauspy query {first} QueryStatus{connect}",
         *(f"drive it:  {_DRIVE.format(id)}{connect}{sealed}" for id in driven),
@@ -343,8 +352,12 @@ async def run_robot(
     clouds: Clouds,
     *,
     live: bool,
+    page: AbstractAsyncContextManager[str] | None = None,
 ) -> None:
-    """Run the robot until cancelled. `node` starts and stops the node manager; `live` shows a table on the terminal."""
+    """Run the robot until cancelled.
+
+    `node` starts and stops the node manager, `page` the console; `live` shows a table on the terminal.
+    """
     async with AsyncExitStack() as stack:
 
         def note_at_end(text: str) -> None:
@@ -366,7 +379,8 @@ async def run_robot(
         await stack.enter_async_context(runner)
         note_at_end("stopping the modules, the cameras and the robot")
         asyncio.get_running_loop().add_signal_handler(signal.SIGUSR1, print_all_counters)
-        print_summary(runner, supervisor.where if supervisor else f"none started, local sockets in {root}", root)
+        url = await stack.enter_async_context(page) if page else ""
+        print_summary(runner, supervisor.where if supervisor else f"none started, local sockets in {root}", root, url)
         await stack.enter_async_context(clouds.published(runner))
         if live:
             from jauspy.cli.up_table import live_table

@@ -71,6 +71,7 @@ def demo(
         console.note(view.end_message())
         raise typer.Exit(1)
     console.stdout().print(report.panel(str(output)))
+    console.stdout().print("operate it yourself, in the browser: jauspy up inc1 --console")
     if not report.reached:
         raise typer.Exit(1)
 

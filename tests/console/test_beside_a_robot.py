@@ -1,0 +1,55 @@
+"""`jauspy up ROBOT --console`: one command, two processes, one end."""
+
+from __future__ import annotations
+
+import re
+import signal
+import socket
+import urllib.request
+from pathlib import Path
+
+import pytest
+from tests.helpers.command_line import assert_gone, start, wait_for
+from tests.helpers.ports import unused_port
+
+from jauspy.cli import operator_console
+from jauspy.errors import ConfigError
+
+
+async def test_a_missing_extra_is_told_before_anything_starts(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(operator_console, "find_spec", lambda _: None)
+    with pytest.raises(ConfigError, match=r"pip install 'jauspy\[console\]'"):
+        async with operator_console.console_beside(tmp_path, 0):
+            pass
+
+
+def up(tmp_path: Path, console_port: int) -> tuple[str, ...]:
+    where = ("--port", str(unused_port()), "--interface", "127.0.0.1", "--local-root", str(tmp_path / "root"))
+    return ("up", "inc1", "--backend", "kinematic", *where, "--console", "--console-port", str(console_port))
+
+
+@pytest.mark.slow
+def test_the_console_starts_and_ends_with_the_robot(tmp_path: Path) -> None:
+    pytest.importorskip("nicegui", reason="needs the extra 'console'")
+    process = start(*up(tmp_path, 0))
+    assert process.stdout is not None
+    lines = iter(process.stdout.readline, "")
+    found = (re.match(r"console: +(http://127\.0\.0\.1:\d+)$", line) for line in lines)
+    url = next(each[1] for each in found if each)
+    family = wait_for(process, "stop it")
+    with urllib.request.urlopen(url) as page:
+        assert b"jauspy.start" in page.read()
+    assert len(family) == 2, "the node manager and the console"
+    process.send_signal(signal.SIGINT)
+    process.communicate(timeout=30)
+    assert_gone(family)
+
+
+@pytest.mark.slow
+def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
+    pytest.importorskip("nicegui", reason="needs the extra 'console'")
+    with socket.create_server(("127.0.0.1", 0)) as taken:
+        process = start(*up(tmp_path, taken.getsockname()[1]))
+        _, said = process.communicate(timeout=60)
+    assert process.returncode == 1
+    assert "choose another one with --console-port" in said.replace("\n", " ")
