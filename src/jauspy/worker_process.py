@@ -29,7 +29,7 @@ STABLE_TIME: Final = 30.0
 STOP_TIMEOUT: Final = 5.0
 """Seconds that a worker may take to end before it is killed."""
 MAX_UNREAD: Final = 1 << 22
-"""Bytes that a worker may leave unread, the first message with its model of the world too, until it counts as hung."""
+"""Bytes that a worker may leave unread, besides the largest message, until it counts as hung."""
 _LENGTH: Final = 4
 """Bytes of the length before a message."""
 _READ_SIZE: Final = 1 << 16
@@ -69,6 +69,8 @@ class WorkerProcess:
         assert process.stdin is not None
         assert process.stdout is not None
         self._process, self._input, self._output = process, process.stdin, process.stdout
+        self._largest = 0
+        """Bytes of the largest message; that with which a camera starts has the whole model of its world."""
 
     @classmethod
     async def start(cls, module: str, niceness: int, descriptors: Sequence[int]) -> Self:
@@ -96,8 +98,10 @@ class WorkerProcess:
         """Send a message; false when the worker has left too much unread, so that it counts as hung."""
         if self._input.is_closing():
             return True
-        self._input.write(_encoded(message))
-        return self._input.transport.get_write_buffer_size() <= MAX_UNREAD
+        encoded = _encoded(message)
+        self._largest = max(self._largest, len(encoded))
+        self._input.write(encoded)
+        return self._input.transport.get_write_buffer_size() <= MAX_UNREAD + self._largest
 
     async def messages(self) -> AsyncIterator[object]:
         """The messages of the worker, until it has ended."""
