@@ -45,7 +45,6 @@ class Grasp:
         self._arm, self._frames = arm, frames
         self._camera, self._size = camera.service("StillImage"), size
         self._setup = next(camera for camera in model.cameras if camera.name == ARM_CAMERA)
-        self._can: Vector = plan.CAN_POSITION
         self._around = (0.0, 0.0, 0.0)
         self._empty = 0.0
         self._grasped: Vector = (0.0, 0.0, 0.0)
@@ -58,14 +57,16 @@ class Grasp:
         (folder / STILL_FILE).write_bytes(photo.content)
         frames = await self._frames.read()
         region = red_region(decode_image(photo.content))
-        camera = frames.pose(self._setup.link, LOCAL)
-        seen = region and at_height(camera, ray(region, self._setup.fov), plan.CAN_POSITION[2])
-        if seen is None:
+        base = frames.pose("base_link", LOCAL)
+        # From the base, which stands on the floor: a drift of the pose, its height too, does not matter for the grasp.
+        camera = base.inverse() @ frames.pose(self._setup.link, LOCAL)
+        near = region and at_height(camera, ray(region, self._setup.fov), plan.CAN_POSITION[2])
+        if near is None:
             raise RequestError(f"no red can is in the picture of the camera {ARM_CAMERA!r}; see {folder / STILL_FILE}")
-        self._can = seen
-        x, y, z = frames.pose("base_link", LOCAL).inverse().apply(seen)
-        self._around = self._arm.kinematics.around((x, y, z - frames.pose("base_link", LOCAL).position[2]))
-        off = math.dist(seen, plan.CAN_POSITION)
+        self._around = self._arm.kinematics.around(near)
+        seen = base.apply(near)
+        x, y, _ = near
+        off = math.dist(seen[:2], plan.CAN_POSITION[:2])
         return StageResult(
             "look",
             f"the can is seen {math.hypot(x, y):.2f} m away, {_bearing(math.atan2(y, x))}, "
