@@ -75,6 +75,7 @@ VIEWS: Final[Mapping[str, View]] = {
         "inc1_pprm",
         pose={"mast_to_arm_link_1": 0.32, "arm_link_1_to_arm_link_2": 0.22},
     ),
+    "world_street": View((1.5, 0.3, 0.5), 6.0, 25.0, -16.0, world="street", shadow_radius=7.0),
 }
 
 

@@ -20,7 +20,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
-from jauspy_sim.look import colour_solids, polish, without_visuals
+from jauspy_sim.look import polish, show_solids, without_visuals
 from jauspy_sim.self_contacts import depth_below_base, exclude_touching
 from jauspy_sim.shapes import same_shape
 from jauspy_sim.urdf import body_name, urdf_spec
@@ -34,6 +34,9 @@ logger = logging.getLogger("jauspy_sim.mujoco")
 
 SLEEP: Final = int(mujoco.mjtEnableBit.mjENBL_SLEEP) if hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP") else 0
 """Things that rest cost no time until something touches them, with MuJoCo 3.4 and later."""
+
+SLEEP_TOLERANCE: Final = 0.002
+"""Metres per second (radians times metres): what is slower than that rests."""
 
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
@@ -81,9 +84,10 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
     else:
         _remove_scenery(spec)
         added = robot_spec(replace(robot, description=without_visuals(robot.description)))
-        colour_solids(added, robot.description)
     height = 0.0 if robot.tracks else depth_below_base(added, robot.description, _start(robot))
     frame = spec.worldbody.add_frame(pos=(0.0, 0.0, height))
+    if not drawn:
+        show_solids(added, robot.description)
     spec.attach(added, prefix=prefix(robot.description.name), frame=frame)
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
@@ -91,6 +95,8 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
     spec.option.impratio = 10.0  # friction ten times stiffer than normal contact: a parked robot does not creep
     if not drawn:
         spec.option.enableflags |= SLEEP
+        if SLEEP:
+            spec.option.sleep_tolerance = SLEEP_TOLERANCE
     model = compiled(spec, what)
     _make_slippery(model)
     return model

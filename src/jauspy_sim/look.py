@@ -10,6 +10,7 @@ import mujoco
 from lxml import etree
 
 from jauspy.geometry.urdf import Element, RobotDescription
+from jauspy_sim.groups import VISUAL
 
 GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "olive": (0.25, 0.3),
@@ -66,8 +67,10 @@ def polish(spec: mujoco.MjSpec, description: RobotDescription) -> None:
                     geom.rgba = (*geom.rgba[:3], NO_SHADOW_ALPHA)
 
 
-def colour_solids(spec: mujoco.MjSpec, description: RobotDescription) -> None:
-    """Give collision shapes the colour of the first visual shape of their link: ray casts show them."""
+def show_solids(spec: mujoco.MjSpec, description: RobotDescription) -> None:
+    """Show collision shapes, in the colour of the first visual shape of their link: to cameras that cast rays."""
+    for geom in spec.geoms:
+        geom.group = VISUAL
     root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
     known = {str(each.get("name")): colour for each in root.findall("material") if (colour := _colour(each))}
     for link in root.findall("link"):

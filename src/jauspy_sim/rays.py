@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.groups import COLLISION, RAY_MESHES, VISUAL
+from jauspy_sim.groups import RAY_MESHES, VISUAL
 
 DEFAULT_SKY_COLOUR: Final = (150, 190, 230)
 """Red, green, blue of the sky of a world without a sky box."""
@@ -27,6 +27,8 @@ MAX_DISTANCE: Final = 40.0
 """Maximal distance of a hit, in metres."""
 
 
+_VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
+
 _GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 
 
@@ -41,7 +43,6 @@ class RayRenderer:
         self._model, self._camera = model, camera
         self._spread = math.tan(fov / 2.0)
         self._sky, self._shading = SkyBox(model), Shading(model)
-        self._groups = _visible_groups(model)
 
     def simplify(self) -> bool:
         """Return False: rays are few already."""
@@ -113,7 +114,7 @@ class RayRenderer:
             data,
             pnt=data.cam_xpos[self._camera],
             vec=directions.ravel(),
-            geomgroup=self._groups,
+            geomgroup=_VISIBLE_GROUPS,
             flg_static=True,
             bodyexclude=-1,
             geomid=hit,
@@ -129,12 +130,6 @@ class RayRenderer:
         light = self._shading.light(data, facing, normals[seen])
         painted[seen] = self._shading.colours(data, hit[seen], points, dot * far[seen] / facing) * light
         return np.clip(painted, 0.0, 255.0).astype(np.uint8), np.where(seen, far, math.inf)
-
-
-def _visible_groups(model: mujoco.MjModel) -> NDArray[np.uint8]:
-    """Geometry groups that rays hit; of a robot, its collision shapes if the model has nothing that is only seen."""
-    robots = VISUAL if (model.geom_group == VISUAL).any() else COLLISION
-    return np.array([group in (0, robots, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
 
 
 def _grid_size(width: int, height: int, max_rays: int) -> tuple[int, int]:

@@ -48,9 +48,10 @@ def rover() -> str:
 @pytest.fixture
 def written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
-    Path("rover.urdf").write_text(rover())
+    Path("rover.urdf").write_text(rover().replace("</robot>", '<gazebo/><transmission name="t"/><gazebo/></robot>'))
     done = CliRunner().invoke(app, ["new", "robot", "rover.urdf", "--subsystem", "9"])
     assert done.exit_code == 0, done.output
+    assert "passed over in the URDF: 2 <gazebo>, 1 <transmission>" in done.output
     assert "jauspy up rover.toml" in done.output
     return tmp_path / "rover.toml"
 

@@ -335,7 +335,7 @@ def test_mounting_of_a_fixed_camera_is_reported():
     (found,) = answer.geometric_properties_list
     properties = found.geometric_properties_variant
     assert isinstance(properties, StaticGeometricPropertiesRec)
-    assert properties.sensor_position == pytest.approx([-0.2, 0.0, -0.44], abs=1e-3)
+    assert properties.sensor_position == pytest.approx([-0.33, 0.0, -0.44], abs=1e-3)
 
 
 @pytest.mark.parametrize(("component", "manipulator", "joint"), [(106, 104, 4), (107, 107, 2)])

@@ -114,7 +114,7 @@ def test_roll_pitch_yaw_of_a_quaternion(angles: tuple[float, float, float]) -> N
 
 
 def test_unknown_world_lists_the_known_ones() -> None:
-    with pytest.raises(ConfigError, match=r"'mars'.*empty, rough"):
+    with pytest.raises(ConfigError, match=r"'mars'.*empty.*rough"):
         MujocoBackend().open(INC1, "mars")
 
 

@@ -13,7 +13,7 @@ from jauspy.modules.robot_files import load, robot_model
 from jauspy_sim.robot import SimulatedRobot
 
 BLIND = dataclasses.replace(robot_model(load("inc1")), lidars=(), cameras=())
-MADE = ("street", "yard")
+MADE = ("house", "rubble", "street", "yard")
 
 
 @pytest.fixture
@@ -88,3 +88,27 @@ def test_drives_over_the_kerb(opened: SimulatedRobot) -> None:
     pose = opened.drive.pose()
     assert pose.z == pytest.approx(0.1, abs=0.01)
     assert max(abs(pose.roll), abs(pose.pitch)) < 0.03
+
+
+@pytest.mark.parametrize("opened", ["house"], indirect=True)
+def test_the_door_of_the_house_opens_by_its_handle_only_and_closes_itself(opened: SimulatedRobot) -> None:
+    data, model = opened.data, opened.model
+    door, handle = data.joint("door"), data.joint("door_handle")
+    turn, press = model.joint("door").dofadr[0], model.joint("door_handle").dofadr[0]
+    data.qfrc_applied[turn] = 150.0
+    opened.advance(1.0)
+    assert door.qpos[0] < 0.01, "200 N at its edge do not open it"
+    data.qfrc_applied[turn] = 0.0
+    opened.advance(0.3)
+    data.qfrc_applied[press] = 1.8  # 15 N at the end of the lever
+    opened.advance(0.4)
+    assert handle.qpos[0] > 0.5
+    data.qfrc_applied[turn] = 25.0
+    opened.advance(1.0)
+    assert door.qpos[0] > 0.6
+    data.qfrc_applied[[turn, press]] = 0.0
+    opened.advance(3.0)
+    assert door.qpos[0] == pytest.approx(0.0, abs=0.01), "its spring closes it"
+    data.qfrc_applied[turn] = 150.0
+    opened.advance(0.7)
+    assert door.qpos[0] < 0.01, "the bolt has caught"

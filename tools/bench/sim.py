@@ -57,7 +57,7 @@ def main() -> None:
     head = f"{'robot and world':24}{'real-time factor':>18}{'bare steps':>12}{'ratio':>8}{'no lidar':>10}"
     print(f"{head}  goal: at least 10, and 0.6")
     for name in ("inc1", "inc1_pprm"):
-        for world in ("empty", "yard", "rough"):
+        for world in ("empty", "yard", "rough", "street", "house", "rubble"):
             model = robot_model(load(name))
             own, bare, ratio = measure(SimulatedRobot.open(model, world), seconds)
             blind = measure(SimulatedRobot.open(dataclasses.replace(model, lidars=()), world), seconds)

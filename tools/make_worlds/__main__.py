@@ -6,10 +6,12 @@ import argparse
 from collections.abc import Callable
 from typing import Final
 
+from .house import house
+from .rubble import rubble
 from .scene import Scene
 from .street import street
 
-MADE: Final[dict[str, Callable[[], Scene]]] = {"street": street}
+MADE: Final[dict[str, Callable[[], Scene]]] = {"house": house, "rubble": rubble, "street": street}
 
 
 def main() -> None:

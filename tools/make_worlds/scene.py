@@ -85,6 +85,8 @@ class Scene:
         solid = etree.SubElement(kinds, "default", {"class": "solid"})
         etree.SubElement(solid, "geom", group=str(SOLID), rgba="0.6 0.5 0.4 1")
         self.assets = etree.SubElement(self.root, "asset")
+        self.files: dict[str, str] = {}
+        """Further OBJ files by name, for `assets/NAME`."""
         self.world = Part(etree.SubElement(self.root, "worldbody"), "scenery")
 
     def asset(self, tag: str, **attributes: str) -> None:
@@ -102,10 +104,22 @@ class Scene:
         meshes.mkdir(parents=True, exist_ok=True)
         for old in meshes.glob("*.obj"):
             old.unlink()
+        for name, text in self.files.items():
+            (meshes / name).write_text(text)
         counts = self._write(self.world, meshes)
         etree.indent(self.root)
         (folder / f"{self.name}.xml").write_bytes(etree.tostring(self.root) + b"\n")
         return counts
+
+    def forget_meshes(self) -> None:
+        """Remove what `write` added, to write again."""
+        for mesh in self.assets.findall("mesh"):
+            if mesh.get("inertia") == "shell":
+                self.assets.remove(mesh)
+        for geom in list(self.root.iter("geom")):
+            owner = geom.getparent()
+            if owner is not None and owner.tag != "default" and geom.get("class") == "seen":
+                owner.remove(geom)
 
     def _write(self, part: Part, folder: Path) -> tuple[int, int]:
         triangles = size = 0

@@ -24,7 +24,7 @@ from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
 from jauspy.platform.setpoint import SetpointGenerator
 
-WORLDS: Final = ("empty", "rough", "street", "yard")
+WORLDS: Final = ("empty", "house", "rough", "rubble", "street", "yard")
 """Names of worlds; their obstacles do not exist for a kinematic robot."""
 
 MAX_STEP: Final = 0.005

@@ -78,6 +78,19 @@ def test_package_of_a_user_defined_service():
     assert "1 passed" in check("pytest", "-p", "jauspy.testing.plugin", "-q", "battery")
 
 
+def test_the_only_service_of_a_file_needs_no_name():
+    assert run.invoke(app, ["new", "definition", "urn:example:Battery", "charge:percent"]).exit_code == 0
+    result = new("battery", "--schemas", "battery.xml")
+    assert result.exit_code == 0, result.output
+    assert "def report_battery(" in Path("battery/services.py").read_text()
+    Path("vendor").mkdir()
+    for name in ("Lamp", "Pump"):
+        run.invoke(app, ["new", "definition", f"urn:example:{name}", "x:one", "-o", f"vendor/{name}.xml"])
+    several = " ".join(new("parts", "--schemas", "vendor").stderr.split())
+    assert "vendor defines urn:example:Lamp, urn:example:Pump; name one with --service" in several
+    assert "name the service with --service" in " ".join(new("nothing").stderr.split())
+
+
 def test_existing_files_are_not_overwritten():
     new("brake", "--service", "ugv:ParkingBrakeDriver")
     before = {path: path.read_text() for path in Path("brake").iterdir()}

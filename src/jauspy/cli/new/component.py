@@ -22,7 +22,7 @@ from jauspy.ids import JausID, component_id
 from jauspy.messages import registry
 from jauspy.schema import load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
-from jauspy.schema.loader import find_files, load_beside_builtin
+from jauspy.schema.loader import find_files, load_beside_builtin, load_own
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.services.binding import RequiredMethod, required_methods
 from jauspy.services.core.defaults import INHERITED_DEFAULTS, with_core_services
@@ -33,11 +33,13 @@ def component(
     *,
     name: Annotated[str, typer.Argument(metavar="NAME", help="The package and its folder, as in winch.")],
     service: Annotated[
-        str,
+        str | None,
         typer.Option(
-            "--service", metavar="URN", help="The service: its URN or the end of it, as in ugv:ParkingBrakeDriver."
+            "--service",
+            metavar="URN",
+            help="The service: its URN or the end of it, as in ugv:ParkingBrakeDriver. Default: that of --schemas.",
         ),
-    ],
+    ] = None,
     version: Annotated[str | None, typer.Option("--version", metavar="X.Y", help="Default: the newest.")] = None,
     source: Annotated[
         Path | None,
@@ -55,13 +57,13 @@ def component(
 
     Examples:
       jauspy new component brake --service ugv:ParkingBrakeDriver
-      jauspy new component battery --service urn:example:Battery --schemas battery.xml
+      jauspy new component battery --schemas battery.xml
       jauspy new component winch --service Winch --schemas vendor/
     """
     _check(name)
     me = component_id(id)
     schema = _schema(source)
-    definition = _find(schema, service, version, source)
+    definition = _find(schema, _only_service(source) if service is None else service, version, source)
     write_new_folder(Path(name), package(name, definition, schema, source, me))
     console.print_lines(f"run it with `python -m {name}`, test it with `pytest {name}` (pip install pytest-asyncio)")
 
@@ -110,6 +112,17 @@ def _find(schema: Schema, name: str, version: str | None, source: Path | None) -
     if version is not None and version not in versions:
         raise ConfigError(f"{urn} has no version {version}; it has {', '.join(versions)}")
     return schema.service(urn, version)
+
+
+def _only_service(source: Path | None) -> str:
+    """The URN of the one service that the user's files define; raises `ConfigError`, which lists several."""
+    if source is None:
+        raise ConfigError("name the service with --service; `jauspy schema ls` lists those that are built in")
+    (first, *more) = sorted({each.id for each in load_own([source]).services}) or [""]
+    if more or not first:
+        listed = f"{source} defines {', '.join((first, *more))}" if first else f"{source} defines no service"
+        raise ConfigError(f"{listed}; name one with --service")
+    return first
 
 
 FOLDER: Final = "definitions"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 from typing import Annotated
 
@@ -10,6 +11,7 @@ import typer
 from jauspy.cli import console
 from jauspy.cli.new import write_new
 from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import UNGUIDED, parse_tree
 from jauspy.modules import robot_files
 from jauspy.modules.first_file import first_file, relative
 from jauspy.modules.package_paths import PackagePaths
@@ -53,12 +55,23 @@ def robot(
     if arguments:
         extra["xacro_arguments"] = arguments
     write_new({path: first_file(description, relative(urdf, path.parent), subsystem, extra)})
+    if passed_over := _passed_over(description.urdf):
+        console.print_lines(f"passed over in the URDF: {passed_over}")
     try:
         robot_files.robot_model(robot_files.load(path.absolute()))
     except ConfigError as error:
         console.error(f"{path} needs a correction: {error}")
         raise typer.Exit(1) from None
     console.print_lines(f"run it:  jauspy up {path}", f"in another world:  jauspy up {path} --world yard")
+
+
+def _passed_over(urdf: str) -> str:
+    """The elements of other programs, and joints that are taken as fixed."""
+    root = parse_tree(urdf)
+    tags = Counter(str(each.tag) for each in root.iterchildren("gazebo", "transmission", "ros2_control"))
+    parts = [f"{count} <{tag}>" for tag, count in tags.items()]
+    unguided = [str(each.get("name")) for each in root.iterchildren("joint") if each.get("type") in UNGUIDED]
+    return ", ".join(parts + [f"joint {name} moves freely in the URDF, and is fixed here" for name in unguided])
 
 
 def _argument(text: str) -> tuple[str, str]:

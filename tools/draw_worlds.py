@@ -1,0 +1,82 @@
+"""Render pictures of the included worlds with inc1 in them, for docs/robots.md.
+
+    python tools/draw_worlds.py [-o FOLDER] [--all] [NAME ...]
+
+writes world_NAME.jpg, with `--all` also world_NAME_2.jpg and so on from the other views. Needs GL (MUJOCO_GL=egl).
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from typing import Final, NamedTuple
+
+import mujoco
+from PIL import Image
+
+from jauspy.modules.robot_files import load, robot_model
+from jauspy_sim.assembly import build
+
+TARGET: Final = Path(__file__).parents[1] / "docs" / "assets"
+WIDTH: Final = 1280
+HEIGHT: Final = 720
+
+
+class View(NamedTuple):
+    """Where a camera looks, from how far (m), and from where (degrees)."""
+
+    at: tuple[float, float, float]
+    distance: float
+    azimuth: float
+    elevation: float
+
+
+VIEWS: Final = {
+    "street": (
+        View((1.9, 1.3, 0.7), 8.0, 28.0, -17.0),
+        View((3.2, 0.1, 0.3), 2.8, -20.0, -20.0),
+        View((0.0, 2.0, 1.0), 12.0, -55.0, -22.0),
+    ),
+    "house": (
+        View((4.0, 0.0, 0.6), 10.5, -38.0, -42.0),
+        View((1.4, 0.0, 0.8), 4.2, 20.0, -14.0),
+        View((5.6, 2.4, 0.6), 5.5, -140.0, -32.0),
+    ),
+    "rubble": (View((1.4, 0.0, 0.2), 5.4, 35.0, -17.0), View((2.6, -0.4, 0.3), 4.0, -40.0, -18.0)),
+    "yard": (View((0.9, 0.2, 0.2), 7.0, 118.0, -20.0), View((2.0, 0.8, 0.3), 3.0, 100.0, -18.0)),
+}
+
+
+def draw(world: str, folder: Path, count: int) -> None:
+    """Write the pictures of a world."""
+    robot = robot_model(load("inc1"))
+    model = build(robot, world)
+    model.vis.global_.offwidth, model.vis.global_.offheight = WIDTH, HEIGHT
+    model.vis.quality.offsamples = 8
+    data = mujoco.MjData(model)
+    for group in robot.groups.values():
+        for joint, start in zip(group.joints, group.start, strict=True):
+            data.joint(f"inc1/{joint}").qpos[0] = start
+    mujoco.mj_forward(model, data)
+    with mujoco.Renderer(model, HEIGHT, WIDTH) as renderer:
+        for number, view in enumerate(VIEWS[world][:count], 1):
+            camera = mujoco.MjvCamera()
+            camera.lookat[:], camera.distance, camera.azimuth, camera.elevation = view
+            renderer.update_scene(data, camera)
+            name = f"world_{world}.jpg" if number == 1 else f"world_{world}_{number}.jpg"
+            Image.fromarray(renderer.render()).save(folder / name, quality=84, optimize=True)
+
+
+def main() -> None:
+    """Draw what was asked for."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("names", nargs="*", metavar="NAME", help=f"worlds: {', '.join(VIEWS)} (default: all)")
+    parser.add_argument("-o", "--output", type=Path, default=TARGET, metavar="FOLDER")
+    parser.add_argument("--all", action="store_true", help="all views, not only the first")
+    options = parser.parse_args()
+    for name in options.names or VIEWS:
+        draw(name, options.output, len(VIEWS[name]) if options.all else 1)
+
+
+if __name__ == "__main__":
+    main()
