@@ -149,7 +149,7 @@ def test_a_message_is_found_and_opened(url: str) -> None:
     with page_at(url) as page:
         page.get_by_text("101 inc1").first.wait_for()
         page.get_by_role("tab", name="Log").click()
-        page.get_by_text("routine queries").click()
+        page.get_by_text("routine", exact=True).click()
         page.get_by_label("filter").fill("reportstatus 101.1.102")
         row = page.locator(".traffic tbody tr").filter(has_text="ReportStatus").first
         row.wait_for()

@@ -42,7 +42,7 @@ class LogPanel:
             self._words = ui.input("filter", placeholder="words; -word leaves out").props("dense outlined clearable")
             self._words.classes("wide")
             self._kind = ui.toggle(KINDS, value="").props("no-caps dense unelevated")
-            self._routine = ui.checkbox("routine queries").props("dense")
+            self._routine = ui.checkbox("routine").props("dense")
             self._pause = ui.button("pause", on_click=self._toggle).props("outline no-caps")
         with ui.element("div").classes("split"):
             self._table = (
@@ -92,7 +92,7 @@ class LogPanel:
                 ui.label(printable(decoded)).classes("whole")
             else:
                 for each in fields_of(decoded):
-                    ui.label(printable(each.path)).classes("path")
+                    ui.label(printable(each.path.removeprefix("report_message."))).classes("path")
                     ui.label(f"{printable(each.text)} {each.unit}".rstrip()).classes("value")
         more = " \u2026" if len(line.payload) > MAX_HEX else ""
         self._hex.set_text(line.payload[:MAX_HEX].hex(" ") + more)

@@ -111,7 +111,7 @@ class _Page:
         self._show_tab(TABS[0])
 
     def _tab(self, name: str) -> ui.button:
-        return ui.button(name, on_click=lambda: self._show_tab(name)).props('flat no-caps dense role="tab"')
+        return ui.button(name, on_click=lambda: self._show_tab(name), color=None).props('flat no-caps dense role="tab"')
 
     def _show_tab(self, name: str) -> None:
         for part in {part for parts in self._parts.values() for part in parts}:
@@ -258,7 +258,7 @@ class _Page:
                 value = ui.label("").classes("joint-value")
                 slider = ui.slider(min=low, max=high, step=0.01, value=round(joints[name], 2))
                 self._sliders[name] = slider.props("label snap")
-                value.bind_text_from(slider, "value", lambda angle: f"{angle:.2f} rad")
+                value.bind_text_from(slider, "value", lambda angle: f"{round(angle, 2) + 0.0:.2f} rad")
 
     def _show_control(self) -> None:
         operation = self.console.operation(self.robot.id) if self.robot is not None else None
