@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import shutil
 import signal
 from collections.abc import Iterator
@@ -122,3 +123,36 @@ def test_pictures_of_the_cameras_arrive(url: str) -> None:
         canvas = page.locator("canvas[data-component='101.1.106']")
         canvas.wait_for()
         page.wait_for_function("+document.querySelector('canvas[data-component]').dataset.pictures > 10")
+
+
+def test_a_field_is_plotted_and_saved(url: str) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_role("tab", name="Plots").click()
+        page.get_by_label("message").click()
+        page.get_by_role("option", name="LocalPose", exact=True).click()
+        page.get_by_label("fields").click()
+        page.locator(".q-item").filter(has_text=re.compile("^yaw ")).click()
+        page.keyboard.press("Tab")  # Escape would stop all robots
+        page.get_by_role("button", name="add").click()
+        page.locator(".trace").get_by_text("101.1.102 LocalPose.yaw").wait_for()
+        page.wait_for_function("[...jauspy.charts.values()][0]?.get(0)?.length > 20")
+        page.get_by_role("button", name="pause").click()
+        with page.expect_download() as download:
+            page.get_by_role("button", name="CSV").click()
+        lines = download.value.path().read_text().splitlines()
+        assert lines[0] == "time,101.1.102 LocalPose.yaw [rad]"
+        assert len(lines) > 20
+
+
+def test_a_message_is_found_and_opened(url: str) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_role("tab", name="Log").click()
+        page.get_by_text("routine", exact=True).click()
+        page.get_by_label("filter").fill("reportstatus 101.1.102")
+        row = page.locator(".traffic tbody tr").filter(has_text="ReportStatus").first
+        row.wait_for()
+        page.get_by_role("button", name="pause").click()
+        page.locator(".traffic tbody tr").first.click()
+        page.locator(".fields .path").get_by_text("status", exact=True).wait_for()

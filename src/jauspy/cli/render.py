@@ -15,28 +15,9 @@ from rich.text import Text
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
+from jauspy.codec.unit_symbols import unit_symbol
 from jauspy.codec.wire import FLOATS
 
-_SYMBOLS: Final = {
-    "one": "",
-    "meter": "m",
-    "meter per second": "m/s",
-    "meter per second squared": "m/s²",
-    "radian": "rad",
-    "radian per second": "rad/s",
-    "second": "s",
-    "minute": "min",
-    "hertz": "Hz",
-    "percent": "%",
-    "rotations per minute": "rpm",
-    "newton": "N",
-    "newton meter": "N·m",
-    "degree Celsius": "°C",
-    "volt": "V",
-    "ampere": "A",
-    "pascal": "Pa",
-    "kilogram": "kg",
-}
 _PLAIN: Final = re.compile(r"[A-Za-z/][\w./-]*(?::[\w./-]+)*(?: [\w./-]+)*")  # text that needs no quotes in YAML
 _YAML_WORDS: Final = frozenset({"y", "n", "yes", "no", "on", "off", "true", "false", "null"})
 _INDENT: Final = "  "
@@ -73,11 +54,6 @@ def field_lines(message: Message, *, yaml: bool = False) -> Iterator[Text]:
             line.leaf.text,
             (note if line.leaf.note else "", "dim"),
         )
-
-
-def unit_symbol(units: str) -> str:
-    """`m/s` for `meter per second`; units without a symbol are returned unchanged."""
-    return _SYMBOLS.get(units, units)
 
 
 # --- from a value to a tree -----------------------------------------------------------------------------------------

@@ -11,6 +11,8 @@ from fastapi import FastAPI
 from nicegui import ui
 
 from jauspy.console.fleet import NOTHING
+from jauspy.console.log_panel import LogPanel
+from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
 from jauspy.errors import JausError
 from jauspy.ocu.arm import POSITION_DRIVER
@@ -22,6 +24,7 @@ from jauspy.printable import printable
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
 POSE_INTERVAL: Final = 0.2
+TABS: Final = ("Video", "Plots", "Log")
 STATUS_COLOURS: Final = {
     "READY": "ready",
     "STANDBY": "standby",
@@ -38,8 +41,14 @@ def add_page(app: FastAPI, console: Console) -> None:
     @ui.page("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
     def index() -> None:
         token = console.new_token()
-        ui.context.client.on_delete(lambda: asyncio.ensure_future(console.forget(token)))
-        _Page(console, token).build()
+        page = _Page(console, token)
+        page.build()
+
+        def leave() -> None:
+            page.plots.close()
+            asyncio.ensure_future(console.forget(token))  # noqa: RUF006 - it ends when the robots are released
+
+        ui.context.client.on_delete(leave)
 
     ui.run_with(app, storage_secret=None, show_welcome_message=False, reconnect_timeout=3.0, tailwind=False)
 
@@ -60,8 +69,10 @@ class _Page:
     # --- building -------------------------------------------------------------------------------------------------
 
     def build(self) -> None:
+        ui.colors(primary="#1f6feb")
         ui.add_head_html('<link rel="stylesheet" href="/static/console.css">')
-        ui.add_body_html(f'<script src="/static/console.js"></script><script>jauspy.start("{self.token}")</script>')
+        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in ("console", "plots"))
+        ui.add_body_html(f'{scripts}<script>jauspy.start("{self.token}")</script>')
         with ui.element("header").classes("bar"):
             ui.label("jauspy").classes("brand")
             self.title = ui.label("looking for robots \u2026").classes("title")
@@ -76,16 +87,38 @@ class _Page:
             with ui.element("section").classes("panel fleet"):
                 ui.label("Fleet").classes("heading")
                 self.fleet = ui.element("div").classes("list")
-            self.videos = ui.element("section").classes("videos")
+            self._build_centre()
             with ui.element("aside").classes("side"):
                 self._build_control()
                 self._build_drive()
                 self._build_arm()
-            with ui.element("section").classes("panel log"):
-                ui.label("Log").classes("heading")
-                self.log = ui.log(max_lines=200).classes("lines")
         ui.timer(REFRESH_INTERVAL, self._refresh)
         ui.timer(POSE_INTERVAL, self._refresh_pose)
+
+    def _build_centre(self) -> None:
+        with ui.element("section").classes("centre"):
+            with ui.element("nav").classes("tabs").props('role="tablist"'):
+                self._tabs = {name: self._tab(name) for name in TABS}
+            self.videos = ui.element("div").classes("videos")
+            with ui.element("div").classes("panel plots") as plots:
+                self.plots = PlotsPanel(self.console.ocu)
+            with ui.element("div").classes("panel messages") as messages:
+                self.messages = LogPanel(self.console.traffic)
+            with ui.element("div").classes("panel log") as events:
+                ui.label("Events").classes("heading")
+                self.log = ui.log(max_lines=200).classes("lines")
+        self._parts = {"Video": (self.videos, events), "Plots": (plots, events), "Log": (messages,)}
+        self._show_tab(TABS[0])
+
+    def _tab(self, name: str) -> ui.button:
+        return ui.button(name, on_click=lambda: self._show_tab(name), color=None).props('flat no-caps dense role="tab"')
+
+    def _show_tab(self, name: str) -> None:
+        for part in {part for parts in self._parts.values() for part in parts}:
+            part.set_visibility(part in self._parts[name])
+        for each, button in self._tabs.items():
+            button.classes(add="chosen" if each == name else "", remove="" if each == name else "chosen")
+        self.messages.visible = name == "Log"
 
     def _build_control(self) -> None:
         with ui.element("section").classes("panel"):
@@ -183,6 +216,7 @@ class _Page:
             return
         self.robot = robot
         self._shown = ()
+        self.plots.show(robot)
         self.title.set_text(f"{robot.id}  {printable(robot.name)}")
         ui.run_javascript(f"jauspy.selectRobot({robot.id})")
         self.videos.clear()
@@ -220,9 +254,11 @@ class _Page:
         with self.joints:
             for name, limit in limits.items():
                 low, high = (round(max(-math.pi, min(math.pi, value)), 3) for value in limit)
-                ui.label(printable(name)).classes("joint")
+                ui.label(printable(name)).classes("joint").tooltip(printable(name))
+                value = ui.label("").classes("joint-value")
                 slider = ui.slider(min=low, max=high, step=0.01, value=round(joints[name], 2))
                 self._sliders[name] = slider.props("label snap")
+                value.bind_text_from(slider, "value", lambda angle: f"{round(angle, 2) + 0.0:.2f} rad")
 
     def _show_control(self) -> None:
         operation = self.console.operation(self.robot.id) if self.robot is not None else None
@@ -251,7 +287,7 @@ class _Page:
             return
         heading = round(math.degrees(-pose.yaw)) % 360
         self.pose.set_content(
-            f"<b>x {pose.x:.2f} m, y {pose.y:.2f} m</b><br>heading {heading}\u00b0<br>"
+            f"<b>x {round(pose.x, 2) + 0.0:.2f} m, y {round(pose.y, 2) + 0.0:.2f} m</b><br>heading {heading}\u00b0<br>"
             f"pitch {round(math.degrees(pose.pitch))}\u00b0, roll {round(math.degrees(pose.roll))}\u00b0"
         )
 

@@ -21,9 +21,11 @@ from starlette.staticfiles import StaticFiles
 
 from jauspy.console.fleet import Fleet
 from jauspy.console.operation import Operation
+from jauspy.console.traffic import Traffic
 from jauspy.console.video import SharedCamera
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.ocu import OCU
 from jauspy.ocu.emergency import obeys, set_emergency
 from jauspy.printable import printable
@@ -55,6 +57,9 @@ class Console:
         self.fleet.on_event = self.note
         self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
         self.total_events = 0
+        self.traffic = Traffic(registry)
+        for each in (ocu, emergency_ocu):
+            each.trace(self.traffic.note)
         self._emergency_ocu = emergency_ocu
         self._operations: dict[int, Operation] = {}
         self._cameras: dict[JausID, SharedCamera] = {}
@@ -64,6 +69,7 @@ class Console:
     def note(self, text: str) -> None:
         """Add a line to the log."""
         self.events.append(Event(datetime.now().astimezone(), printable(text)))
+        self.traffic.event(printable(text))
         self.total_events += 1
 
     def new_token(self) -> str:
@@ -118,6 +124,8 @@ class Console:
         for operation in self._operations.values():
             await operation.release()
         await self.fleet.close()
+        for each in (self.ocu, self._emergency_ocu):
+            each.trace(None)
 
 
 def make_app(console: Console) -> FastAPI:

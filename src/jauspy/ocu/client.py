@@ -21,7 +21,7 @@ from jauspy.component import Component, ComponentOptions
 from jauspy.errors import ConfigError, RequestError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
-from jauspy.ocu.connection import Connection, RetryPolicy, Stats
+from jauspy.ocu.connection import Connection, RetryPolicy, Stats, Trace
 from jauspy.ocu.discovery import News, discover, discover_all, watch
 from jauspy.ocu.explain import explain
 from jauspy.ocu.robot import Robot
@@ -179,6 +179,13 @@ class OCU:
         called in the event loop and returns seconds.
         """
         self._connection.program_silence = silence
+
+    def trace(self, callback: Trace | None) -> None:
+        """Call `callback(source, destination, payload, sent=)` for each message that this OCU sends and receives.
+
+        It is called in the event loop and must be quick. None ends it.
+        """
+        self._connection.trace = callback
 
     # --- discovery ------------------------------------------------------------------------------------------------
 

@@ -151,6 +151,13 @@ class StatsRecorder:
         )
 
 
+class Trace(Protocol):
+    """What `OCU.trace` calls for each message; `payload` is the message with its id, encoded."""
+
+    def __call__(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
+        """Take one message."""
+
+
 class ControlHandle(Protocol):
     """Control of one component, as the connection uses it."""
 
@@ -241,6 +248,7 @@ class Connection:
         self.events = EventUsers()
         self.program_silence: Callable[[], float] = lambda: 0.0
         """Seconds for which the program has stood still, where that is another thread than the event loop's."""
+        self.trace: Trace | None = None
         self._component: Component | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
         self._on_close: list[Callable[[], Awaitable[object]]] = []
@@ -309,6 +317,8 @@ class Connection:
         Other messages that nobody waits for, such as late answers, are counted and named in the errors of timeouts.
         """
         self.stats.received += 1
+        if self.trace is not None:
+            self.trace(packet.source, self.id, packet.payload, sent=False)
         if len(packet.payload) < 2:
             self.on_malformed(f"{packet.payload.hex()!r} from {packet.source} is too short for a message")
             return True
@@ -554,6 +564,8 @@ class Connection:
 
     def _on_sent(self, destination: JausID, message: Message) -> None:
         self.stats.sent += 1
+        if self.trace is not None:
+            self.trace(self.id, destination, message.encode(), sent=True)
         self.controls.on_sent(destination, message)
 
     def _opened(self) -> Component:

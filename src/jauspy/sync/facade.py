@@ -251,8 +251,8 @@ class CommandStream(Facade[_CommandStream]):
     """Sends the last command again at `rate` Hz, only while the program calls the OCU at least once a second.
 
     When it does not, the command is dropped and the robot is stopped; the next `send`
-    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero. A
-    command of positions is not repeated any more; it ends by itself.
+    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero,
+    and the speed of a vector, whose heading stays. A command of positions is not repeated any more.
     """
 
     @property

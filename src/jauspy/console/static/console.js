@@ -86,7 +86,8 @@ const jauspy = {
     }
     jauspy.moving = moving;
     const knob = document.getElementById("stick-knob");
-    if (knob) knob.style.transform = `translate(${-left * 56}px, ${-forward * 56}px)`;
+    const reach = knob ? (knob.parentElement.clientWidth - knob.clientWidth) / 2 : 0;
+    if (knob) knob.style.transform = `translate(${-left * reach}px, ${-forward * reach}px)`;
   },
   release_keys() {
     jauspy.keys.clear();

@@ -1,0 +1,136 @@
+"""Screenshots of the console's panels for docs/console.md: light and dark, at 1440x900 and 1024x768.
+
+    python tools/console_screenshots.py [--backend sim] [--output docs/assets]
+
+It runs a robot and a console with ports and sockets of its own, and needs Debian's chromium and playwright.
+"""
+
+from __future__ import annotations
+
+import argparse
+import io
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Final
+
+from PIL import Image
+from playwright.sync_api import Page, ViewportSize, sync_playwright
+
+MAX_BYTES: Final = 250_000
+SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
+SCHEMES: Final = ("light", "dark")
+PANELS: Final = ("video", "plots", "log")
+PORT: Final = 3952
+WAIT: Final = 90_000
+"""Milliseconds for anything to appear."""
+
+
+@contextmanager
+def console(backend: str) -> Iterator[str]:
+    """The URL of a console beside a robot, which both end with the block."""
+    root = tempfile.mkdtemp(prefix="jauspy-")
+    command = [sys.executable, "-m", "jauspy.cli.main", "up", "inc1", "--backend", backend, "--port", str(PORT)]
+    command += ["--interface", "127.0.0.1", "--local-root", root, "--console", "--console-port", "0", "--plain"]
+    with subprocess.Popen([*command, "--own-root"], stdout=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        try:
+            found = (re.match(r"console: +(http\S+)", line) for line in process.stdout)
+            yield next(each[1] for each in found if each)
+        finally:
+            process.send_signal(signal.SIGINT)
+
+
+def prepare(page: Page) -> None:
+    """Wait for the video, add plots, drive a curve, so that there is something to see."""
+    page.get_by_text("101 inc1").first.wait_for()
+    page.wait_for_function(
+        "[...document.querySelectorAll('canvas[data-component]')].filter(each => each.dataset.pictures > 3).length > 2"
+    )
+    page.get_by_role("tab", name="Plots").click()
+    add_traces(page, "LocalPose", ("x", "y", "yaw"))
+    page.get_by_role("button", name="take", exact=True).click()
+    page.get_by_text("you operate this robot").wait_for()
+    page.locator(".heading", has_text="Fleet").click()  # away from input fields, so that keys drive
+    for keys, seconds in (("W", 3.0), ("WA", 2.0), ("W", 2.0), ("D", 1.5), ("", 4.0)):
+        for key in keys:
+            page.keyboard.down(f"Key{key}")
+        page.wait_for_timeout(1000 * seconds)
+        for key in keys:
+            page.keyboard.up(f"Key{key}")
+
+
+def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
+    """Plot fields of a message of the first component."""
+    page.get_by_label("message").click()
+    page.get_by_role("option", name=message, exact=True).click()
+    page.wait_for_timeout(1500)
+    page.get_by_label("fields").click()
+    for name in fields:
+        page.locator(".q-item").filter(has_text=re.compile(f"^{name} ")).first.click()
+    page.keyboard.press("Tab")
+    page.get_by_role("button", name="add").click()
+    page.locator(".trace").nth(len(fields) - 1).wait_for()
+
+
+def show(page: Page, panel: str) -> None:
+    """Open a tab; in the log, open a message."""
+    page.get_by_role("tab", name=panel, exact=False).click()
+    if panel == "log":
+        page.locator(".traffic tbody tr").nth(2).click()
+        page.locator(".fields .path").first.wait_for()
+    page.mouse.move(2, 2)
+    page.wait_for_timeout(1500)
+
+
+def save(picture: bytes, path: Path) -> None:
+    """As JPEG of the best quality that fits into `MAX_BYTES`."""
+    image = Image.open(io.BytesIO(picture)).convert("RGB")
+    for quality in (85, 75, 65, 50):
+        data = io.BytesIO()
+        image.save(data, "JPEG", quality=quality, optimize=True)
+        if data.tell() < MAX_BYTES:
+            break
+    path.write_bytes(data.getvalue())
+    print(f"{path}: {data.tell() // 1000} kB, quality {quality}")
+
+
+def take_all(url: str, folder: Path) -> None:
+    """All panels in all sizes and schemes, of one page, on which the robot was driven before."""
+    executable = shutil.which("chromium") or shutil.which("google-chrome")
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=executable, args=["--no-sandbox"])
+        page = browser.new_page(viewport=ViewportSize(width=1440, height=900))
+        page.set_default_timeout(WAIT)
+        page.goto(url)
+        prepare(page)
+        for panel in PANELS:
+            show(page, panel)
+            for scheme in SCHEMES:
+                page.emulate_media(color_scheme="dark" if scheme == "dark" else "light")
+                for size, (width, height) in SIZES.items():
+                    page.set_viewport_size(ViewportSize(width=width, height=height))
+                    page.wait_for_timeout(1500)
+                    save(page.screenshot(), folder / f"console_{panel}_{scheme}_{size}.jpg")
+        browser.close()
+
+
+def main() -> None:
+    """Run all."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--backend", default="sim", help="of the robot")
+    parser.add_argument("--output", type=Path, default=Path("docs/assets"), help="folder of the pictures")
+    arguments = parser.parse_args()
+    arguments.output.mkdir(parents=True, exist_ok=True)
+    with console(arguments.backend) as url:
+        take_all(url, arguments.output)
+
+
+if __name__ == "__main__":
+    main()
