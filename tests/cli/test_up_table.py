@@ -83,7 +83,11 @@ async def test_table_shows_controllers_and_losses() -> None:
         assert driver.dropped == {"host.ignored": 1}
         assert all((each.status, each.dropped) == ("standby", {}) for each in others)
         seen = [(each.name, each.module, each.size) for each in look.cameras]
-        assert seen == [("arm", "101.1.106", (640, 480)), ("chassis", "101.1.107", (640, 480))]
+        assert seen == [
+            ("arm", "101.1.106", (640, 480)),
+            ("chassis", "101.1.107", (640, 480)),
+            ("outside", "101.1.109", (640, 480)),
+        ]
         assert look.node is not None
         assert (look.node.packets, look.node.dropped) == (21.0, {"dropped.not_here": 7, "by the kernel": 3})
         text = drawn(runner, look)

@@ -157,7 +157,7 @@ def test_mistakes_in_types_of_parts_are_explained(tmp_path, before, after, compl
         ('type = "CM-SRV"\npart = "base_1"', "names the part 'base_1', which it cannot have; it can have: servo_1"),
         ('type = "CM-CON"\npart = "gripper"', "it can have: base_1, base_2, servo_1"),
         ('type = "CM-MOB"\npart = "car"', "it can have: none"),
-        ('type = "CM-MOB"', "tracks: is missing; the CM-MOB 7 drives on them"),
+        ('type = "CM-MOB"', "tracks: is missing, and so is wheels; the CM-MOB 7 drives on one"),
         ('type = "CM-CNV"', "cell.conveyor: is missing; 7 is a CM-CNV"),
         ('type = "CM-SEN"\npart = "base_1"', "part: a CM-SEN has none; leave it out"),
         ('type = "CM-ARM"\npart = "leg"', "it can have: arm"),

@@ -125,7 +125,7 @@ def assert_stops(cell: Cell, speeds: Callable[[], dict[str, float]], end: Callab
 
 @pytest.mark.parametrize(
     ("robot", "ahead", "turn"),
-    [("inc1", 100.0, 0.0), ("inc1", -100.0, 0.0), ("inc1", 0.0, 100.0), ("inc1_pprm", 100.0, 0.0)],
+    [("inc1", 60.0, 0.0), ("inc1", -60.0, 0.0), ("inc1", 0.0, 100.0), ("inc1_pprm", 60.0, 0.0)],
 )
 def test_tracks_stop_within_200_ms(
     backend: str, robot: str, end: Callable[[Cell], None], ahead: float, turn: float
@@ -133,7 +133,7 @@ def test_tracks_stop_within_200_ms(
     cell = Cell(backend, robot, 102)
     cell.obey(SetWrenchEffort(propulsive_linear_effort_x=ahead, propulsive_rotational_effort_z=turn), 1.5)
     twist = cell.robot.drive.twist()
-    assert abs(twist.vx) > 1.45 or abs(twist.wz) > 2.0
+    assert abs(twist.vx) > 0.9 or abs(twist.wz) > 2.0
     assert_stops(cell, cell.tracks, end)
 
 

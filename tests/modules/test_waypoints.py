@@ -87,7 +87,7 @@ def test_four_local_waypoints_in_order_by_list(world: World) -> None:
     watch.look()
     assert watch.order == [1, 2, 3, 4, 0]
     assert max(watch.nearest) < 0.15
-    assert 0.9 < watch.fastest < 1.05
+    assert 0.9 < watch.fastest < 1.1
     assert speed(world) == 0.0
     world.run(1.0)
     assert world.stands()
@@ -188,8 +188,8 @@ def test_global_waypoint_is_reached(world: World) -> None:
     world.run_until(lambda: speed(world) == 0.0, 20.0)
     world.run(0.5)
     assert metres(*goal, world.place) < 0.15
-    assert world.place.yaw == pytest.approx(0.0, abs=0.1), "north of where it was"
-    assert world.pose.yaw == pytest.approx(-ORIGIN.heading, abs=0.1)
+    assert world.place.yaw == pytest.approx(0.0, abs=0.25), "north of where it was"
+    assert world.pose.yaw == pytest.approx(-ORIGIN.heading, abs=0.25)
 
 
 def test_waypoints_refer_to_the_set_frame(world: World) -> None:

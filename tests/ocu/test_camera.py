@@ -43,7 +43,7 @@ async def test_still_of_a_camera_by_name(node_manager, robot, ocu):
 
 async def test_cameras_are_named_when_one_is_to_be_chosen(robot, ocu):
     inc1 = await ocu.robot(101)
-    with pytest.raises(ConfigError, match=r"This robot has 'arm', 'chassis', as in robot.camera\('arm'\)"):
+    with pytest.raises(ConfigError, match=r"This robot has 'arm', 'chassis', 'outside', as in robot.camera\('arm'\)"):
         await anext(inc1.camera().frames())
     with pytest.raises(ConfigError, match="there is no camera 'rear'"):
         await anext(inc1.camera("rear").frames())

@@ -121,6 +121,7 @@ async def test_event_ended_by_the_component_raises_event_rejected(world, rate):
             return ReportHeartbeatPulse()
 
     broken = Broken()
+    world.network.allow_errors = True
     await world.component(JausID(101, 1, 7), [broken, Events(), Discovery()])
     liveness = (await (await world.ocu()).discover(subsystem=101)).service("Liveness")
     async with liveness.subscribe(QueryHeartbeatPulse(), rate=rate) as pulses:

@@ -295,7 +295,7 @@ async def test_one_event_for_a_robot_found_and_one_for_a_robot_lost(virtual_netw
     await asyncio.sleep(30)
     ((kind, id, event),) = found
     assert (kind, id) == (Vanished, JausID(101, 0, 0))
-    assert len(event.before.components) == 7
+    assert len(event.before.components) == 8
     task.cancel()
     await asyncio.wait({task})
 

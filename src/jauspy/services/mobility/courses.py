@@ -25,7 +25,7 @@ LOOK_AHEAD_TIME: Final = 0.7
 """Seconds of driving ahead when it is fast."""
 DEFAULT_TOLERANCE: Final = 0.3
 """Metres within which a waypoint without a tolerance counts as reached."""
-STOP_TOLERANCE: Final = 0.03
+STOP_TOLERANCE: Final = 0.1
 """Metres to which the robot approaches a waypoint where it stops, whatever the tolerance."""
 FINAL_SPEED: Final = 0.1
 """m/s of the last centimetres to a stop."""

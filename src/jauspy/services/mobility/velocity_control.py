@@ -118,9 +118,8 @@ class VelocityControl:
 
     def __init__(self, chassis: Chassis) -> None:
         self._chassis = chassis
-        speed, turn = SPEED_GAINS, TURN_RATE_GAINS
-        if chassis.wheel_radius:
-            speed, turn = replace(speed, forward=SPEED_ON_GROUND / chassis.max_speed), SKIDDING_GAINS
+        speed = replace(SPEED_GAINS, forward=SPEED_ON_GROUND / chassis.max_speed)
+        turn = SKIDDING_GAINS if chassis.wheel_radius else TURN_RATE_GAINS
         if chassis.moves_sideways:
             lever = (chassis.wheel_base + chassis.track_separation) / 2.0
             turn = replace(turn, forward=lever / chassis.max_speed, breakaway=0.01)
