@@ -125,7 +125,7 @@ def assert_stops(cell: Cell, speeds: Callable[[], dict[str, float]], end: Callab
 
 @pytest.mark.parametrize(
     ("robot", "ahead", "turn"),
-    [("inc1", 60.0, 0.0), ("inc1", -60.0, 0.0), ("inc1", 0.0, 100.0), ("inc1_pprm", 60.0, 0.0)],
+    [("inc1", 60.0, 0.0), ("inc1", -60.0, 0.0), ("inc1", 0.0, 90.0), ("inc1_pprm", 60.0, 0.0)],
 )
 def test_tracks_stop_within_200_ms(
     backend: str, robot: str, end: Callable[[Cell], None], ahead: float, turn: float

@@ -71,7 +71,7 @@ class AxisGains:
     integral: float
 
 
-SPEED_GAINS = AxisGains(forward=0.64, breakaway=0.01, proportional=0.15, integral=0.6)
+SPEED_GAINS = AxisGains(forward=0.53, breakaway=0.01, proportional=0.15, integral=0.6)
 TURN_RATE_GAINS = AxisGains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
 """Between the best gains for inc1 with and without physics; the integral compensates the difference."""
 
@@ -118,8 +118,9 @@ class VelocityControl:
 
     def __init__(self, chassis: Chassis) -> None:
         self._chassis = chassis
-        speed = replace(SPEED_GAINS, forward=SPEED_ON_GROUND / chassis.max_speed)
-        turn = SKIDDING_GAINS if chassis.wheel_radius else TURN_RATE_GAINS
+        speed, turn = SPEED_GAINS, TURN_RATE_GAINS
+        if chassis.wheel_radius:
+            speed, turn = replace(speed, forward=SPEED_ON_GROUND / chassis.max_speed), SKIDDING_GAINS
         if chassis.moves_sideways:
             lever = (chassis.wheel_base + chassis.track_separation) / 2.0
             turn = replace(turn, forward=lever / chassis.max_speed, breakaway=0.01)
