@@ -114,12 +114,15 @@ class ShapeBuilder:
     def _cone(self, body: mujoco.MjsBody, radius: float, length: float, pose: Transform) -> mujoco.MjsGeom:
         angles = np.arange(CONE_SIDES) * 2.0 * np.pi / CONE_SIDES
         rim = np.column_stack([radius * np.cos(angles), radius * np.sin(angles), np.full(CONE_SIDES, -length / 2.0)])
-        name = self._mesh_name(Path("cone"))
+        name = self._add_hull(Path("cone"), np.concatenate([rim, [[0.0, 0.0, length / 2.0]]]))
+        return _add_mesh_geom(body, name, pose)
+
+    def _add_hull(self, path: Path, corners: NDArray[np.float64]) -> str:
+        """Add a mesh that is the convex hull of these corners, shape (n, 3), in metres; returns its name."""
+        name = self._mesh_name(path)
         mesh = self._spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX)
-        mesh.uservert = np.concatenate([rim, [[0.0, 0.0, length / 2.0]]]).ravel()
-        geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
-        _place(geom, pose)
-        return geom
+        mesh.uservert = corners.ravel()
+        return name
 
     def draw_mesh(
         self,
@@ -134,8 +137,7 @@ class ShapeBuilder:
     ) -> None:
         """Add a mesh that is only seen: a geometry for each of its colours."""
         for name, part in self._mesh(path, tuple(scale), submesh, centred=centred, hull=False):
-            geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
-            _place(geom, pose)
+            geom = _add_mesh_geom(body, name, pose)
             self._paint_part(geom, look, part)
             self._only_seen(geom)
 
@@ -152,8 +154,7 @@ class ShapeBuilder:
     ) -> mujoco.MjsGeom:
         """Add the convex hull of a mesh, which collides."""
         ((name, _),) = self._mesh(path, tuple(scale), submesh, centred=centred, hull=True)
-        geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
-        _place(geom, pose)
+        geom = _add_mesh_geom(body, name, pose)
         self._make_solid(geom, solid)
         return geom
 
@@ -182,11 +183,8 @@ class ShapeBuilder:
             self.collide_mesh(body, path, pose, solid, scale=scale, submesh=submesh, centred=centred)
             return
         for corners in pieces:
-            name = self._mesh_name(path)
-            mesh = self._spec.add_mesh(name=name, inertia=mujoco.mjtMeshInertia.mjMESH_INERTIA_CONVEX)
-            mesh.uservert = with_volume(corners).ravel()
-            geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
-            _place(geom, pose)
+            name = self._add_hull(path, with_volume(corners))
+            geom = _add_mesh_geom(body, name, pose)
             self._make_solid(geom, solid)
 
     def height_field(
@@ -356,6 +354,12 @@ def _square(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:
     rows, columns = (np.arange(side) * count // side for count in pixels.shape[:2])
     squared: NDArray[np.uint8] = pixels[rows][:, columns]
     return squared
+
+
+def _add_mesh_geom(body: mujoco.MjsBody, name: str, pose: Transform) -> mujoco.MjsGeom:
+    geom = body.add_geom(type=mujoco.mjtGeom.mjGEOM_MESH, meshname=name)
+    _place(geom, pose)
+    return geom
 
 
 def _place(geom: mujoco.MjsGeom, pose: Transform) -> None:

@@ -8,6 +8,7 @@ import mujoco
 import numpy as np
 
 from jauspy.platform.wheels import Wheel, WheelKind, WheelSetup
+from jauspy_sim.shapes import same_shape
 
 STEERING_STIFFNESS: Final = 8.0
 """Torque of a steering motor per radian beside its target, as a multiple of its greatest torque."""
@@ -24,7 +25,7 @@ def add_wheels(spec: mujoco.MjSpec, setup: WheelSetup, timestep: float) -> None:
         found.armature = setup.inertia
         found.solref_friction = (2.0 * timestep, 1.0)
         back_emf = max(wheel.joint.damping, wheel.joint.effort / wheel.joint.velocity)
-        found.damping = (back_emf, *np.ravel(found.damping)[1:]) if np.size(found.damping) > 1 else back_emf
+        found.damping = same_shape(found.damping, back_emf)
         if setup.kind is WheelKind.MECANUM:
             _add_rollers(spec, wheel)
     for each in setup.steering:
@@ -48,7 +49,7 @@ def _add_rollers(spec: mujoco.MjSpec, wheel: Wheel) -> None:
     spec.delete(axle)
     slide = body.add_joint(name=f"{wheel.joint.name}/rollers", type=mujoco.mjtJoint.mjJNT_SLIDE)
     slide.axis = (1.0, wheel.rollers, 0.0)
-    slide.damping = (ROLLER_DAMPING, *np.ravel(slide.damping)[1:]) if np.size(slide.damping) > 1 else ROLLER_DAMPING
+    slide.damping = same_shape(slide.damping, ROLLER_DAMPING)
     again = body.add_joint(name=wheel.joint.name, type=mujoco.mjtJoint.mjJNT_HINGE)
     again.axis, again.solref_friction = kept["axis"], kept["solref_friction"]
     again.damping = kept["damping"] if np.size(kept["damping"]) > 1 else float(kept["damping"])

@@ -13,7 +13,6 @@ from dataclasses import dataclass
 from typing import Final
 
 import mujoco
-import numpy as np
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
@@ -35,6 +34,7 @@ from jauspy.platform.modular.parts import (
 from jauspy_sim.assembly import TIMESTEP, prefix, robot_spec
 from jauspy_sim.cell.looks import Dresser
 from jauspy_sim.groups import COLLISION
+from jauspy_sim.shapes import same_shape
 from jauspy_sim.world_files import world_spec
 
 GRIPPER: Final = "gripper"
@@ -205,22 +205,16 @@ def _servo(spec: mujoco.MjSpec, housing: mujoco.MjsBody, name: str, kind: PartTy
     motor = rotor.add_joint(name=f"{name}.motor", type=hinge, axis=axis, limited=mujoco.mjtLimited.mjLIMITED_FALSE)
     motor.armature = data.rotor_inertia
     motor.frictionloss = data.friction
-    motor.damping = first_of(motor.damping, data.damping)
+    motor.damping = same_shape(motor.damping, data.damping)
     output = rotor.add_body(name=f"{name}.output")
     set_inertia(output, output_inertia(kind))
     spring = output.add_joint(name=f"{name}.spring", type=hinge, axis=axis, limited=mujoco.mjtLimited.mjLIMITED_FALSE)
     spring.armature = SPRING_INERTIA
-    spring.stiffness = first_of(spring.stiffness, data.stiffness)
-    spring.damping = first_of(spring.damping, SPRING_LOSS * data.stiffness)
+    spring.stiffness = same_shape(spring.stiffness, data.stiffness)
+    spring.damping = same_shape(spring.damping, SPRING_LOSS * data.stiffness)
     for number, solid in enumerate(data.output):
         add_solid(output, solid, f"{name}.output.{number}", PART_FRICTION)
     spec.add_exclude(bodyname1=name, bodyname2=f"{name}.output")
-
-
-def first_of(present: float | Sequence[float], value: float) -> float | tuple[float, ...]:
-    """A stiffness or damping in the form of the MuJoCo version: 4 has a polynomial, 3 a number."""
-    terms = np.size(present)
-    return (value, *[0.0] * (terms - 1)) if terms > 1 else value
 
 
 def _conveyor(spec: mujoco.MjSpec, setup: ConveyorSetup) -> None:
