@@ -34,7 +34,7 @@ VERBS: Final = {
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
     "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),
     "console": (
-        "jauspy.cli.operator_console:console_page",
+        "jauspy.cli.operator_console:app",
         "Operate robots in the browser: cameras, driving, arm, emergency stop.",
     ),
     "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and tell which obeyed."),
@@ -185,9 +185,11 @@ class SchemaGroup(VerbGroup):
 
 
 def load_verb(name: str, target: str) -> Any:
-    """The command of a verb, from `module:function`."""
+    """The command of a verb, from `module:function`, or `module:app` for one that has verbs of its own."""
     module, _, function = target.partition(":")
     verb = getattr(importlib.import_module(module), function)
+    if isinstance(verb, typer.Typer):
+        return typer.main.get_command(verb)
     single = typer.Typer(add_completion=False, rich_markup_mode="rich")
     single.command(name, help=_help_text(verb.__doc__ or ""))(verb)
     return typer.main.get_command(single)

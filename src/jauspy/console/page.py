@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import math
 from contextlib import suppress
 from typing import Any, Final
@@ -14,6 +13,7 @@ from jauspy.console.fleet import NOTHING
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
+from jauspy.console.users import User
 from jauspy.errors import JausError
 from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.control import DEFAULT_AUTHORITY
@@ -40,13 +40,17 @@ def add_page(app: FastAPI, console: Console) -> None:
 
     @ui.page("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
     def index() -> None:
-        token = console.new_token()
-        page = _Page(console, token)
+        browser = console.new_browser()
+        if browser is None:
+            ui.label("too many pages of this console are open; close one, then load this page again")
+            return
+        token, user = browser
+        page = _Page(console, token, user)
         page.build()
 
         def leave() -> None:
             page.plots.close()
-            asyncio.ensure_future(console.forget(token))  # noqa: RUF006 - it ends when the robots are released
+            console.forget(token)
 
         ui.context.client.on_delete(leave)
 
@@ -56,9 +60,10 @@ def add_page(app: FastAPI, console: Console) -> None:
 class _Page:
     """One browser's page."""
 
-    def __init__(self, console: Console, token: str) -> None:
+    def __init__(self, console: Console, token: str, user: User) -> None:
         self.console = console
         self.token = token
+        self.user = user
         self.robot: Robot | None = None
         self._shown: tuple[Any, ...] = ()
         self._logged = 0
@@ -296,7 +301,7 @@ class _Page:
     async def _take(self) -> None:
         if self.robot is None or (operation := self.console.operation(self.robot.id)) is None:
             return
-        problem = await operation.take(self.token, int(self.authority.value or 0))
+        problem = await operation.take(self.token, int(self.authority.value or 0), self.user)
         if problem:
             self.problem.set_text(problem)
 
