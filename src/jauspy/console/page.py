@@ -15,6 +15,7 @@ from jauspy.console.fleet import NOTHING
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
+from jauspy.console.video_panel import VideoPanel
 from jauspy.errors import JausError
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import Robot
@@ -25,6 +26,8 @@ REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
 POSE_INTERVAL: Final = 0.2
 TABS: Final = ("Video", "Plots", "Log")
+SCRIPTS: Final = ("console", "video", "plots")
+STYLES: Final = ("console", "video")
 STATUS_COLOURS: Final = {
     "READY": "ready",
     "STANDBY": "standby",
@@ -47,6 +50,7 @@ def add_page(app: FastAPI, console: Console) -> None:
         def leave() -> None:
             page.arm.close()
             page.plots.close()
+            page.videos.close()
             asyncio.ensure_future(console.forget(token))  # noqa: RUF006 - it ends when the robots are released
 
         ui.context.client.on_delete(leave)
@@ -68,8 +72,8 @@ class _Page:
 
     def build(self) -> None:
         ui.colors(primary="#1f6feb")
-        ui.add_head_html('<link rel="stylesheet" href="/static/console.css">')
-        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in ("console", "plots"))
+        ui.add_head_html("".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in STYLES))
+        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in SCRIPTS)
         ui.add_body_html(f'{scripts}<script>jauspy.start("{self.token}")</script>')
         with ui.element("header").classes("bar"):
             ui.label("jauspy").classes("brand")
@@ -97,7 +101,8 @@ class _Page:
         with ui.element("section").classes("centre"):
             with ui.element("nav").classes("tabs").props('role="tablist"'):
                 self._tabs = {name: self._tab(name) for name in TABS}
-            self.videos = ui.element("div").classes("videos")
+            with ui.element("div").classes("videos") as videos:
+                self.videos = VideoPanel(self.console)
             with ui.element("div").classes("panel plots") as plots:
                 self.plots = PlotsPanel(self.console.ocu)
             with ui.element("div").classes("panel messages") as messages:
@@ -105,7 +110,7 @@ class _Page:
             with ui.element("div").classes("panel log") as events:
                 ui.label("Events").classes("heading")
                 self.log = ui.log(max_lines=200).classes("lines")
-        self._parts = {"Video": (self.videos, events), "Plots": (plots, events), "Log": (messages,)}
+        self._parts = {"Video": (videos, events), "Plots": (plots, events), "Log": (messages,)}
         self._show_tab(TABS[0])
 
     def _tab(self, name: str) -> ui.button:
@@ -208,18 +213,7 @@ class _Page:
         self.plots.show(robot)
         self.title.set_text(f"{robot.id}  {printable(robot.name)}")
         ui.run_javascript(f"jauspy.selectRobot({robot.id})")
-        self.videos.clear()
-        with self.videos:
-            cameras = [each for each in robot.components if each.find("DigitalVideo")]
-            for camera in cameras:
-                ui.html(
-                    f'<canvas data-component="{camera.id}" width="640" height="480"></canvas>'
-                    f'<span class="video-note"></span><figcaption>{camera.id}</figcaption>',
-                    tag="figure",
-                    sanitize=False,
-                ).props('onclick="jauspy.enlarge(this)"')
-            if not cameras:
-                ui.label("this robot has no camera").classes("hint")
+        self.videos.show(robot)
         drives = any(each.find("PrimitiveDriver") or each.find("VelocityStateDriver") for each in robot.components)
         self.drive_panel.set_visibility(drives)
         self.arm.show(robot)
