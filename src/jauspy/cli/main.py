@@ -34,7 +34,7 @@ VERBS: Final = {
     "send": ("jauspy.cli.send:send", "Send a command or any other message that has no answer."),
     "teleop": ("jauspy.cli.teleop:teleop", "Drive a robot with the keys of the terminal, or with a gamepad."),
     "console": (
-        "jauspy.cli.operator_console:app",
+        "jauspy.cli.operator_console:console_page",
         "Operate robots in the browser: cameras, driving, arm, emergency stop.",
     ),
     "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and tell which obeyed."),
@@ -185,13 +185,17 @@ class SchemaGroup(VerbGroup):
 
 
 def load_verb(name: str, target: str) -> Any:
-    """The command of a verb, from `module:function`, or `module:app` for one that has verbs of its own."""
-    module, _, function = target.partition(":")
-    verb = getattr(importlib.import_module(module), function)
-    if isinstance(verb, typer.Typer):
-        return typer.main.get_command(verb)
+    """The command of a verb, from `module:function`; an `app` in that module has it with verbs of its own."""
+    path, _, function = target.partition(":")
+    module = importlib.import_module(path)
+    verb = getattr(module, function)
+    help_text = _help_text(verb.__doc__ or "")
+    if isinstance(own := getattr(module, "app", None), typer.Typer):
+        command = typer.main.get_command(own)
+        command.help = help_text
+        return command
     single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-    single.command(name, help=_help_text(verb.__doc__ or ""))(verb)
+    single.command(name, help=help_text)(verb)
     return typer.main.get_command(single)
 
 
