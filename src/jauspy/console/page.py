@@ -107,7 +107,7 @@ class _Page:
             with ui.element("nav").classes("tabs").props('role="tablist"'):
                 self._tabs = {name: self._tab(name) for name in TABS}
             with ui.element("div").classes("videos") as videos:
-                self.videos = VideoPanel(self.console)
+                self.videos = VideoPanel(self.console, self.token, self.user)
             with ui.element("div").classes("panel plots") as plots:
                 self.plots = PlotsPanel(self.console.ocu)
             with ui.element("div").classes("panel messages") as messages:
