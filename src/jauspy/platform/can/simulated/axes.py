@@ -7,8 +7,8 @@ from collections.abc import Mapping, Sequence
 from typing import Final, Protocol
 
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.can.setup import DriveSetup
-from jauspy.platform.chassis import SLIP_FACTOR
+from jauspy.platform.can.setup import CanSetup, DriveSetup
+from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, Target
@@ -155,26 +155,47 @@ class MotorPlant:
 QUICK: Final = 1000.0
 """Acceleration in rad/s^2 or m/s^2 with which the other backend's controllers follow: the master has ramped it."""
 
+POSITION_GAIN: Final = 12.0
+"""1/s: rad/s or m/s for each radian or metre that a position is off."""
+
 TRACK_GAIN: Final = 2.0
 """Effort of a track, as a fraction of the full one, for a velocity that is wrong by the full speed."""
 
 
 class RobotJoint:
-    """An `Axis`: a joint of another backend's robot."""
+    """An `Axis`: a joint of another backend's robot. Like a servo drive, it has a control loop of the position
+    around that of the velocity.
+    """
 
-    def __init__(self) -> None:
+    def __init__(self, period: float) -> None:
         self.position = self.velocity = self.effort = 0.0
         self.target: Target | None = None
         self.stopped = True
+        self._period = period
+        """Seconds from one position to the next (60C2h)."""
+        self._goal: float | None = None
+        self._speed = 0.0
 
     def drive(self, mode: ControlMode, value: float) -> None:
-        """Follow a value."""
-        self.target, self.stopped = Target(mode, value, acceleration=QUICK, deceleration=QUICK), False
+        """Follow a value; positions are interpolated."""
+        self.stopped = False
+        if mode is not ControlMode.POSITION:
+            self._goal = None
+            self.target = Target(mode, value, acceleration=QUICK, deceleration=QUICK)
+            return
+        self._speed = 0.0 if self._goal is None else (value - self._goal) / self._period
+        self._goal = value
+
+    def control(self) -> None:
+        """Set the target for the next step."""
+        if self._goal is not None and not self.stopped:
+            wanted = self._speed + POSITION_GAIN * (self._goal - self.position)
+            self.target = Target(ControlMode.VELOCITY, wanted, acceleration=QUICK, deceleration=QUICK)
 
     def stop(self, deceleration: float) -> None:  # noqa: ARG002 - the backend has its own
         """Hold."""
         if not self.stopped:
-            self.target, self.stopped = Target(ControlMode.POSITION, self.position), True
+            self.target, self.stopped, self._goal = Target(ControlMode.POSITION, self.position), True, None
 
     def release(self) -> None:
         """Hold: the brake."""
@@ -212,24 +233,21 @@ class RobotTrack:
 class RobotPlant:
     """A `Plant`: the robot of another backend, as of the simulator. Commands go to its joints and tracks."""
 
-    def __init__(self, robot: Robot, model: RobotModel, drives: Mapping[str, DriveSetup]) -> None:
+    def __init__(self, robot: Robot, model: RobotModel, setup: CanSetup) -> None:
         self.robot: Robot = robot
+        drives = setup.drives
         self.axes: dict[str, RobotJoint | RobotTrack] = {}
         self._groups: list[tuple[str, list[RobotJoint]]] = []
         self._tracks: dict[str, RobotTrack] = {}
         by_joint = {drive.moves: name for name, drive in drives.items() if drive.track is None}
         for name, group in model.groups.items():
-            joints = [RobotJoint() for _ in group.joints]
+            joints = [RobotJoint(1.0 / setup.sync_rate) for _ in group.joints]
             self._groups.append((name, joints))
             self.axes |= {by_joint[each]: axis for each, axis in zip(group.joints, joints, strict=True)}
         for name, drive in drives.items():
             if drive.track is not None:
                 joint = model.description.joint(drive.moves)
                 self.axes[name] = self._tracks[drive.track] = RobotTrack(joint.velocity)
-        self._half_width = 0.0
-        if model.tracks is not None:
-            left, right = (model.description.joint(names[0]) for names in (model.tracks.left, model.tracks.right))
-            self._half_width = SLIP_FACTOR * abs(left.origin.y - right.origin.y) / 2.0
         self._measure(0.0)
 
     def advance(self, dt: float) -> None:
@@ -243,6 +261,8 @@ class RobotPlant:
         self._measure(dt)
 
     def _command(self, name: str, joints: Sequence[RobotJoint]) -> None:
+        for joint in joints:
+            joint.control()
         if all(joint.stopped for joint in joints):
             self.robot.groups[name].hold()
         else:
@@ -253,11 +273,12 @@ class RobotPlant:
             state = self.robot.groups[name].state()
             for joint, *values in zip(joints, state.positions, state.velocities, state.efforts, strict=True):
                 joint.position, joint.velocity, joint.effort = values
-        twist = self.robot.drive.twist()
-        for side, sign in (("left", -1.0), ("right", 1.0)):
-            if (track := self._tracks.get(side)) is not None:
-                track.velocity = twist.vx + sign * self._half_width * twist.wz
-                track.position += track.velocity * dt
+        drive = self.robot.drive
+        if isinstance(drive, SkidSteerDrive):  # what encoders count, slip included
+            for side, speed in zip(("left", "right"), drive.track_speeds(), strict=True):
+                if (track := self._tracks.get(side)) is not None:
+                    track.velocity = speed
+                    track.position += speed * dt
 
     def close(self) -> None:
         """Close the robot."""
