@@ -6,6 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Final, Protocol
 
+from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.can.setup import CanSetup, DriveSetup
 from jauspy.platform.chassis import SkidSteerDrive
@@ -17,6 +18,9 @@ DAMPING: Final = 0.5
 """Effort of friction at full speed, as a fraction of the full effort."""
 SPIN_UP: Final = 0.05
 """Seconds from standstill to full speed with full effort, without friction."""
+
+STEPS_PER_WEIGHING: Final = 8
+"""Steps after which the weights that joints carry are computed again."""
 
 
 class Axis(Protocol):
@@ -70,7 +74,7 @@ class MotorAxis:
         self.velocity = 0.0
         self.effort = 0.0
         self.load = 0.0
-        """Effort that pushes the joint, as a weight does."""
+        """Effort that the joint needs to stand still: that of the weight which it carries."""
         self.blocked = False
         self._limit = joint.effort
         self._inertia = joint.effort * SPIN_UP / joint.velocity
@@ -126,7 +130,7 @@ class MotorAxis:
 
 
 class MotorPlant:
-    """A `Plant` of motors, each with a load of its own."""
+    """A `Plant` of motors, each with the weight of the links that it carries."""
 
     robot: Robot | None = None
 
@@ -143,10 +147,22 @@ class MotorPlant:
             for name, drive in drives.items()
         }
 
+        self._holding = HoldingEfforts(model.description)
+        self._joints = {drive.moves: self.axes[name] for name, drive in drives.items() if drive.track is None}
+        self._until_weighed = 0
+
     def advance(self, dt: float) -> None:
         """Move for `dt` seconds."""
+        if not self._until_weighed:
+            self._weigh()
+        self._until_weighed = (self._until_weighed + 1) % STEPS_PER_WEIGHING
         for axis in self.axes.values():
             axis.advance(dt)
+
+    def _weigh(self) -> None:
+        weights = self._holding.at({joint: axis.position for joint, axis in self._joints.items()})
+        for joint, axis in self._joints.items():
+            axis.load = weights.get(joint, 0.0)
 
     def close(self) -> None:
         """There is nothing to release."""
@@ -163,9 +179,7 @@ TRACK_GAIN: Final = 2.0
 
 
 class RobotJoint:
-    """An `Axis`: a joint of another backend's robot. Like a servo drive, it has a control loop of the position
-    around that of the velocity.
-    """
+    """An `Axis`: a joint of another backend's robot, with a position loop around that of the velocity."""
 
     def __init__(self, period: float) -> None:
         self.position = self.velocity = self.effort = 0.0
