@@ -80,7 +80,7 @@ class _Page:
             with ui.element("section").classes("panel fleet").props('aria-label="Fleet"'):
                 self._fleet = FleetPanel(console, self._select)
             with ui.element("section").classes("centre"):
-                self._build_centre()
+                self._build_centre(token, user)
             with ui.element("aside").classes("side"):
                 self._control = ControlPanel(console, token, user)
                 self._drive = DrivePanel(console, token)
@@ -107,19 +107,16 @@ class _Page:
             )
         dark = ui.dark_mode(None)
         ui.on("scheme", lambda event: dark.set_value(SCHEMES.get(str(event.args))))
-        ui.html(
-            '<button id="scheme" class="quiet" onclick="jauspy.nextScheme()">\u25d0 system</button>', sanitize=False
-        )
-        ui.html('<button class="quiet" onclick="jauspy.clear(\'all\')">clear emergency</button>', sanitize=False)
-        ui.html('<button id="stop" onclick="jauspy.stop(\'all\')">STOP ALL <kbd>Esc</kbd></button>', sanitize=False)
+        for button in BUTTONS:
+            ui.html(button, sanitize=False)
 
-    def _build_centre(self) -> None:
+    def _build_centre(self, token: str, user: User) -> None:
         with ui.element("nav").classes("tabs").props('role="tablist" aria-label="Views"'):
             self._tabs = {name: self._tab(name) for name in TABS}
         with ui.element("div").classes("panel empty") as self._empty:
             ui.html(NO_ROBOTS, sanitize=False)
         with ui.element("div").classes("videos") as videos:
-            self._videos = VideoPanel(self._console)
+            self._videos = VideoPanel(self._console, token, user)
         with ui.element("div").classes("panel plots") as plots:
             self._plots = PlotsPanel(self._console.ocu)
         with ui.element("div").classes("panel messages") as messages:
