@@ -1,0 +1,376 @@
+"""What goes wrong while somebody drives in a real browser: how soon the robot stands, as it measures itself."""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import re
+import shutil
+import signal
+import threading
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.helpers.command_line import RunningRobot, shared_robot, start
+
+import jauspy
+from jauspy.component import ComponentOptions
+from jauspy.messages.core import QueryStatus
+from jauspy.messages.mobility import QueryVelocityState
+from jauspy.ocu import OCU
+from jauspy.schema import builtin_paths, load_files
+from jauspy.services.service import Service
+
+pytest.importorskip("nicegui", reason="needs the extra 'console'")
+sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+
+_LOG = logging.getLogger(__name__)
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
+]
+WAIT = 60_000
+"""Milliseconds for anything to appear on a loaded machine."""
+STOP_TIME = 0.3
+"""Seconds in which the robot stands."""
+COMMAND_TIMEOUT = 2.0
+"""Seconds after which the robot itself ends a command (`command_timeout` in inc1.toml)."""
+STANDS = 0.02
+"""m/s."""
+LAMP = Path(__file__).parents[1] / "vendor" / "Lamp.xml"
+
+
+class Background:
+    """Coroutines on an event loop in a thread, beside playwright's."""
+
+    def __init__(self) -> None:
+        self.loop = asyncio.new_event_loop()
+        self._thread = threading.Thread(target=self.loop.run_forever)
+        self._thread.start()
+
+    def run(self, work: Any) -> Any:
+        return asyncio.run_coroutine_threadsafe(work, self.loop).result(60)
+
+    def close(self) -> None:
+        self.run(self._cancel_all())
+        self.loop.call_soon_threadsafe(self.loop.stop)
+        self._thread.join()
+        self.loop.close()
+
+    async def _cancel_all(self) -> None:
+        tasks = asyncio.all_tasks() - {asyncio.current_task()}
+        for each in tasks:
+            each.cancel()
+        await asyncio.gather(*tasks, return_exceptions=True)
+
+
+class Speedometer:
+    """The speeds that the robot reports, with the times when it measured them."""
+
+    def __init__(self, background: Background, connect: str) -> None:
+        self.samples: list[tuple[float, float]] = []
+        self._background = background
+        background.run(self._start(connect))
+
+    async def _start(self, connect: str) -> None:
+        self._task = asyncio.create_task(self._watch(connect))
+
+    async def _watch(self, connect: str) -> None:
+        async with OCU("42.7.1", connect) as ocu:
+            sensor = ocu.service("101.1.102", "VelocityStateSensor")
+            async with sensor.subscribe(QueryVelocityState(), rate=50.0) as reports:
+                async for report in reports:
+                    if (at := report.time_stamp) is not None:
+                        seconds = 3600 * at.hour + 60 * at.minutes + at.seconds + at.milliseconds / 1000
+                        self.samples.append((time.time() // 86400 * 86400 + seconds, report.velocity_x or 0.0))
+
+    def wait(self, moving: bool, timeout: float = 30.0) -> None:
+        """Until the last reports say that the robot moves, or stands."""
+        end = time.monotonic() + timeout
+        while time.monotonic() < end:
+            last = [abs(speed) for _, speed in self.samples[-5:]]
+            if len(last) == 5 and (min(last) > 0.3 if moving else max(last) < STANDS):
+                return
+            time.sleep(0.05)
+        pytest.fail(f"the robot does not {'move' if moving else 'stand'}: {self.samples[-5:]}")
+
+    def time_to_stop(self, fault: float) -> float:
+        """Seconds from the fault until the robot stood."""
+        self.wait(moving=False)
+        return max([at - fault for at, speed in self.samples if abs(speed) >= STANDS and at > fault], default=0.0)
+
+
+@pytest.fixture(scope="module")
+def background() -> Iterator[Background]:
+    made = Background()
+    yield made
+    made.close()
+
+
+@pytest.fixture(scope="module")
+def robot() -> Iterator[RunningRobot]:
+    with shared_robot() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def speed(robot: RunningRobot, background: Background) -> Speedometer:
+    return Speedometer(background, robot.local)
+
+
+@contextmanager
+def console_for(connect: str) -> Iterator[tuple[str, Any]]:
+    process = start("console", "--no-browser", "--port", "0", "--connect", connect)
+    try:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip().rpartition(" ")[2], process
+    finally:
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+
+
+@pytest.fixture(scope="module")
+def url(robot: RunningRobot) -> Iterator[str]:
+    with console_for(robot.local) as (address, _):
+        yield address
+
+
+@pytest.fixture(scope="module")
+def browser() -> Iterator[Any]:
+    with sync_api.sync_playwright() as playwright:
+        launched = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        yield launched
+        launched.close()
+
+
+@pytest.fixture
+def page(browser: Any) -> Iterator[Any]:
+    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    opened.set_default_timeout(WAIT)
+    yield opened
+    opened.close()
+
+
+def drive(page: Any, url: str, speed: Speedometer) -> None:
+    """Take control, and hold a key until the robot moves."""
+    page.goto(url)
+    page.get_by_text("101 inc1").first.wait_for()
+    page.get_by_role("button", name=re.compile("^take( over)?$")).click()
+    page.get_by_text("you operate this robot").wait_for()
+    page.keyboard.down("KeyW")
+    speed.wait(moving=True)
+
+
+def note_time_of(page: Any, event: str) -> None:
+    """Have the page keep when this event came to the browser, before the page could handle it."""
+    page.evaluate(
+        f"addEventListener('{event}', (event) => window.faultAt = performance.timeOrigin + event.timeStamp, true)"
+    )
+
+
+def fault_time(page: Any) -> float:
+    return float(page.evaluate("window.faultAt")) / 1000
+
+
+@pytest.mark.parametrize("event", ["keyup", "blur"])
+def test_the_robot_stands_when_the_key_is_up_or_the_focus_is_lost(
+    page: Any, url: str, speed: Speedometer, event: str
+) -> None:
+    drive(page, url, speed)
+    note_time_of(page, event)
+    if event == "keyup":
+        page.keyboard.up("KeyW")
+    else:
+        page.evaluate("window.dispatchEvent(new Event('blur'))")
+    taken = speed.time_to_stop(fault_time(page))
+    _LOG.info("key up or focus lost: %.3f s", taken)
+    assert taken <= STOP_TIME
+
+
+def test_the_robot_stands_when_the_tab_is_closed(page: Any, url: str, speed: Speedometer) -> None:
+    drive(page, url, speed)
+    fault = time.time()
+    page.close()
+    taken = speed.time_to_stop(fault)
+    _LOG.info("tab closed: %.3f s", taken)
+    assert taken <= STOP_TIME
+
+
+class Proxy:
+    """A network between browser and console, which can be cut: nothing passes, and nobody is told."""
+
+    def __init__(self, port: int) -> None:
+        self._port = port
+        self._passes = asyncio.Event()
+        self._passes.set()
+
+    async def open(self) -> int:
+        self._server = await asyncio.start_server(self._serve, "127.0.0.1", 0)
+        return int(self._server.sockets[0].getsockname()[1])
+
+    async def cut(self) -> float:
+        self._passes.clear()
+        return time.time()
+
+    async def close(self) -> None:
+        self._server.close()
+
+    async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        there, back = await asyncio.open_connection("127.0.0.1", self._port)
+        await asyncio.gather(self._pump(reader, back), self._pump(there, writer))
+
+    async def _pump(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
+        try:
+            while data := await reader.read(1 << 16):
+                await self._passes.wait()
+                writer.write(data)
+                await writer.drain()
+        except ConnectionError:
+            pass
+        finally:
+            writer.close()
+
+
+def test_the_robot_stands_when_the_network_is_away(
+    page: Any, url: str, speed: Speedometer, background: Background
+) -> None:
+    proxy = Proxy(int(url.rpartition(":")[2]))
+    port = background.run(proxy.open())
+    drive(page, f"http://127.0.0.1:{port}", speed)
+    fault = background.run(proxy.cut())
+    taken = speed.time_to_stop(fault)
+    background.run(proxy.close())
+    _LOG.info("network away: %.3f s", taken)
+    assert taken <= STOP_TIME
+
+
+def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_flooded(
+    page: Any, url: str, speed: Speedometer, background: Background, robot: RunningRobot
+) -> None:
+    async def flood() -> None:
+        async with OCU("42.7.9", robot.local) as ocu:
+            while True:
+                for _ in range(5):
+                    await ocu.send("101.1.102", QueryStatus())
+                await asyncio.sleep(0.01)
+
+    async def begin() -> asyncio.Task[None]:
+        return asyncio.create_task(flood())
+
+    drive(page, url, speed)
+    page.get_by_role("tab", name="Log").click()
+    page.get_by_text("routine", exact=True).click()
+    flooding = background.run(begin())
+    note_time_of(page, "keydown")
+    page.evaluate("""setInterval(() => {
+        for (let i = 0; i < 200; i++) document.querySelector('.centre').append(document.createElement('p'));
+        const end = performance.now() + 100; while (performance.now() < end);
+    }, 120)""")
+    page.keyboard.press("Escape")
+    taken = speed.time_to_stop(fault_time(page))
+    background.loop.call_soon_threadsafe(flooding.cancel)
+    _LOG.info("emergency stop in a flood: %.3f s", taken)
+    assert taken <= STOP_TIME
+    page.get_by_text("components stopped").first.wait_for()
+    page.get_by_role("button", name="clear emergency").click()
+    page.get_by_text("released from the emergency").first.wait_for()
+
+
+def test_the_robot_stands_by_itself_when_the_server_is_killed(
+    page: Any, robot: RunningRobot, speed: Speedometer
+) -> None:
+    with console_for(robot.local) as (address, process):
+        drive(page, address, speed)
+        fault = time.time()
+        process.kill()
+        taken = speed.time_to_stop(fault)
+        _LOG.info("server killed: %.3f s", taken)
+        assert taken <= COMMAND_TIMEOUT + STOP_TIME
+        page.keyboard.press("Escape")
+        page.get_by_text("NOT STOPPED: no connection to the console").wait_for()
+
+
+def test_a_robot_that_is_killed_is_told_and_found_again(page: Any) -> None:
+    with shared_robot() as doomed, console_for(doomed.local) as (address, _):
+        page.goto(address)
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        doomed.process.kill()
+        page.get_by_text(re.compile(r"robot 101 inc1 does not answer any more")).wait_for()
+        page.get_by_text("Looking for robots").wait_for()
+        page.get_by_text("jauspy up inc1").wait_for()
+
+
+def test_a_robot_of_a_vendor_shows_what_it_offers_and_nothing_else(page: Any, background: Background) -> None:
+    own = jauspy.load(LAMP)
+
+    class Lamp(Service, urn="urn:example:vendor:Lamp"):
+        def set_lamp(self, msg: Any) -> None:
+            """The test sets none."""
+
+        def report_lamp(self) -> Any:
+            return own.by_name("ReportLamp")(10)
+
+    async def serve(connect: str) -> jauspy.Component:
+        options = ComponentOptions(schema=load_files([LAMP, *builtin_paths()]), registry=own)
+        component = jauspy.Component(
+            "55.1.1", [Lamp()], name="lamp <b>of</b> a vendor", connect=connect, options=options
+        )
+        await component.open()
+        return component
+
+    with jauspy.testing.LocalNode() as node, console_for(node.local) as (address, _):
+        component = background.run(serve(node.local))
+        page.goto(address)
+        row = page.get_by_role("button", name=re.compile("1.1 lamp <b>of</b> a vendor"))
+        row.click()
+        page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
+        page.get_by_text("this robot has no camera").wait_for()
+        assert not page.locator("#stick").is_visible()
+        assert not page.get_by_text("Arm", exact=True).is_visible()
+        background.run(component.close())
+
+
+UNNAMED = """() => {
+    const text = (each) => each?.innerText?.trim() || '';
+    const named = (each) => each.getAttribute('aria-label') || each.title || text(each)
+        || [...(each.labels ?? []), each.closest('label')].map(text).join('')
+        || text(document.getElementById(each.getAttribute('aria-labelledby')));
+    const all = document.querySelectorAll(
+        'button, a[href], input, select, textarea, [tabindex="0"], [role="slider"], [role="img"]');
+    return [...all].filter((each) => each.checkVisibility() && !each.closest('[aria-hidden="true"]') && !named(each))
+        .map((each) => each.outerHTML.slice(0, 200));
+}"""
+
+
+def test_the_keyboard_alone(page: Any, url: str, speed: Speedometer) -> None:
+    page.goto(url)
+    page.get_by_text("101 inc1").first.wait_for()
+    page.get_by_role("button", name=re.compile("^take( over)?$")).wait_for()
+    assert page.evaluate(UNNAMED) == [], "everything that takes the focus has a name"
+
+    seen: list[str] = []
+    for _ in range(60):
+        page.keyboard.press("Tab")
+        name, outline = page.evaluate(
+            "() => { const at = document.activeElement; const style = getComputedStyle(at);"
+            " const ring = getComputedStyle(at.closest('.q-field') ?? at);"
+            " return [(at.getAttribute('aria-label') || at.innerText || at.tagName).trim().split('\\n')[0],"
+            " style.outlineStyle !== 'none' || ring.outlineStyle !== 'none' || at === document.body]; }"
+        )
+        seen.append(name)
+        assert outline, f"the focus on {name!r} is visible"
+        if name in ("take", "take over"):
+            break
+    assert [each for each in ("STOP ALL", "Video", "Plots", "Log") if not any(each in name for name in seen)] == []
+    page.keyboard.press("Enter")
+    page.get_by_text("you operate this robot").wait_for()
+    page.keyboard.down("ArrowUp")
+    speed.wait(moving=True)
+    page.keyboard.up("ArrowUp")
+    speed.wait(moving=False)
