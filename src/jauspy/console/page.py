@@ -14,6 +14,7 @@ from jauspy.console.fleet import NOTHING
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
+from jauspy.console.world_panel import WorldPanel
 from jauspy.errors import JausError
 from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.control import DEFAULT_AUTHORITY
@@ -24,7 +25,7 @@ from jauspy.printable import printable
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
 POSE_INTERVAL: Final = 0.2
-TABS: Final = ("Video", "Plots", "Log")
+TABS: Final = ("Video", "World", "Plots", "Log")
 STATUS_COLOURS: Final = {
     "READY": "ready",
     "STANDBY": "standby",
@@ -46,6 +47,7 @@ def add_page(app: FastAPI, console: Console) -> None:
 
         def leave() -> None:
             page.plots.close()
+            page.world.close()
             asyncio.ensure_future(console.forget(token))  # noqa: RUF006 - it ends when the robots are released
 
         ui.context.client.on_delete(leave)
@@ -70,8 +72,10 @@ class _Page:
 
     def build(self) -> None:
         ui.colors(primary="#1f6feb")
-        ui.add_head_html('<link rel="stylesheet" href="/static/console.css">')
-        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in ("console", "plots"))
+        ui.add_head_html(
+            "".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in ("console", "world"))
+        )
+        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in ("console", "plots", "world", "map"))
         ui.add_body_html(f'{scripts}<script>jauspy.start("{self.token}")</script>')
         with ui.element("header").classes("bar"):
             ui.label("jauspy").classes("brand")
@@ -100,6 +104,8 @@ class _Page:
             with ui.element("nav").classes("tabs").props('role="tablist"'):
                 self._tabs = {name: self._tab(name) for name in TABS}
             self.videos = ui.element("div").classes("videos")
+            with ui.element("div").classes("panel plots") as world:
+                self.world = WorldPanel(self.console, self.token)
             with ui.element("div").classes("panel plots") as plots:
                 self.plots = PlotsPanel(self.console.ocu)
             with ui.element("div").classes("panel messages") as messages:
@@ -107,7 +113,9 @@ class _Page:
             with ui.element("div").classes("panel log") as events:
                 ui.label("Events").classes("heading")
                 self.log = ui.log(max_lines=200).classes("lines")
-        self._parts = {"Video": (self.videos, events), "Plots": (plots, events), "Log": (messages,)}
+        self._parts = {
+            "Video": (self.videos, events), "World": (world,), "Plots": (plots, events), "Log": (messages,)
+        }  # fmt: skip
         self._show_tab(TABS[0])
 
     def _tab(self, name: str) -> ui.button:
@@ -119,6 +127,7 @@ class _Page:
         for each, button in self._tabs.items():
             button.classes(add="chosen" if each == name else "", remove="" if each == name else "chosen")
         self.messages.visible = name == "Log"
+        self.world.visible = name == "World"
 
     def _build_control(self) -> None:
         with ui.element("section").classes("panel"):
@@ -217,6 +226,7 @@ class _Page:
         self.robot = robot
         self._shown = ()
         self.plots.show(robot)
+        self.world.show(robot)
         self.title.set_text(f"{robot.id}  {printable(robot.name)}")
         ui.run_javascript(f"jauspy.selectRobot({robot.id})")
         self.videos.clear()

@@ -131,7 +131,7 @@ class Recorder:
     async def _record(self, source: Source, query: Message, rate: float, *, events: bool) -> None:
         while True:
             try:
-                async with aclosing(self._reports(source[0], query, rate, events=events)) as reports:
+                async with aclosing(reports_of(self._ocu, source[0], query, rate, events=events)) as reports:
                     async for report in reports:
                         self._take(source, report)
             except JausError as error:
@@ -147,17 +147,18 @@ class Recorder:
             if value is not None:
                 trace.add(at, value)
 
-    async def _reports(
-        self, component: JausID, query: Message, rate: float, *, events: bool
-    ) -> AsyncGenerator[Message, None]:
-        """Events of the component; queries at this rate if it has none of this report."""
-        if events:
-            with suppress(EventRejected):
-                async with self._ocu.service(component, query.SERVICE).subscribe(query, rate=rate) as reports:
-                    async for report in reports:
-                        yield report
-        clock = asyncio.get_running_loop().time
-        while True:
-            began = clock()
-            yield await self._ocu.query(component, query)
-            await asyncio.sleep(max(0.0, began + 1.0 / rate - clock()))
+
+async def reports_of(
+    ocu: OCU, component: JausID, query: Message, rate: float, *, events: bool
+) -> AsyncGenerator[Message, None]:
+    """The reports of a component at a rate in Hz: its events, or answers to queries if it has none of this report."""
+    if events:
+        with suppress(EventRejected):
+            async with ocu.service(component, query.SERVICE).subscribe(query, rate=rate) as reports:
+                async for report in reports:
+                    yield report
+    clock = asyncio.get_running_loop().time
+    while True:
+        began = clock()
+        yield await ocu.query(component, query)
+        await asyncio.sleep(max(0.0, began + 1.0 / rate - clock()))

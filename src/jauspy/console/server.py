@@ -23,6 +23,8 @@ from jauspy.console.fleet import Fleet
 from jauspy.console.operation import Operation
 from jauspy.console.traffic import Traffic
 from jauspy.console.video import SharedCamera
+from jauspy.console.world import Worlds
+from jauspy.console.world_socket import add_world
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -63,6 +65,7 @@ class Console:
         self._emergency_ocu = emergency_ocu
         self._operations: dict[int, Operation] = {}
         self._cameras: dict[JausID, SharedCamera] = {}
+        self.worlds = Worlds(ocu, lambda: self.fleet.robots)
         self.tokens: set[str] = set()
         """Of the pages that were served; sockets without one are refused."""
 
@@ -85,6 +88,7 @@ class Console:
             if operation.operator == token:
                 self.note(f"robot {operation.robot.id}: its operator's browser has left")
                 await operation.release()
+        await self.worlds.forget(token)
 
     def operation(self, subsystem: int) -> Operation | None:
         """The operation of a robot; None when there is no such robot."""
@@ -123,6 +127,7 @@ class Console:
         """Release all robots."""
         for operation in self._operations.values():
             await operation.release()
+        await self.worlds.close()
         await self.fleet.close()
         for each in (self.ocu, self._emergency_ocu):
             each.trace(None)
@@ -177,6 +182,9 @@ def make_app(console: Console) -> FastAPI:
             except JausError as error:
                 await page.send_text(str(error))
 
+    add_world(
+        app, console.worlds, lambda page, token: _accepted(page, console, token), lambda token: token in console.tokens
+    )
     return app
 
 
