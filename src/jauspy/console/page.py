@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import asyncio
 import math
 from contextlib import suppress
 from typing import Any, Final
@@ -10,13 +9,15 @@ from typing import Any, Final
 from fastapi import FastAPI
 from nicegui import ui
 
+from jauspy.console.arm_panel import ArmPanel
 from jauspy.console.fleet import NOTHING
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
+from jauspy.console.users import User
+from jauspy.console.video_panel import VideoPanel
 from jauspy.console.world_panel import WorldPanel
 from jauspy.errors import JausError
-from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.state import RobotPose
@@ -26,6 +27,8 @@ REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
 POSE_INTERVAL: Final = 0.2
 TABS: Final = ("Video", "World", "Plots", "Log")
+SCRIPTS: Final = ("console", "video", "plots", "world", "map")
+STYLES: Final = ("console", "video", "world")
 STATUS_COLOURS: Final = {
     "READY": "ready",
     "STANDBY": "standby",
@@ -41,14 +44,20 @@ def add_page(app: FastAPI, console: Console) -> None:
 
     @ui.page("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
     def index() -> None:
-        token = console.new_token()
-        page = _Page(console, token)
+        browser = console.new_browser()
+        if browser is None:
+            ui.label("too many pages of this console are open; close one, then load this page again")
+            return
+        token, user = browser
+        page = _Page(console, token, user)
         page.build()
 
         def leave() -> None:
+            page.arm.close()
             page.plots.close()
             page.world.close()
-            asyncio.ensure_future(console.forget(token))  # noqa: RUF006 - it ends when the robots are released
+            page.videos.close()
+            console.forget(token)
 
         ui.context.client.on_delete(leave)
 
@@ -58,24 +67,20 @@ def add_page(app: FastAPI, console: Console) -> None:
 class _Page:
     """One browser's page."""
 
-    def __init__(self, console: Console, token: str) -> None:
+    def __init__(self, console: Console, token: str, user: User) -> None:
         self.console = console
         self.token = token
+        self.user = user
         self.robot: Robot | None = None
         self._shown: tuple[Any, ...] = ()
         self._logged = 0
-        self._limits: dict[str, tuple[float, float]] = {}
-        self._sliders: dict[str, ui.slider] = {}
-        self._arm_busy = False
 
     # --- building -------------------------------------------------------------------------------------------------
 
     def build(self) -> None:
         ui.colors(primary="#1f6feb")
-        ui.add_head_html(
-            "".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in ("console", "world"))
-        )
-        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in ("console", "plots", "world", "map"))
+        ui.add_head_html("".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in STYLES))
+        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in SCRIPTS)
         ui.add_body_html(f'{scripts}<script>jauspy.start("{self.token}")</script>')
         with ui.element("header").classes("bar"):
             ui.label("jauspy").classes("brand")
@@ -95,7 +100,7 @@ class _Page:
             with ui.element("aside").classes("side"):
                 self._build_control()
                 self._build_drive()
-                self._build_arm()
+                self.arm = ArmPanel(self.console, self.token)
         ui.timer(REFRESH_INTERVAL, self._refresh)
         ui.timer(POSE_INTERVAL, self._refresh_pose)
 
@@ -103,9 +108,10 @@ class _Page:
         with ui.element("section").classes("centre"):
             with ui.element("nav").classes("tabs").props('role="tablist"'):
                 self._tabs = {name: self._tab(name) for name in TABS}
-            self.videos = ui.element("div").classes("videos")
             with ui.element("div").classes("panel plots") as world:
                 self.world = WorldPanel(self.console, self.token)
+            with ui.element("div").classes("videos") as videos:
+                self.videos = VideoPanel(self.console)
             with ui.element("div").classes("panel plots") as plots:
                 self.plots = PlotsPanel(self.console.ocu)
             with ui.element("div").classes("panel messages") as messages:
@@ -114,7 +120,7 @@ class _Page:
                 ui.label("Events").classes("heading")
                 self.log = ui.log(max_lines=200).classes("lines")
         self._parts = {
-            "Video": (self.videos, events), "World": (world,), "Plots": (plots, events), "Log": (messages,)
+            "Video": (videos, events), "World": (world,), "Plots": (plots, events), "Log": (messages,)
         }  # fmt: skip
         self._show_tab(TABS[0])
 
@@ -155,15 +161,6 @@ class _Page:
                     self.limit = ui.slider(min=0.1, max=1.5, step=0.1, value=0.5, on_change=self._limit).props("label")
                     self.limit_text = ui.label("limit 0.5 m/s").classes("hint")
             ui.html('<span id="drive-answer" class="problem" role="status"></span>', sanitize=False)
-
-    def _build_arm(self) -> None:
-        with ui.element("section").classes("panel") as self.arm_panel:
-            with ui.element("div").classes("row"):
-                ui.label("Arm").classes("heading")
-                self.gripper_open = ui.button("open", on_click=lambda: self._grip(close=False)).props("flat no-caps")
-                self.gripper_close = ui.button("close", on_click=lambda: self._grip(close=True)).props("flat no-caps")
-            self.joints = ui.element("div").classes("joints")
-            self.move = ui.button("move", on_click=self._move_arm).props("unelevated no-caps")
 
     # --- refreshing -----------------------------------------------------------------------------------------------
 
@@ -229,46 +226,10 @@ class _Page:
         self.world.show(robot)
         self.title.set_text(f"{robot.id}  {printable(robot.name)}")
         ui.run_javascript(f"jauspy.selectRobot({robot.id})")
-        self.videos.clear()
-        with self.videos:
-            cameras = [each for each in robot.components if each.find("DigitalVideo")]
-            for camera in cameras:
-                ui.html(
-                    f'<canvas data-component="{camera.id}" width="640" height="480"></canvas>'
-                    f'<span class="video-note"></span><figcaption>{camera.id}</figcaption>',
-                    tag="figure",
-                    sanitize=False,
-                ).props('onclick="jauspy.enlarge(this)"')
-            if not cameras:
-                ui.label("this robot has no camera").classes("hint")
+        self.videos.show(robot)
         drives = any(each.find("PrimitiveDriver") or each.find("VelocityStateDriver") for each in robot.components)
         self.drive_panel.set_visibility(drives)
-        has_arm = any(each.find(POSITION_DRIVER) for each in robot.components)
-        self.arm_panel.set_visibility(has_arm)
-        if has_arm:
-            ui.timer(0.1, self._show_arm, once=True)
-
-    async def _show_arm(self) -> None:
-        robot = self.robot
-        if robot is None:
-            return
-        try:
-            limits, joints = await robot.arm.limits(), await robot.arm.joints()
-        except JausError as error:
-            self.joints.clear()
-            with self.joints:
-                ui.label(str(error)).classes("hint")
-            return
-        self._limits, self._sliders = limits, {}
-        self.joints.clear()
-        with self.joints:
-            for name, limit in limits.items():
-                low, high = (round(max(-math.pi, min(math.pi, value)), 3) for value in limit)
-                ui.label(printable(name)).classes("joint").tooltip(printable(name))
-                value = ui.label("").classes("joint-value")
-                slider = ui.slider(min=low, max=high, step=0.01, value=round(joints[name], 2))
-                self._sliders[name] = slider.props("label snap")
-                value.bind_text_from(slider, "value", lambda angle: f"{round(angle, 2) + 0.0:.2f} rad")
+        self.arm.show(robot)
 
     def _show_control(self) -> None:
         operation = self.console.operation(self.robot.id) if self.robot is not None else None
@@ -281,9 +242,6 @@ class _Page:
         self.take.set_text("take over" if operation.is_controlled and not mine else "take")
         self.take.set_enabled(not mine)
         self.release.set_enabled(mine)
-        self.move.set_enabled(mine and not self._arm_busy)
-        self.gripper_open.set_enabled(mine)
-        self.gripper_close.set_enabled(mine)
         self.problem.set_text(operation.problem)
 
     async def _refresh_pose(self) -> None:
@@ -306,7 +264,7 @@ class _Page:
     async def _take(self) -> None:
         if self.robot is None or (operation := self.console.operation(self.robot.id)) is None:
             return
-        problem = await operation.take(self.token, int(self.authority.value or 0))
+        problem = await operation.take(self.token, int(self.authority.value or 0), self.user)
         if problem:
             self.problem.set_text(problem)
 
@@ -318,23 +276,3 @@ class _Page:
         self.limit_text.set_text(f"limit {self.limit.value:.1f} m/s")
         if self.robot is not None and (operation := self.console.operation(self.robot.id)) is not None:
             operation.speed_limit = float(self.limit.value)
-
-    async def _move_arm(self) -> None:
-        if self.robot is None or self._arm_busy:
-            return
-        self._arm_busy = True
-        wanted = {name: float(slider.value) for name, slider in self._sliders.items()}
-        try:
-            await self.robot.arm.move(wanted)
-        except JausError as error:
-            self.console.note(f"the arm did not move as wanted: {error}")
-        finally:
-            self._arm_busy = False
-
-    async def _grip(self, *, close: bool) -> None:
-        if self.robot is None:
-            return
-        try:
-            await (self.robot.gripper.close() if close else self.robot.gripper.open())
-        except JausError as error:
-            self.console.note(f"the gripper did not {'close' if close else 'open'}: {error}")
