@@ -8,9 +8,11 @@ import math
 import struct
 import zlib
 from collections import Counter, deque
-from collections.abc import AsyncGenerator, Callable, Coroutine, Iterable, Mapping, Sequence
+from collections.abc import AsyncGenerator, Awaitable, Callable, Iterable, Mapping, Sequence
 from contextlib import aclosing
+from dataclasses import dataclass
 from datetime import UTC, datetime
+from functools import partial
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
@@ -116,14 +118,15 @@ class World:
         geometry = await self.geometry()
         self._watchers.add(watcher)
         if not self._following:
-            self._following = [self._start("pose", self._follow_pose()), self._start("map", self._follow_map())]
+            self._following = [self._start("pose", self._follow_pose), self._start("map", self._follow_map)]
             self._following += [
-                self._start(f"cloud {each}", self._follow_cloud(each)) for each in self._cloud_addresses
+                self._start(f"cloud {each}", partial(self._follow_cloud, each)) for each in self._cloud_addresses
             ]
         if not self._reading_joints:
-            robot = self._found()
             self._reading_joints = [
-                self._start(f"joints of {each.id}", self._follow_joints(each)) for each in _with_joints(robot)
+                self._start(f"joints of {each.id}", partial(self._follow_joints, each))
+                for each in self._found().components
+                if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR)
             ]
         return geometry
 
@@ -144,14 +147,14 @@ class World:
         if tasks:
             await asyncio.wait(tasks)
 
-    def _start(self, what: str, following: Coroutine[Any, Any, None]) -> asyncio.Task[None]:
-        return asyncio.create_task(self._again(what, following), name=f"console: {what}")
+    def _start(self, what: str, follow: Callable[[], Awaitable[None]]) -> asyncio.Task[None]:
+        async def following() -> None:
+            try:
+                await follow()
+            except JausError as error:
+                self.problems[what] = str(error)
 
-    async def _again(self, what: str, following: Coroutine[Any, Any, None]) -> None:
-        try:
-            await following
-        except JausError as error:
-            self.problems[what] = str(error)
+        return asyncio.create_task(following(), name=f"console: {what}")
 
     def _found(self) -> Robot:
         robot = self._robot()
@@ -168,11 +171,12 @@ class World:
                 robot = self._found()
                 self._tables = await self._read_tables(robot)
                 names = {joint.name for table in self._tables.values() for joint in table.joints}
-                found = await asyncio.to_thread(_description, robot.name, self._files, names)
+                found = await asyncio.to_thread(_known, robot.name, self._files, names)
                 if found is not None:
-                    self._description, source, clouds = found
-                    self._geometry = described(self._description, source)
-                    self._cloud_addresses += [each for each in clouds if each not in self._cloud_addresses]
+                    self._description = found.description
+                    self._geometry = described(found.description, found.source)
+                    self.positions = found.start | self.positions
+                    self._cloud_addresses += [each for each in found.clouds if each not in self._cloud_addresses]
                 else:
                     self._geometry = reported(await self._read_specifications(robot))
             return self._geometry
@@ -180,11 +184,17 @@ class World:
     async def _read_tables(self, robot: Robot) -> dict[JausID, JointTable]:
         found = {}
         for each in robot.components:
-            if each.find(DESCRIPTION):
-                with contextlib.suppress(JausError):
-                    report = await self._ocu.query(each.id, QueryJointDescription(), expects=ReportJointDescription)
-                    found[each.id] = table_of(report)
+            with contextlib.suppress(JausError):  # its joints are read later, or not shown
+                if (table := await self._read_table(each)) is not None:
+                    found[each.id] = table
         return found
+
+    async def _read_table(self, component: ComponentInfo) -> JointTable | None:
+        """How the component calls and counts its joints; None if it does not tell."""
+        if not component.find(DESCRIPTION):
+            return None
+        report = await self._ocu.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
+        return table_of(report)
 
     async def _read_specifications(self, robot: Robot) -> dict[JausID, ReportManipulatorSpecifications]:
         found = {}
@@ -235,7 +245,15 @@ class World:
         def take(report: Message) -> None:
             self._take_joints(component.id, report)
 
-        await self._follow(f"joints of {component.id}", component, query, take)
+        what = f"joints of {component.id}"
+        while component.id not in self._tables and component.find(DESCRIPTION):
+            try:
+                if (table := await self._read_table(component)) is not None:
+                    self._tables[component.id] = table
+            except JausError as error:
+                self.problems[what] = str(error)
+                await asyncio.sleep(RETRY_INTERVAL)
+        await self._follow(what, component, query, take)
 
     def _take_joints(self, id: JausID, report: Message) -> None:
         if isinstance(report, ReportJointPositions):
@@ -243,10 +261,9 @@ class World:
         else:
             assert isinstance(report, ReportPanTiltJointPositions)
             values = [report.joint1_position, report.joint2_position]
-        table = self._tables.get(id)
-        if table is None or len(table.joints) != len(values):
+        if self._description is None:
             self.positions.update({joint_name(id, number): value for number, value in enumerate(values, 1)})
-        else:
+        elif (table := self._tables.get(id)) is not None and len(table.joints) == len(values):
             self.positions.update(table.from_reported(values))
 
     async def _follow_map(self) -> None:
@@ -342,25 +359,35 @@ class World:
         return self._map[1]
 
 
-def _with_joints(robot: Robot) -> list[ComponentInfo]:
-    return [each for each in robot.components if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR)]
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """A robot whose file is on this machine."""
+
+    description: RobotDescription
+    source: str
+    start: dict[str, float]
+    """Where joints are that no service reports."""
+    clouds: list[str]
+    """Addresses."""
 
 
-def _description(name: str, files: Sequence[str], joints: set[str]) -> tuple[RobotDescription, str, list[str]] | None:
-    """The description of a robot that has this name and these joints, where it is from, and addresses of its clouds."""
+def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
+    """The robot of this name, if it has these joints; None for one that is not known here."""
     from jauspy.modules import robot_files  # noqa: PLC0415 - it takes a second
 
-    try:
-        candidates = [*files, *(each for each in robot_files.known() if each == name)]
-        for each in candidates:
+    for each in (*files, *(known for known in robot_files.known() if known == name)):
+        try:
             config = robot_files.load(each)
             if config.name != name:
                 continue
-            description = robot_files.robot_model(config).description
-            if joints <= set(description.joints):
-                return description, f"description of {printable(each)}", [cloud.address for cloud in config.clouds]
-    except ConfigError:
-        return None  # as for a robot whose file is not here: what it reports is shown
+            model = robot_files.robot_model(config)
+        except ConfigError:
+            continue  # what the robot reports is shown
+        if joints <= set(model.description.joints):
+            groups = model.groups.values()
+            start = {joint: at for group in groups for joint, at in zip(group.joints, group.start, strict=True)}
+            addresses = [cloud.address for cloud in config.clouds]
+            return _Known(model.description, f"description of {printable(each)}", start, addresses)
     return None
 
 

@@ -30,7 +30,7 @@ class WorldPanel:
                 ui.element("div").classes("space")
                 for sign, factor, name in (("\u2212", 0.7, "smaller"), ("+", 1.4, "larger")):
                     ui.html(
-                        f'<button class="quiet" aria-label="{name}" onclick="jauspy.map.zoom({factor})">{sign}</button>',
+                        f'<button class="quiet" title="{name}" onclick="jauspy.map.zoom({factor})">{sign}</button>',
                         sanitize=False,
                     )
             views = ui.element("div").classes("views").props('data-view="both"')
