@@ -41,23 +41,25 @@ class MapPanel:
         self._shown: tuple[object, ...] = ()
         ui.element("div").props("id=world-map").classes("map")
         with ui.element("div").classes("route"):
-            with ui.element("div").classes("row"):
-                ui.label("Waypoints").classes("heading")
-                self._count = ui.label("").classes("hint")
-            self._list = ui.element("div").classes("waypoints")
-            self._bar = ui.linear_progress(0.0, show_value=False, size="6px").props("instant-feedback")
-            self._progress = ui.label("").classes("hint progress")
-            self._problem = ui.label("").classes("problem")
-            with ui.element("div").classes("row tight"):
-                self._start = ui.button("start", on_click=self._on_start).props("unelevated no-caps")
-                self._pause = ui.button("pause", on_click=self._on_pause).props("outline no-caps")
-                self._speed = ui.number(
-                    "m/s", value=DEFAULT_SPEED, min=0.1, max=MAX_SPEED, step=0.1, on_change=self._on_speed
-                )
-                self._speed.props("dense outlined debounce=600").classes("short")
-            with ui.element("div").classes("row tight"):
-                self._clear = ui.button("clear", on_click=self._on_clear).props("outline no-caps")
-                self._discard = ui.button("undo edits", on_click=self._on_discard).props("flat no-caps")
+            with ui.element("div").classes("held"):
+                with ui.element("div").classes("row"):
+                    ui.label("Waypoints").classes("heading")
+                    self._count = ui.label("").classes("hint")
+                self._list = ui.element("div").classes("waypoints")
+            with ui.element("div").classes("execution"):
+                self._bar = ui.linear_progress(0.0, show_value=False, size="6px").props("instant-feedback")
+                self._progress = ui.label("").classes("hint progress")
+                self._problem = ui.label("").classes("problem")
+                with ui.element("div").classes("row tight"):
+                    self._start = ui.button("start", on_click=self._on_start).props("unelevated no-caps")
+                    self._pause = ui.button("pause", on_click=self._on_pause).props("outline no-caps")
+                    self._speed = ui.number(
+                        "m/s", value=DEFAULT_SPEED, min=0.1, max=MAX_SPEED, step=0.1, on_change=self._on_speed
+                    )
+                    self._speed.props("dense outlined debounce=600").classes("short")
+                with ui.element("div").classes("row tight"):
+                    self._clear = ui.button("clear", on_click=self._on_clear).props("outline no-caps")
+                    self._discard = ui.button("undo edits", on_click=self._on_discard).props("flat no-caps")
         ui.on("waypoint", self._edit)
         ui.timer(UPDATE_INTERVAL, self._update)
 

@@ -10,6 +10,7 @@ from fastapi import FastAPI
 from nicegui import ui
 
 from jauspy.console.arm_panel import ArmPanel
+from jauspy.console.drive_modes import DriveModes
 from jauspy.console.fleet import NOTHING
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.plots_panel import PlotsPanel
@@ -151,6 +152,7 @@ class _Page:
             with ui.element("div").classes("row"):
                 ui.label("Drive").classes("heading")
                 ui.label("W A S D, arrows, stick, gamepad").classes("hint")
+            self.modes = DriveModes(self.console, self.token, lambda: self._show_tab("World"), self._show_limit)
             with ui.element("div").classes("row"):
                 ui.html(
                     '<div id="stick" aria-label="drive"><div id="stick-knob"></div></div>',
@@ -224,6 +226,7 @@ class _Page:
         self._shown = ()
         self.plots.show(robot)
         self.world.show(robot)
+        self.modes.show(robot)
         self.title.set_text(f"{robot.id}  {printable(robot.name)}")
         ui.run_javascript(f"jauspy.selectRobot({robot.id})")
         self.videos.show(robot)
@@ -272,7 +275,10 @@ class _Page:
         if self.robot is not None and (operation := self.console.operation(self.robot.id)) is not None:
             await operation.release()
 
+    def _show_limit(self) -> None:
+        self.limit_text.set_text(self.modes.limit_text(self.limit.value))
+
     def _limit(self) -> None:
-        self.limit_text.set_text(f"limit {self.limit.value:.1f} m/s")
+        self._show_limit()
         if self.robot is not None and (operation := self.console.operation(self.robot.id)) is not None:
             operation.speed_limit = float(self.limit.value)

@@ -99,7 +99,7 @@ jauspy.world = {
     const style = getComputedStyle(document.body);
     const of = (name) => style.getPropertyValue(`--${name}`).trim();
     return {
-      dark, ground: dark ? "#171b20" : "#e9ebee", line: dark ? "#2a3038" : "#d3d7dd", free: dark ? "#262c34" : "#ffffff", wall: dark ? "#9aa7b5" : "#4a5561",
+      dark, ground: dark ? "#171b20" : "#e9ebee", line: dark ? "#39424d" : "#d0d4da", free: dark ? "#262c34" : "#ffffff", wall: dark ? "#9aa7b5" : "#4a5561",
       text: of("text"), quiet: of("quiet"), accent: of("accent"), track: dark ? "#e6b93c" : "#b07a00", scan: dark ? "#ff8a3d" : "#d55e00", route: of("accent"), done: of("quiet"), sent: of("ready"), panel: of("panel"),
     };
   },
@@ -159,9 +159,9 @@ jauspy.view = {
     }
     view.library = library;
     view.scene = new THREE.Scene();
-    view.camera = new THREE.PerspectiveCamera(45, 1, 0.05, 500);
+    view.camera = new THREE.PerspectiveCamera(42, 1, 0.05, 500);
     view.camera.up.set(0, 0, 1);
-    view.camera.position.set(-1.7, 1.5, 1.15);
+    view.camera.position.set(-1.45, 1.3, 1.0);
     view.labels = new CSS2DRenderer();
     view.labels.domElement.className = "labels";
     place.replaceChildren(view.renderer.domElement, view.labels.domElement);
@@ -216,7 +216,9 @@ jauspy.view = {
     view.local.remove(view.grid);
     view.grid = new THREE.GridHelper(80, 80, colours.line, colours.line);
     view.grid.rotation.x = Math.PI / 2;
-    view.grid.position.z = 0.003;
+    // The floor, then the grid, then everything else: what lies on the floor needs no depth.
+    Object.assign(view.grid.material, { depthTest: false, depthWrite: false });
+    view.grid.renderOrder = -1;
     view.local.add(view.grid);
     view.scan.material.color.set(colours.scan);
     view.track.material.color.set(colours.track);
@@ -351,6 +353,7 @@ jauspy.view = {
       else group.quaternion.setFromAxisAngle(axis, value);
     });
     for (const { axes } of view.links.values()) axes.visible = world.show.frames;
+    if (world.show.frames) view.spreadLabels();
     if (world.pose) {
       const [x, y, z, roll, pitch, yaw] = world.pose;
       view.robot.position.set(x, y, z);
@@ -382,6 +385,20 @@ jauspy.view = {
     view.renderer.render(view.scene, view.camera);
     view.labels.render(view.scene, view.camera);
     place.dataset.pictures = 1 + Number(place.dataset.pictures ?? 0);
+  },
+  // Names that would cover each other are left out, those of the tips of the tree last.
+  spreadLabels() {
+    const view = jauspy.view;
+    const { THREE } = view.library;
+    const taken = [];
+    for (const { axes } of [...view.links.values()].reverse()) {
+      const [label] = axes.children;
+      const at = axes.getWorldPosition(new THREE.Vector3()).project(view.camera);
+      const [x, y] = [(at.x * view.width) / 2, (at.y * view.height) / 2];
+      const width = 6.2 * label.element.textContent.length;
+      label.visible = !taken.some((other) => Math.abs(other.y - y) < 15 && Math.abs(other.x - x) < (other.width + width) / 2);
+      if (label.visible) taken.push({ x, y, width });
+    }
   },
   replace(object, position, colour) {
     const { THREE } = jauspy.view.library;
@@ -447,7 +464,8 @@ jauspy.view = {
     const texture = new THREE.CanvasTexture(jauspy.world.picture(map));
     texture.colorSpace = THREE.SRGBColorSpace;
     texture.magFilter = THREE.NearestFilter;
-    const floor = new THREE.Mesh(new THREE.PlaneGeometry(width, height), new THREE.MeshBasicMaterial({ map: texture, transparent: true, depthWrite: false }));
+    const floor = new THREE.Mesh(new THREE.PlaneGeometry(width, height), new THREE.MeshBasicMaterial({ map: texture, alphaTest: 0.5, depthTest: false, depthWrite: false }));
+    floor.renderOrder = -2;
     floor.position.set(map.x + width / 2, map.y + height / 2, -0.002);
     const occupied = [];
     map.cells.forEach((value, at) => { if (value > 65 && value !== 255 && occupied.length < 20000) occupied.push(at); });
