@@ -37,9 +37,11 @@ class DriveModes:
         self._toggle = ui.toggle({}, on_change=self._choose).props("no-caps dense unelevated").classes("modes")
         ui.timer(UPDATE_INTERVAL, self._update)
 
-    def show(self, robot: Robot) -> None:
+    def show(self, robot: Robot | None) -> None:
         """Offer what this robot offers."""
-        self._robot = robot
+        self._robot, self._shown = robot, ""
+        if robot is None:
+            return
         offered = modes_of(robot) + [WAYPOINTS] * any(each.find(LIST_DRIVER) for each in robot.components)
         self._toggle.set_options({each: NAMES[each] for each in offered}, value=None)
         self._toggle.set_visibility(len(offered) > 1)

@@ -17,7 +17,7 @@ from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.codec.message import Message
-from jauspy.console.plots import reports_of
+from jauspy.console.reports import reports_of
 from jauspy.console.robot_geometry import RobotGeometry, described, joint_name, positions_of, reported
 from jauspy.console.route import Route
 from jauspy.errors import ConfigError, JausError
