@@ -214,7 +214,7 @@ jauspy.view = {
     view.renderer.setClearColor(colours.ground);
     view.scene.fog = new THREE.Fog(colours.ground, 14, 34);
     view.local.remove(view.grid);
-    view.grid = new THREE.GridHelper(80, 80, colours.line, colours.line);
+    view.grid = new THREE.GridHelper(40, 40, colours.line, colours.line);
     view.grid.rotation.x = Math.PI / 2;
     // The floor, then the grid, then everything else: what lies on the floor needs no depth.
     Object.assign(view.grid.material, { depthTest: false, depthWrite: false });
@@ -358,6 +358,7 @@ jauspy.view = {
       const [x, y, z, roll, pitch, yaw] = world.pose;
       view.robot.position.set(x, y, z);
       view.robot.rotation.set(roll, pitch, yaw, "ZYX");
+      view.grid.position.set(Math.round(x), Math.round(y), 0);
       const at = new THREE.Vector3(x, y, z);
       if (world.show.follow || !view.wasAt) {
         const step = at.clone().sub(view.wasAt ?? new THREE.Vector3());
