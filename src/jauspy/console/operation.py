@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final
 
+from jauspy.console.users import LOCAL, User
 from jauspy.errors import JausError
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu.driving import WRENCH
@@ -16,6 +18,18 @@ DEAD_MAN_TIME: Final = 0.2
 """Seconds without a message of the operator's browser after which the robot is stopped."""
 MAX_TURN_RATE: Final = 1.2
 """rad/s at full deflection of the stick."""
+REQUEST_TIME: Final = 30.0
+"""Seconds in which the operator may answer another one who asks for control."""
+
+
+@dataclass(frozen=True, slots=True)
+class ControlRequest:
+    """Another browser asks the operator for control; `time` in seconds of the event loop's clock."""
+
+    token: str
+    user: User
+    authority: int
+    time: float
 
 
 class Operation:
@@ -25,6 +39,10 @@ class Operation:
         self.robot = robot
         self.operator = ""
         """Token of the browser that operates; empty while the robot is not controlled."""
+        self.user = LOCAL
+        """Whose browser operates, or did last."""
+        self.authority = 0
+        """With which the robot is controlled."""
         self.speed_limit = 0.5
         """m/s at full deflection."""
         self.problem = ""
@@ -37,38 +55,89 @@ class Operation:
         self._busy = asyncio.Lock()
         self._wanted: tuple[float, float] | None = None
         self._sending: asyncio.Task[None] | None = None
+        self._request: ControlRequest | None = None
 
     @property
     def is_controlled(self) -> bool:
         """True while this console has control of the robot."""
         return self._control is not None and self._control.held
 
-    async def take(self, token: str, authority: int) -> str:
-        """Take control for a browser, or hand it over from another one; returns why not, or an empty string."""
+    @property
+    def request(self) -> ControlRequest | None:
+        """Who asks for control, while the operator may still answer."""
+        if self._request is not None and asyncio.get_running_loop().time() - self._request.time > REQUEST_TIME:
+            self._request = None
+        return self._request if self.operator else None
+
+    def may_take_over(self, user: User, authority: int) -> bool:
+        """True if control may be taken now: it is free, one's own in another browser, or held with less authority."""
+        return not self.operator or user.name == self.user.name or authority > self.authority
+
+    async def take(self, token: str, authority: int, user: User = LOCAL) -> str:
+        """Take control for a browser, or take it over from another one; returns why not, or an empty string."""
+        if not user.may_operate:
+            return f"{user.name} may only observe ({user.role})"
+        if authority > user.authority:
+            return f"{user.name} has an authority of at most {user.authority} ({user.role})"
         async with self._busy:
-            if self._control is None:
-                control = self.robot.control(authority=authority)
-                try:
-                    await control.__aenter__()
-                except JausError as error:
-                    self.problem = str(error)
-                    self._on_event(f"control of robot {self.robot.id} was not granted: {error}")
-                    return self.problem
-                self._control = control
-                self._on_event(f"control of robot {self.robot.id} was taken with authority {authority}")
-            self._stop_driving()
-            self.operator, self.problem = token, ""
+            if token != self.operator and not self.may_take_over(user, authority):
+                return (
+                    f"{self.user.name} operates this robot with authority {self.authority}; ask for it, or take it "
+                    "over with a higher authority"
+                )
+            return await self._enter(token, authority, user)
+
+    def ask(self, token: str, authority: int, user: User = LOCAL) -> None:
+        """Ask the operator for control."""
+        if self.operator and token != self.operator and user.may_operate:
+            self._request = ControlRequest(
+                token, user, min(authority, user.authority), asyncio.get_running_loop().time()
+            )
+            self._on_event(f"{user.name} asks {self.user.name} for control of robot {self.robot.id}")
+
+    async def answer(self, token: str, *, grant: bool) -> str:
+        """The operator's answer to who asks for control; returns why it could not be handed over, or nothing."""
+        async with self._busy:
+            request, self._request = self.request, None
+            if request is None or token != self.operator:
+                return ""
+            if grant:
+                return await self._enter(request.token, request.authority, request.user)
+            self._on_event(f"{self.user.name} does not hand over robot {self.robot.id} to {request.user.name}")
             return ""
+
+    async def _enter(self, token: str, authority: int, user: User) -> str:
+        """Stop, and control the robot for this browser; with another authority control is requested anew."""
+        self._stop_driving()
+        if self._control is not None and (authority != self.authority or not self._control.held):
+            await self._leave()
+        if self._control is None:
+            control = self.robot.control(authority=authority)
+            try:
+                await control.__aenter__()
+            except JausError as error:
+                self.problem = str(error)
+                self._on_event(f"control of robot {self.robot.id} was not granted to {user.name}: {error}")
+                return self.problem
+            self._control = control
+        self.operator, self.user, self.authority, self.problem, self._request = token, user, authority, "", None
+        self._on_event(f"{user.name} operates robot {self.robot.id} with authority {authority}")
+        return ""
+
+    async def _leave(self) -> None:
+        control, self._control, self.operator = self._control, None, ""
+        self._cancel_watchdog()
+        self._wanted, self.commanded = None, (0.0, 0.0)
+        if control is not None:
+            await control.__aexit__(None, None, None)
 
     async def release(self) -> None:
         """Stop, put the robot in Standby and release control. May be called twice."""
         async with self._busy:
-            control, self._control, self.operator = self._control, None, ""
-            self._cancel_watchdog()
-            self._wanted, self.commanded = None, (0.0, 0.0)
-            if control is not None:
-                await control.__aexit__(None, None, None)
-                self._on_event(f"control of robot {self.robot.id} was released")
+            had_control = self._control is not None
+            await self._leave()
+            if had_control:
+                self._on_event(f"control of robot {self.robot.id} was released by {self.user.name}")
 
     def drive(self, token: str, forward: float, left: float) -> str:
         """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; returns why not, or an empty string."""
