@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import os
 import re
 import shutil
 import signal
@@ -40,6 +41,8 @@ STOP_TIME = 0.3
 """Seconds in which the robot stands."""
 COMMAND_TIMEOUT = 2.0
 """Seconds after which the robot itself ends a command (`command_timeout` in inc1.toml)."""
+MAX_LOAD = 2.0
+"""Processes that wait for each processor, beyond which times are not measured."""
 STANDS = 0.02
 """m/s."""
 LAMP = Path(__file__).parents[1] / "vendor" / "Lamp.xml"
@@ -102,6 +105,10 @@ class Speedometer:
     def time_to_stop(self, fault: float) -> float:
         """Seconds from the fault until the robot stood."""
         self.wait(moving=False)
+        if os.getloadavg()[0] > MAX_LOAD * (os.cpu_count() or 1):
+            pytest.skip(f"the robot stands; the machine is too busy to say how soon (load {os.getloadavg()[0]:.0f})")
+        before = [speed for at, speed in self.samples if fault - 0.2 < at <= fault]
+        assert any(abs(speed) >= STANDS for speed in before), "the robot moved when the fault came"
         return max([at - fault for at, speed in self.samples if abs(speed) >= STANDS and at > fault], default=0.0)
 
 
@@ -361,7 +368,8 @@ def test_the_keyboard_alone(page: Any, url: str, speed: Speedometer) -> None:
             "() => { const at = document.activeElement; const style = getComputedStyle(at);"
             " const ring = getComputedStyle(at.closest('.q-field') ?? at);"
             " return [(at.getAttribute('aria-label') || at.innerText || at.tagName).trim().split('\\n')[0],"
-            " style.outlineStyle !== 'none' || ring.outlineStyle !== 'none' || at === document.body]; }"
+            " style.outlineStyle !== 'none' || ring.outlineStyle !== 'none'"
+            " || style.boxShadow !== 'none' || at === document.body]; }"
         )
         seen.append(name)
         assert outline, f"the focus on {name!r} is visible"
