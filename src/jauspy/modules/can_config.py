@@ -60,6 +60,8 @@ class DriveConfig(StrictConfig):
     following_error: Positive = 0.1
     """Radians or metres between command and joint that are a fault after `following_time` seconds."""
     following_time: Annotated[float, Field(ge=0.0, le=10.0)] = 0.2
+    brake_release: Annotated[float, Field(ge=0.0, le=5.0)] = 0.0
+    """Seconds that its brake needs to release after it got power; it is not moved before."""
     homing: HomingConfig | None = None
     eds: Annotated[str, Field(min_length=1)] | None = None
     """Its EDS file; vendor and product of the drive must be those of the file. A relative path starts at this file."""
@@ -184,5 +186,6 @@ def _drive(name: str, drive: DriveConfig, moves: str, key: str) -> DriveSetup:
         identity,
         drive.eds,
         VelocityUnit(drive.velocity_unit),
+        drive.brake_release,
         drive.temperature,
     )
