@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Literal, Self, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind, RobotDescription
@@ -99,6 +99,17 @@ class CanConfig(StrictConfig):
     status_timeout: Annotated[float, Field(ge=0.01, le=5.0)] = 0.05
     """Seconds without a PDO after which a drive counts as silent."""
     drives: Annotated[Mapping[Name, DriveConfig], Field(min_length=1, max_length=64)]
+
+    _file: str = PrivateAttr(default="")
+
+    @property
+    def file(self) -> str:
+        """The robot's file, for error messages; empty if there is none."""
+        return self._file
+
+    def set_file(self, file: str) -> None:
+        """Set the robot's file."""
+        self._file = file
 
     @model_validator(mode="after")
     def _check_nodes(self) -> Self:
