@@ -2,8 +2,8 @@
 
     python tools/bench/can_bus.py [--bus udp_multicast:239.0.0.77,port=43277] [--seconds 30] [--cameras]
 
-Drives and master share the machine, with --cameras also a simulated robot whose three cameras are recorded. Beside the jitter stands that of an empty loop with the same
-period, measured at the same time.
+Drives and master share the machine, with --cameras also a simulated robot whose three cameras are recorded.
+Beside the jitter stands that of an empty loop with the same period, measured at the same time.
 """
 
 from __future__ import annotations
