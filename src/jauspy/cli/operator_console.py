@@ -63,6 +63,10 @@ def console_page(
             help="Where each command is recorded with its user.  [default: with --users FILE: FILE.audit]",
         ),
     ] = None,
+    recordings: Annotated[
+        Path | None,
+        typer.Option("--recordings", metavar="DIR", help="Where video is recorded; ~/jauspy-recordings by default."),
+    ] = None,
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser.")] = False,
     connect: Connect = None,
     own_id: OwnId = None,
@@ -81,7 +85,7 @@ def console_page(
     if context.invoked_subcommand is not None:
         return
     try:
-        from jauspy.console.server import Access, serving
+        from jauspy.console.server import RECORDINGS, Access, serving
     except ImportError as error:
         raise ConfigError(f"{NEEDS_EXTRA} ({error})") from error
     if with_parent:
@@ -99,7 +103,8 @@ def console_page(
         ocu = client.make_ocu(own_id, connect, 0.5, operator=operator_key)
         async with ocu:
             stopper = OCU(client.own_id(None, connect), connect, operator=operator_key, name="jauspy console (stop)")
-            async with stopper, serving(ocu, stopper, host, port, access=access, audit=log) as url:
+            page = serving(ocu, stopper, host, port, access=access, audit=log, recordings=recordings or RECORDINGS)
+            async with stopper, page as url:
                 console.print_lines(f"{READY} {url}", "stop it: Ctrl-C")
                 if not no_browser:
                     webbrowser.open(url)

@@ -20,13 +20,16 @@ from fastapi import FastAPI, WebSocket, WebSocketDisconnect
 from starlette.staticfiles import StaticFiles
 
 from jauspy.console.access import LOCAL_HOSTS, Gate
+from jauspy.console.attitude import AttitudeFeed
 from jauspy.console.certificates import check_certificate
-from jauspy.console.fleet import Fleet
+from jauspy.console.fleet import NOTHING, Fleet
 from jauspy.console.operation import Operation
 from jauspy.console.sessions import current_user
 from jauspy.console.traffic import Traffic
 from jauspy.console.users import LOCAL, User, Users
-from jauspy.console.video import SharedCamera
+from jauspy.console.video import SharedCamera, camera_state
+from jauspy.console.world import Worlds
+from jauspy.console.world_socket import add_world
 from jauspy.errors import CodecError, ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -48,6 +51,7 @@ MAX_CONNECTIONS: Final = 400
 """Of all browsers; each page has up to 16."""
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
+RECORDINGS: Final = Path.home() / "jauspy-recordings"
 STOP_TIME: Final = 1.0
 """Seconds in which an emergency stop is repeated until all obey."""
 
@@ -63,8 +67,12 @@ class Event:
 class Console:
     """The state that all browsers share: the fleet, operations, cameras and the log."""
 
-    def __init__(self, ocu: OCU, emergency_ocu: OCU, audit: AuditLog | None = None) -> None:
+    def __init__(
+        self, ocu: OCU, emergency_ocu: OCU, audit: AuditLog | None = None, recordings: Path = RECORDINGS
+    ) -> None:
         self.ocu = ocu
+        self.recordings = recordings
+        """The folder of recorded video."""
         self.fleet = Fleet(ocu)
         self.fleet.on_event = self.note
         self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
@@ -76,6 +84,8 @@ class Console:
         self._emergency_ocu = emergency_ocu
         self._operations: dict[int, Operation] = {}
         self._cameras: dict[JausID, SharedCamera] = {}
+        self.worlds = Worlds(ocu, lambda: self.fleet.robots)
+        self._attitudes: dict[int, AttitudeFeed] = {}
         self._browsers: dict[str, User] = {}
         """Whose page has this token; sockets without one are refused."""
         self._leaving: set[asyncio.Task[None]] = set()
@@ -110,6 +120,7 @@ class Console:
             if operation.operator == token:
                 self.note(f"robot {operation.robot.id}: the browser of {operation.user.name} has left")
                 await operation.release()
+        await self.worlds.forget(token)
 
     def _trace(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
         """Keep a message for the log; a command that was sent goes into the audit log, with the user who gave it."""
@@ -147,7 +158,14 @@ class Console:
         robot = self.fleet.robots.get(id.subsystem)
         if robot is None or not any(each.id == id and each.find("DigitalVideo") for each in robot.components):
             return None
-        self._cameras[id] = SharedCamera(robot.component(str(id)).camera, self.note)
+        if robot.id not in self._attitudes:
+            self._attitudes[robot.id] = AttitudeFeed(self.ocu, robot)
+
+        def state() -> str:
+            return camera_state(self.fleet.states.get(id, NOTHING).status, silent=self.fleet.is_silent(id))
+
+        camera = robot.component(str(id)).camera
+        self._cameras[id] = SharedCamera(camera, str(id), self.note, state, self._attitudes[robot.id])
         return self._cameras[id]
 
     async def stop(self, target: str, *, release: bool = False) -> str:
@@ -171,6 +189,9 @@ class Console:
             await asyncio.wait(self._leaving)
         for operation in self._operations.values():
             await operation.release()
+        await self.worlds.close()
+        for camera in self._cameras.values():
+            await camera.close()
         await self.fleet.close()
         for each in (self.ocu, self._emergency_ocu):
             each.trace(None)
@@ -229,6 +250,12 @@ def make_app(console: Console) -> FastAPI:
             except JausError as error:
                 await page.send_text(str(error))
 
+    add_world(
+        app,
+        console.worlds,
+        lambda page, token: _accepted(page, console, token),
+        lambda token: console.is_of(token, current_user()),
+    )
     return app
 
 
@@ -291,6 +318,7 @@ async def serving(
     *,
     access: Access | None = None,
     audit: AuditLog | None = None,
+    recordings: Path = RECORDINGS,
 ) -> AsyncIterator[str]:
     """Serve the console at this address while the context is open; the URL. Both OCUs must be open.
 
@@ -301,7 +329,7 @@ async def serving(
     listener = _listener(host, port)
     from jauspy.console.page import add_page  # noqa: PLC0415 - NiceGUI takes a second
 
-    console = Console(ocu, emergency_ocu, audit)
+    console = Console(ocu, emergency_ocu, audit, recordings)
     app = make_app(console)
     add_page(app, console)
     config = uvicorn.Config(
@@ -309,6 +337,7 @@ async def serving(
         log_level="warning",
         lifespan="on",
         ws_max_size=MAX_FRAME,
+        ws_per_message_deflate=False,  # video is compressed
         proxy_headers=False,
         server_header=False,
         limit_concurrency=MAX_CONNECTIONS,
