@@ -9,7 +9,7 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
 from jauspy.console.fleet import Fleet
-from jauspy.console.operation import REQUEST_TIME, Operation, modes_of
+from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation, modes_of
 from jauspy.console.users import User
 from jauspy.ids import JausID
 from jauspy.messages import registry
