@@ -26,7 +26,7 @@ from playwright.sync_api import Page, ViewportSize, sync_playwright
 MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
-PANELS: Final = ("video", "plots", "log")
+PANELS: Final = ("video", "trajectory", "plots", "log")
 PORT: Final = 3952
 WAIT: Final = 90_000
 """Milliseconds for anything to appear."""
@@ -80,13 +80,30 @@ def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
 
 
 def show(page: Page, panel: str) -> None:
-    """Open a tab; in the log, open a message."""
+    """Open a tab; make a trajectory; in the log, open a message."""
     page.get_by_role("tab", name=panel, exact=False).click()
+    if panel == "trajectory":
+        teach(page)
     if panel == "log":
         page.locator(".traffic tbody tr").nth(2).click()
         page.locator(".fields .path").first.wait_for()
     page.mouse.move(2, 2)
     page.wait_for_timeout(1500)
+
+
+def teach(page: Page) -> None:
+    """Make a trajectory of three rows, and play it."""
+    page.get_by_role("tab", name="Trajectory").click()
+    page.locator(".joint-wanted input").first.wait_for()
+    for row, turn in enumerate(("0.6", "-0.4", "0.2")):
+        page.locator(".joint-wanted input").first.fill(turn)
+        page.keyboard.press("Tab")
+        page.get_by_role("button", name="move", exact=True).click()
+        page.wait_for_timeout(5000)
+        page.get_by_role("button", name="add present positions").click()
+        page.get_by_label(f"seconds of row {row + 1}").fill("4")
+    page.get_by_role("button", name="play", exact=True).click()
+    page.locator(".arm").get_by_text("tool", exact=True).click()
 
 
 def save(picture: bytes, path: Path) -> None:
