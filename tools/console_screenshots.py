@@ -93,17 +93,17 @@ def show(page: Page, panel: str) -> None:
 
 def teach(page: Page) -> None:
     """Make a trajectory of three rows, and play it."""
-    page.get_by_role("tab", name="Trajectory").click()
-    page.locator(".joint-wanted input").first.wait_for()
-    for row, turn in enumerate(("0.6", "-0.4", "0.2")):
-        page.locator(".joint-wanted input").first.fill(turn)
-        page.keyboard.press("Tab")
-        page.get_by_role("button", name="move", exact=True).click()
-        page.wait_for_timeout(5000)
-        page.get_by_role("button", name="add present positions").click()
-        page.get_by_label(f"seconds of row {row + 1}").fill("4")
-    page.get_by_role("button", name="play", exact=True).click()
     page.locator(".arm").get_by_text("tool", exact=True).click()
+    turn, shoulder = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"
+    for row, (seconds, turned, raised) in enumerate((("4", "0.6", "2.4"), ("6", "-0.6", "2.1"), ("0", "0", "2.7")), 1):
+        page.get_by_role("button", name="add present positions").click()
+        page.get_by_label(f"seconds of row {row}").fill(seconds)
+        page.get_by_label(f"{turn} of row {row}").fill(turned)
+        page.get_by_label(f"{shoulder} of row {row}").fill(raised)
+        page.keyboard.press("Tab")
+        page.wait_for_timeout(500)
+    page.get_by_role("button", name="play", exact=True).click()
+    page.locator(".line.active").wait_for()
 
 
 def save(picture: bytes, path: Path) -> None:

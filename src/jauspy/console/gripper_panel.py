@@ -87,7 +87,7 @@ class GripperPanel:
         self._problem.set_text(printable(self._motion.problem))
         try:
             if self._connector is not None:
-                self._state.set_text(await _connector_state(self._connector))
+                self._state.set_text(await connector_state(self._connector))
             elif self._gripper is not None:
                 await self._show_fingers(self._gripper)
         except JausError as error:
@@ -125,7 +125,7 @@ class GripperPanel:
         gripper, connector = self._gripper, self._connector
         what = "closing the gripper" if close else "opening the gripper"
         if connector is not None:
-            self._begin(lambda: _switch(connector, on=close), what)
+            self._begin(lambda: switch(connector, on=close), what)
         elif gripper is not None:
             self._begin(lambda: gripper.close(force=force, effort=effort) if close else gripper.open(), what)
 
@@ -141,11 +141,13 @@ class GripperPanel:
             self._motion.begin(self._robot.id, run(), what)
 
 
-async def _switch(connector: ServiceClient, *, on: bool) -> None:
+async def switch(connector: ServiceClient, *, on: bool) -> None:
+    """Run the pump of a vacuum connector, or let air in."""
     await connector.send(SetConnector(1, SetConnector.Enabled(on)), ack=True)
 
 
-async def _connector_state(connector: ServiceClient) -> str:
+async def connector_state(connector: ServiceClient) -> str:
+    """What a vacuum connector holds, in words."""
     report = await connector.query(QueryConnectorState(ALL_FIELDS, 1))
     if not isinstance(report, ReportConnectorState):
         raise ConfigError(f"{connector.id} does not tell its state")
