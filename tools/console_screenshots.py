@@ -93,7 +93,7 @@ def show(page: Page, panel: str) -> None:
 
 def teach(page: Page) -> None:
     """Make a trajectory of three rows, and play it."""
-    page.locator(".arm").get_by_text("tool", exact=True).click()
+    page.locator(".arm").get_by_text("tool", exact=True).first.click()
     turn, shoulder = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"
     for row, (seconds, turned, raised) in enumerate((("4", "0.6", "2.4"), ("6", "-0.6", "2.1"), ("0", "0", "2.7")), 1):
         page.get_by_role("button", name="add present positions").click()
