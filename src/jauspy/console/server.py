@@ -234,21 +234,6 @@ def make_app(console: Console) -> FastAPI:
         if (operation := console.operation(subsystem)) is not None and operation.operator == token:
             operation.drive(token, 0.0, 0.0)
 
-    @app.websocket("/ws/jog/{component}/{token}")
-    async def jog(page: WebSocket, component: str, token: str) -> None:
-        """Velocities of a tool as `jogging.velocity` reads them; the answer is why there is no effect, if so."""
-        if not await _accepted(page, console, token):
-            return
-        said = ""
-        async for text in _messages(page):
-            jogging = console.jogging(component)
-            problem = "the arm has gone" if jogging is None else jogging.move(token, text)
-            if problem != said:
-                await page.send_text(problem)
-                said = problem
-        if (jogging := console.jogging(component)) is not None:
-            jogging.leave(token)
-
     @app.websocket("/ws/video/{component}/{token}")
     async def video(page: WebSocket, component: str, token: str) -> None:
         if not await _accepted(page, console, token):
@@ -287,7 +272,25 @@ def make_app(console: Console) -> FastAPI:
         lambda page, token: _accepted(page, console, token),
         lambda token: console.is_of(token, current_user()),
     )
+    _add_jog(app, console)
     return app
+
+
+def _add_jog(app: FastAPI, console: Console) -> None:
+    @app.websocket("/ws/jog/{component}/{token}")
+    async def jog(page: WebSocket, component: str, token: str) -> None:
+        """Velocities of a tool as `jogging.velocity` reads them; the answer is why there is no effect, if so."""
+        if not await _accepted(page, console, token):
+            return
+        said = ""
+        async for text in _messages(page):
+            jogging = console.jogging(component)
+            problem = "the arm has gone" if jogging is None else jogging.move(token, text)
+            if problem != said:
+                await page.send_text(problem)
+                said = problem
+        if (jogging := console.jogging(component)) is not None:
+            jogging.leave(token)
 
 
 async def _accepted(page: WebSocket, console: Console, token: str) -> bool:
