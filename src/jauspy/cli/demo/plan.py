@@ -26,6 +26,9 @@ class Waypoint:
     """m/s, on the way there."""
     flippers: float | None = None
     """Radians; where the flippers are before the robot drives there, or None where they are."""
+    effort: float | None = None
+    """Percent; drives straight on with this effort as far as the point is away, and does not steer, as an operator
+    does at a kerb: who steers takes force from one track. None follows the way and turns to the heading."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,8 +70,6 @@ class Plan:
     """Offsets from there to around the thing."""
     aim: tuple[float, float]
     """Pan and tilt of the camera on the chassis, rad right and up: it sees the gripper lift the thing."""
-    stowed_flippers: float | None = None
-    """Radians; where the flippers are moved to after the drive, or None."""
     ground: float = 0.0
     """Metres; height of the ground at the goal above that at the start."""
 
@@ -93,7 +94,8 @@ PLANS: Final[Mapping[str, Plan]] = {
     "street": Plan(
         waypoints=(
             Waypoint(1.0, -0.62, 0.0),
-            Waypoint(2.665, -0.70, math.radians(12.0), speed=0.4, flippers=0.1),
+            Waypoint(2.45, -0.62, 0.0, flippers=0.12, effort=20.0),
+            Waypoint(2.665, -0.70, math.radians(12.0), speed=0.4, flippers=2.2),
         ),
         drive="over the kerb to the pipe",
         thing=Thing("pipe", 3.35, -0.55, 0.031, width=0.048, weight=1.05),
@@ -103,12 +105,13 @@ PLANS: Final[Mapping[str, Plan]] = {
         over=(0.0, 0.14),
         approach=((0.0, 0.06), (0.0, 0.0)),
         aim=(0.0, -0.35),
-        stowed_flippers=2.2,
         ground=0.10,
     ),
 }
 """By the names of worlds."""
 
+WAYPOINT_TOLERANCE: Final = 0.05
+"""Metres; what the robot is asked for."""
 DRIVE_TOLERANCE: Final = (0.15, math.radians(3.0))
 """Tolerance in m and rad, by the robot's own pose."""
 

@@ -13,11 +13,17 @@ from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import Arm, ArmKinematics, Flippers
 from jauspy.cli.demo.plan import Plan, Waypoint
 from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
-from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetLocalWaypoint, SetTravelSpeed
+from jauspy.messages.mobility import (
+    QueryLocalPose,
+    ReportLocalPose,
+    SetLocalWaypoint,
+    SetTravelSpeed,
+    SetWrenchEffort,
+)
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.robot_files import robot_model
 from jauspy.ocu import OCU, Control
-from jauspy.ocu.robot import Robot
+from jauspy.ocu.robot import Robot, ServiceClient
 from jauspy.ocu.subscription import Subscription
 
 POSE_RATE: Final = 10.0
@@ -48,13 +54,27 @@ async def _arrive(poses: Subscription[ReportLocalPose], control: Control, state:
     still = 0
     while still < STATIONARY_REPORTS:
         control.check()
-        pose, before = await poses.get(), state.pose
-        state.pose = now = (pose.x or 0.0, -(pose.y or 0.0), -(pose.yaw or 0.0))
+        before = state.pose
+        now = state.read(await poses.get(), POSE_RATE)
         step = math.inf if before is None else max(math.dist(now[:2], before[:2]), abs(now[2] - before[2]))
-        state.speed = 0.0 if before is None else POSE_RATE * math.dist(now[:2], before[:2])
         left, turn = remaining(state, goal)
         there = left <= plan.DRIVE_TOLERANCE[0] and abs(turn) <= plan.DRIVE_TOLERANCE[1]
         still = still + 1 if there and step < MAX_POSE_STEP else 0
+
+
+async def _push(
+    driver: ServiceClient, poses: Subscription[ReportLocalPose], control: Control, state: DemoState, goal: Waypoint
+) -> None:
+    """Drive straight on with an effort, as far as the waypoint is away; raises `ControlRejected` if control is lost."""
+    start = state.pose or (0.0, 0.0, 0.0)
+    way = math.dist(start[:2], (goal.x, goal.y))
+    try:
+        while math.dist((state.pose or start)[:2], start[:2]) < way:
+            control.check()
+            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=goal.effort))
+            state.read(await poses.get(), POSE_RATE)
+    finally:
+        await driver.send(SetWrenchEffort(propulsive_linear_effort_x=0.0), ack=True)
 
 
 CONTROLLED_MODULES: Final = (("CM-MOB", None), ("CM-MAN", "flippers"), ("CM-MAN", "arm"), ("CM-EEF", "gripper"))
@@ -107,7 +127,8 @@ class Tour:
     async def _drive_there(self, robot: Robot, control: Control, flippers: Flippers) -> StageResult:
         """Drive along the waypoints of the plan, and measure the error of the final pose."""
         goals, state = self._plan, self._state
-        driver = robot.component(control.id.component).service("LocalWaypointDriver")
+        component, tolerance = robot.component(control.id.component), plan.WAYPOINT_TOLERANCE
+        driver = component.service("LocalWaypointDriver")
         sensor = robot.service("mobility:LocalPoseSensor")
         began = state.elapsed
         async with sensor.subscribe(
@@ -116,15 +137,15 @@ class Tour:
             for point in goals.waypoints:
                 if point.flippers is not None:
                     await flippers.go(point.flippers)
-                tolerance = plan.DRIVE_TOLERANCE[0]
-                await driver.send(
-                    SetLocalWaypoint(x=point.x, y=-point.y, yaw=-point.heading, waypoint_tolerance=tolerance)
-                )
-                await driver.send(SetTravelSpeed(point.speed))
                 async with time_limit(plan.DRIVE_TIMEOUT, partial(_timeout_message, state, point)):
-                    await _arrive(poses, control, state, point)
-        if goals.stowed_flippers is not None:
-            await flippers.go(goals.stowed_flippers)
+                    if point.effort is None:
+                        await driver.send(
+                            SetLocalWaypoint(x=point.x, y=-point.y, yaw=-point.heading, waypoint_tolerance=tolerance)
+                        )
+                        await driver.send(SetTravelSpeed(point.speed))
+                        await _arrive(poses, control, state, point)
+                    else:
+                        await _push(component.service("PrimitiveDriver"), poses, control, state, point)
         left, turn = remaining(state, goals.goal)
         seconds = state.elapsed - began
         places = [(0.0, 0.0), *((point.x, point.y) for point in goals.waypoints)]
