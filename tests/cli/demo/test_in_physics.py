@@ -14,7 +14,6 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 import cv2
-from jauspy.virtual.environment import VirtualTime
 
 from jauspy.cli.demo import Place, plan, true_place
 from jauspy.cli.demo.grasp import ARM_CAMERA, Grasp
@@ -24,6 +23,7 @@ from jauspy.geometry.poses import PlanarPose
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load
 from jauspy.ocu.frames import RobotFrames
+from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
 from jauspy_sim.robot import SimulatedRobot
 

@@ -23,7 +23,8 @@ from jauspy.messages.mobility import (
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.robot_files import robot_model
 from jauspy.ocu import OCU, Control
-from jauspy.ocu.robot import Robot, ServiceClient
+from jauspy.ocu.robot import Robot
+from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.subscription import Subscription
 
 POSE_RATE: Final = 10.0
