@@ -77,7 +77,7 @@ class Grasp:
         self._around = self._arm.kinematics.around(near)
         seen = base.apply(near)
         x, y, _ = near
-        off = math.dist(seen[:2], (thing.x, thing.y))
+        off = math.dist(seen[:2], (thing.x + self._plan.goal.slip, thing.y))
         return StageResult(
             "look",
             f"the {thing.name} is seen {math.hypot(x, y):.2f} m away, {_bearing(math.atan2(y, x))}, "

@@ -29,6 +29,13 @@ class Waypoint:
     effort: float | None = None
     """Percent; drives straight on with this effort as far as the point is away, and does not steer, as an operator
     does at a kerb: who steers takes force from one track. None follows the way and turns to the heading."""
+    slip: float = 0.0
+    """Metres by which the robot's own pose is ahead along x when it is there: belts slip at a kerb, by 0.1 to 0.3 m."""
+
+    @property
+    def reported(self) -> tuple[float, float]:
+        """Where the robot believes to be when it is there, m."""
+        return self.x + self.slip, self.y
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +102,7 @@ PLANS: Final[Mapping[str, Plan]] = {
         waypoints=(
             Waypoint(1.0, -0.62, 0.0),
             Waypoint(2.45, -0.62, 0.0, flippers=0.12, effort=20.0),
-            Waypoint(2.665, -0.70, math.radians(12.0), speed=0.4, flippers=2.2),
+            Waypoint(2.665, -0.70, math.radians(12.0), speed=0.4, flippers=2.2, slip=0.2),
         ),
         drive="over the kerb to the pipe",
         thing=Thing("pipe", 3.35, -0.55, 0.031, width=0.048, weight=1.05),

@@ -41,7 +41,7 @@ def remaining(state: DemoState, goal: Waypoint) -> tuple[float, float]:
     if state.pose is None:
         return math.inf, math.inf
     x, y, yaw = state.pose
-    return math.dist((x, y), (goal.x, goal.y)), math.remainder(yaw - goal.heading, math.tau)
+    return math.dist((x, y), goal.reported), math.remainder(yaw - goal.heading, math.tau)
 
 
 def _timeout_message(state: DemoState, goal: Waypoint) -> str:
@@ -140,9 +140,8 @@ class Tour:
                     await flippers.go(point.flippers)
                 async with time_limit(plan.DRIVE_TIMEOUT, partial(_timeout_message, state, point)):
                     if point.effort is None:
-                        await driver.send(
-                            SetLocalWaypoint(x=point.x, y=-point.y, yaw=-point.heading, waypoint_tolerance=tolerance)
-                        )
+                        x, y = point.reported
+                        await driver.send(SetLocalWaypoint(x=x, y=-y, yaw=-point.heading, waypoint_tolerance=tolerance))
                         await driver.send(SetTravelSpeed(point.speed))
                         await _arrive(poses, control, state, point)
                     else:
