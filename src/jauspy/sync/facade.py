@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, MutableSequence, Sequence
+from datetime import datetime
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
@@ -563,6 +564,19 @@ class Camera(Facade[_Camera]):
         """As it was asked for."""
         return self._async.name
 
+    @property
+    def waiting(self) -> str:
+        """What `frames` or `encoded` wait for until a picture arrives, in words, such as for a first packet."""
+        return self._async.waiting
+
+    def taken(self, picture: Picture) -> datetime | None:
+        """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
+        return self._async.taken(picture)
+
+    def refresh(self) -> None:
+        """Ask for a picture that can be decoded without others; without effect when nothing is received."""
+        self._async.refresh()
+
     def frames(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Frame, None, None]:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
 
@@ -641,6 +655,11 @@ class ComponentClient(Facade[_ComponentClient]):
     def id(self) -> JausID:
         """Its id."""
         return self._async.id
+
+    @property
+    def is_controlled(self) -> bool:
+        """True while this OCU controls it, or asks for control."""
+        return self._async.is_controlled
 
     def service(self, name: str) -> ServiceClient:
         """The client of a service by its URN, or the end of it; `ConfigError` lists what the component offers."""

@@ -1,4 +1,4 @@
-// Video, driving and the emergency stop, each on a connection of its own. Nothing here waits for the rest of the page.
+// Driving and the emergency stop, each on a connection of its own. Nothing here waits for the rest of the page.
 "use strict";
 
 const jauspy = {
@@ -130,64 +130,32 @@ const jauspy = {
     jauspy.tick();
   },
 
-  // --- video: encoded pictures by WebSocket, decoded by WebCodecs, drawn on a canvas ------------------------------
-  watch(canvas, component) {
-    if (canvas.jauspySocket) return;
-    const context = canvas.getContext("2d");
-    const note = canvas.parentElement.querySelector(".video-note");
-    const tell = (text) => { if (note) note.textContent = text; };
-    if (!("VideoDecoder" in window)) { tell("this browser has no WebCodecs"); return; }
-    let decoder = null;
-    let shown = 0;
-    const socket = new WebSocket(jauspy.url(`video/${component}`));
-    socket.binaryType = "arraybuffer";
-    canvas.jauspySocket = socket;
-    tell("waiting for the camera …");
-    const open = (codec) => {
-      if (decoder && decoder.state !== "closed") decoder.close();
-      decoder = new VideoDecoder({
-        output(frame) {
-          if (canvas.width !== frame.displayWidth || canvas.height !== frame.displayHeight) {
-            canvas.width = frame.displayWidth;
-            canvas.height = frame.displayHeight;
-          }
-          context.drawImage(frame, 0, 0);
-          frame.close();
-          shown += 1;
-          canvas.dataset.pictures = shown;
-          tell("");
-        },
-        error(problem) { tell(`the video cannot be decoded: ${problem.message}`); },
-      });
-      decoder.configure({ codec, optimizeForLatency: true });
-    };
-    socket.onmessage = (event) => {
-      if (typeof event.data === "string") { open(event.data); return; }
-      if (!decoder || decoder.state !== "configured") return;
-      const header = new DataView(event.data, 0, 16);
-      decoder.decode(new EncodedVideoChunk({
-        type: header.getUint8(0) ? "key" : "delta",
-        timestamp: header.getFloat64(8, true),
-        data: new Uint8Array(event.data, 16),
-      }));
-    };
-    socket.onclose = () => {
-      canvas.jauspySocket = null;
-      if (decoder && decoder.state !== "closed") decoder.close();
-      if (canvas.isConnected) { tell("no connection"); setTimeout(() => jauspy.watch(canvas, component), 1000); }
-    };
+  // --- colours: as the system has them, or as chosen; this browser remembers --------------------------------------
+  scheme() {
+    const chosen = localStorage.getItem("jauspy-scheme");
+    return chosen === "light" || chosen === "dark" ? chosen : "system";
   },
-  enlarge(figure) {
-    for (const each of figure.parentElement.children) each.classList.toggle("large", each === figure);
+  showScheme() {
+    const button = document.getElementById("scheme");
+    button.textContent = { system: "◐ system", light: "☀ light", dark: "☾ dark" }[jauspy.scheme()];
+    button.setAttribute("aria-label", `colours: ${jauspy.scheme()}`);
   },
-  watchAll() {
-    for (const canvas of document.querySelectorAll("canvas[data-component]")) jauspy.watch(canvas, canvas.dataset.component);
+  nextScheme() {
+    const names = ["system", "light", "dark"];
+    localStorage.setItem("jauspy-scheme", names[(names.indexOf(jauspy.scheme()) + 1) % names.length]);
+    emitEvent("scheme", jauspy.scheme());
+    jauspy.showScheme();
+  },
+  restoreScheme() {
+    if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restoreScheme, 100); return; }
+    jauspy.showScheme();
+    if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
   },
 
   start(token) {
     jauspy.token = token;
     jauspy.connectStop();
     jauspy.listenToKeys();
-    setInterval(jauspy.watchAll, 500);
+    jauspy.restoreScheme();
   },
 };

@@ -12,6 +12,7 @@ import can
 import canopen
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
@@ -151,6 +152,8 @@ class CanRobot:
     def __init__(self, model: RobotModel, setup: CanSetup, bus: str, world: str) -> None:
         self._model, self._setup = model, setup
         interface, channel, _ = buses.split(bus)
+        self._holding = HoldingEfforts(model.description)
+        self._weights: Mapping[str, float] | None = None
         self._motions: dict[str, JointMotion | TrackMotion] = {}
         self._drives = {name: self._drive(name) for name in setup.drives}
         self._time = 0.0
@@ -195,9 +198,17 @@ class CanRobot:
         if setup.track is not None:
             motion = TrackMotion(setup.acceleration or TRACK_ACCELERATION)
         else:
-            motion = JointMotion(joint, 0.0)
+            gains = next(group.gains[joint.name] for group in self._model.groups.values() if joint.name in group.gains)
+            motion = JointMotion(joint, gains, self._weight)
         self._motions[name] = motion
         return Drive(setup, joint, motion, self._setup.status_timeout)
+
+    def _weight(self, joint: Joint) -> float:
+        """What gravity needs of a joint where the joints were at the last cycle."""
+        if self._weights is None:
+            drives = self._drives.values()
+            self._weights = self._holding.at({each.joint.name: each.position for each in drives})
+        return self._weights.get(joint.name, 0.0)
 
     def _tracks(self) -> CanTracks | None:
         tracks = self._model.tracks
@@ -317,6 +328,7 @@ class CanRobot:
 
     def _tick(self) -> None:
         """After each cycle."""
+        self._weights = None
         if self._tracked is not None:
             self._tracked.update()
 

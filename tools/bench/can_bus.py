@@ -1,6 +1,6 @@
 """Simulated drives on a bus at 200 Hz: jitter of SYNC, time from a command to its frame, PDOs missed, share of a CPU.
 
-    python tools/bench/drives.py [--bus udp_multicast:239.0.0.77,port=43277] [--seconds 30]
+    python tools/bench/can_bus.py [--bus udp_multicast:239.0.0.77,port=43277] [--seconds 30]
 
 Drives and master share the machine. Beside the jitter stands that of an empty loop with the same
 period, measured at the same time.
