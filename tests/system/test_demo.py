@@ -17,11 +17,13 @@ import pytest
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 pytest.importorskip("av", reason="PyAV is not installed")
 pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+pytest.importorskip("canopen", reason="canopen is not installed")
 
 import av
 import cv2
 import yaml
 
+from jauspy.cli.can_bus import on_bus
 from jauspy.cli.demo import grasp, plan
 from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
@@ -32,6 +34,7 @@ from jauspy.modules.robot_files import load, robot_model
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
+from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.contract import Command, DriveBase, PartId, Robot
 from jauspy.transport import LocalTransport
 
@@ -40,11 +43,11 @@ INC1 = load("inc1")
 
 @pytest.mark.slow
 @pytest.mark.timeout(300)
-@pytest.mark.parametrize("world", plan.PLANS)
-def test_demo_drives_grasps_and_lifts(world: str, free_port: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("world", "backend"), [("yard", "sim"), ("yard", "can"), ("street", "sim")])
+def test_demo_drives_grasps_and_lifts(world: str, backend: str, free_port: int, tmp_path: Path) -> None:
     folder, thing = tmp_path / "out", plan.PLANS[world].thing
     arguments = ("demo", "--port", str(free_port), "--output", str(folder), "--size", "320x240", "--plain")
-    command = [sys.executable, "-m", "jauspy.cli.main", *arguments, "--world", world]
+    command = [sys.executable, "-m", "jauspy.cli.main", *arguments, "--world", world, "--backend", backend]
     ours = {**os.environ, "DEMO": str(folder)}
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=280, env=ours)
     assert done.returncode == 0, done.stdout + done.stderr
@@ -90,21 +93,27 @@ def with_environment(name: str, value: str) -> list[psutil.Process]:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize(("world", "body"), [("yard", "can"), ("street", "pipe_device")])
-async def test_thing_is_lifted_in_the_simulation(world: str, body: str, root: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("world", "body", "backend"), [("yard", "can", "sim"), ("yard", "can", "can"), ("street", "pipe_device", "sim")]
+)
+async def test_thing_is_lifted_in_the_simulation(
+    world: str, body: str, backend: str, root: Path, tmp_path: Path
+) -> None:
     """The stages after the drive; the robot is put before the thing, not quite where the plan has it."""
     exact = INC1.model_copy(update={"localization": LocalizationConfig(source="exact"), "world": world})
     goals = plan.PLANS[world]
+    if backend == "can":  # simulated servo drives between the modules and the physics
+        exact = on_bus(exact, "virtual:sim")
     model, state = robot_model(exact), DemoState()
-    runner = RobotRunner(exact, lambda me: LocalTransport(me, root), backend="sim")
+    runner = RobotRunner(exact, lambda me: LocalTransport(me, root), backend=backend)
     async with AsyncExitStack() as stack:
         await stack.enter_async_context(NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)))
         await stack.enter_async_context(runner)
         assert runner._realtime is not None
-        simulated = runner._realtime._robot
-        runner._realtime.submit(
-            PutRobot(goals.goal.x + 0.03, goals.goal.y + 0.04, goals.ground, goals.goal.heading - 0.04)
-        )
+        opened = runner._realtime._robot
+        simulated = opened.fleet.plant.robot if backend == "can" else opened
+        goal = goals.goal
+        runner._realtime.submit(PutRobot(goal.x + 0.03, goal.y + 0.04, goals.ground, goal.heading - 0.04))
         ocu = await stack.enter_async_context(OCU("42.1.1", f"local:{root}", timeout=3.0))
         robot = await ocu.discover(101, timeout=20.0)
         arm_module, gripper_module = robot.component(104), robot.component(105)
@@ -144,6 +153,8 @@ class PutRobot(Command):
         return PartId(DriveBase)
 
     def apply(self, robot: Robot) -> None:
+        if isinstance(robot, CanRobot):
+            robot = robot.fleet.plant.robot
         address = robot.model.joint("inc1/base").qposadr[0]
         half = self.yaw / 2
         robot.data.qpos[address : address + 7] = (self.x, self.y, self.z, math.cos(half), 0.0, 0.0, math.sin(half))
