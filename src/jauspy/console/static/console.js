@@ -96,11 +96,10 @@ const jauspy = {
   },
   listenToKeys() {
     const typing = (event) => event.target.closest?.("input, textarea, select, [contenteditable]");
-    // Arrows move a slider that has the focus, and must not drive the robot at the same time.
-    const stepping = (event) => event.code.startsWith("Arrow") && event.target.closest?.('[role="slider"], [role="listbox"], [role="menu"]');
     addEventListener("keydown", (event) => {
       if (event.code === "Escape") { jauspy.stop("all"); event.preventDefault(); return; }
-      if (typing(event) || stepping(event) || event.ctrlKey || event.altKey || event.metaKey) return;
+      if (event.key.startsWith("Arrow") && event.target.closest?.("[role=slider]")) return;
+      if (typing(event) || event.ctrlKey || event.altKey || event.metaKey) return;
       if (event.code in jauspy.bindings) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
     });
     addEventListener("keyup", (event) => { if (jauspy.keys.delete(event.code)) jauspy.tick(); });
