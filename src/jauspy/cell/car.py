@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import GRASPS, Assembler, PartResult, Slot, Tip
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN
@@ -130,16 +130,21 @@ class CarTask:
         ur10 = self.ur10
         await ur10.look()
         self._composite(self.car, [row.part for row in self.result.parts])
-        pose = ur10.seen[self.car].pose
         radius = max(solid.size[0] for solid in self.layout.type_of(self.result.parts[1].part).solids)
         axle = float(connector_frame(self.layout.type_of(self.car), CORNERS[0]).translation[2])
         x, y = self.belt.pose.x - BESIDE[0], float(self.arm.chain.root[1]) - BESIDE[1]
-        stand = shifted(x, y, self.belt.pose.z + radius - axle)
-        goals = [stand * turned("z", turn) for turn in (math.pi / 2.0,)]
-        plan = ur10.handling.pick(self.car, pose, ur10.at, goals, lift=0.12, supports=["stand"])
+        goals = [shifted(x, y, self.belt.pose.z + radius - axle) * turned("z", math.pi / 2.0)]
         row = PartResult("car", self.car)
-        if why := await ur10.try_grasp(plan, row, weigh=False):
-            raise TaskFailed(f"the car cannot be lifted: {why}")
+        for _ in range(GRASPS):
+            pose = ur10.seen[self.car].pose
+            plan = ur10.handling.pick(self.car, pose, ur10.at, goals, lift=0.12, supports=["stand"])
+            why = await ur10.try_grasp(plan, row, weigh=False)
+            if not why:
+                break
+            row.attempts.append(why)
+            await ur10.look(fresh=True)
+        else:
+            raise TaskFailed(f"the car cannot be lifted: {'; '.join(row.attempts)}")
         self.result.car_force = row.grasp_force
         held = ur10.held
         assert held is not None
@@ -250,12 +255,17 @@ class CarTask:
         approach, near, up, over, _ = plan
         base = arm.base_name
         await ur10.go(approach)
-        await self.cell.enable(GRIPPER, True)
-        state = await self.cell.touch(near, GRIPPER, speed=0.02)
-        await self.cell.sleep(0.1)
-        state = await self.cell.connector(GRIPPER)
-        ur10.at = await self.cell.posture()
-        if state.attached_to != grasped:
+        for _ in range(GRASPS):
+            await self.cell.enable(GRIPPER, True)
+            await self.cell.touch(near, GRIPPER, speed=0.02)
+            await self.cell.sleep(0.1)
+            state = await self.cell.connector(GRIPPER)
+            ur10.at = await self.cell.posture()
+            if state.attached_to == grasped:
+                break
+            await self.cell.enable(GRIPPER, False)
+            await ur10.go(Path((ur10.at, *near.points[-2::-1])), speed=0.1, contact=True)
+        else:
             raise TaskFailed(f"the gripper does not hold {grasped}: {state.last_error or 'nothing attaches'}")
         await self.cell.enable(base, False)
         await self.cell.sleep(0.2)
