@@ -53,6 +53,8 @@ class CarResult:
     """What was measured of building and driving the car."""
 
     parts: list[PartResult] = field(default_factory=list)
+    failed_grasps: list[str] = field(default_factory=list)
+    """Why the gripper did not hold the car or the arm, for each attempt that failed."""
     build_time: float = 0.0
     load_time: float = 0.0
     """Seconds in which car and arm were put on the conveyor."""
@@ -141,10 +143,10 @@ class CarTask:
             why = await ur10.try_grasp(plan, row, weigh=False)
             if not why:
                 break
-            row.attempts.append(why)
+            self.result.failed_grasps.append(why)
             await ur10.look(fresh=True)
         else:
-            raise TaskFailed(f"the car cannot be lifted: {'; '.join(row.attempts)}")
+            raise TaskFailed(f"the car cannot be lifted: {'; '.join(self.result.failed_grasps)}")
         self.result.car_force = row.grasp_force
         held = ur10.held
         assert held is not None
@@ -263,10 +265,11 @@ class CarTask:
             ur10.at = await self.cell.posture()
             if state.attached_to == grasped:
                 break
+            self.result.failed_grasps.append(state.last_error or f"nothing attaches to {grasped}")
             await self.cell.enable(GRIPPER, False)
             await ur10.go(Path((ur10.at, *near.points[-2::-1])), speed=0.1, contact=True)
         else:
-            raise TaskFailed(f"the gripper does not hold {grasped}: {state.last_error or 'nothing attaches'}")
+            raise TaskFailed(f"the gripper does not hold {grasped}: {'; '.join(self.result.failed_grasps)}")
         await self.cell.enable(base, False)
         await self.cell.sleep(0.2)
         tool = self.layout.kinematics.forward(ur10.at)

@@ -100,7 +100,7 @@ async def car(session: Session, seed: int) -> Measured:
     found = Measured(seed, "car", duration=session.cell.now() - begun)
     found.rows = [asdict(row) for row in result.parts]
     found.values = {
-        "retries": float(sum(len(row.attempts) for row in result.parts)),
+        "retries": float(sum(len(row.attempts) for row in result.parts) + len(result.failed_grasps)),
         "build_time": result.build_time,
         "load_time": result.load_time,
         "car_force": result.car_force,
