@@ -95,7 +95,7 @@ def test_a_persons_tour(url: str, robot: RunningRobot) -> None:
         page.keyboard.press("Escape")
         page.get_by_text("components stopped").first.wait_for()
         assert "EMERGENCY" in status(robot)
-        page.get_by_role("button", name="release", exact=True).first.click()
+        page.get_by_role("button", name="clear emergency").click()
         page.get_by_text("released from the emergency").first.wait_for()
         assert "EMERGENCY" not in status(robot)
     for _ in range(100):  # the page is closed: control is released, the robot is in Standby
@@ -112,9 +112,28 @@ def test_two_browsers_one_operates_and_hands_over(url: str) -> None:
         second.set_default_timeout(WAIT)
         second.goto(url)
         second.get_by_text("another browser operates it").wait_for()
-        second.get_by_role("button", name="take over").click()
+        second.get_by_role("button", name="ask", exact=True).click()
+        first.get_by_text("another browser asks for control, with authority 127").wait_for()
+        first.get_by_role("button", name="refuse").click()
+        second.get_by_role("button", name="ask", exact=True).click()
+        first.get_by_role("button", name="hand over").click()
         second.get_by_text("you operate this robot").wait_for()
-        first.get_by_text("another browser operates it").wait_for()
+        first.get_by_role("button", name="take over").click()
+        first.get_by_text("you operate this robot").wait_for()
+        second.get_by_text("another browser operates it").wait_for()
+
+
+def test_a_component_shows_its_services_and_what_it_refused(url: str, robot: RunningRobot) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        holder = start("send", "101.1.102", "SetEmergency", "--connect", robot.local, "--id", "42.9.1")
+        holder.communicate()
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_role("button", name=re.compile("1.102 CM-MOB")).click()
+        page.locator(".service").get_by_text("PrimitiveDriver").wait_for()
+        page.get_by_text(re.compile("last sign of life . s ago")).wait_for()
+        page.get_by_role("button", name="clear emergency").click()
+        page.get_by_text("released from the emergency").first.wait_for()
 
 
 def test_pictures_of_the_cameras_arrive(url: str) -> None:

@@ -8,7 +8,9 @@ from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
 from jauspy.console.fleet import Fleet
-from jauspy.console.operation import DEAD_MAN_TIME, Operation
+from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation
+from jauspy.console.users import User
+from jauspy.messages.core import QueryControl
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.testing import VirtualNetwork
@@ -79,6 +81,61 @@ async def test_hand_over_stops_the_robot_first(virtual_network: VirtualNetwork) 
         assert at.operation.drive("first", 1.0, 0.0) == "another browser operates this robot"
         assert await at.drive(1.0, token="second") == ""
         assert at.speed > 0.2
+
+
+ANNA, BEN, CARA, DAN = (
+    User("anna", "operator", 127),
+    User("ben", "operator", 127),
+    User("cara", "supervisor", 255),
+    User("dan", "observer", 0),
+)
+
+
+async def test_another_user_asks_and_the_operator_decides(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        operation = at.operation
+        await operation.take("a", 127, ANNA)
+        assert "ask for it, or take it over" in await operation.take("b", 127, BEN)
+        operation.ask("b", 255, BEN)
+        assert operation.request is not None
+        assert (operation.request.user, operation.request.authority) == (BEN, 127)
+        assert await operation.answer("b", grant=True) == "", "only the operator may answer"
+        assert operation.operator == "a"
+        await operation.answer("a", grant=False)
+        assert (operation.operator, operation.request) == ("a", None)
+        operation.ask("b", 127, BEN)
+        await asyncio.sleep(REQUEST_TIME + 1.0)
+        assert operation.request is None, "nobody has answered"
+        operation.ask("b", 127, BEN)
+        await operation.answer("a", grant=True)
+        assert (operation.operator, operation.user) == ("b", BEN)
+        assert at.events[-1] == "ben operates robot 101 with authority 127"
+
+
+async def test_a_higher_authority_takes_over_and_observers_do_not(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        operation = at.operation
+        assert await operation.take("d", 0, DAN) == "dan may only observe (observer)"
+        operation.ask("d", 0, DAN)
+        assert operation.request is None
+        assert await operation.take("a", 200, ANNA) == "anna has an authority of at most 127 (operator)"
+        await operation.take("a", 127, ANNA)
+        assert await operation.take("c", 200, CARA) == ""
+        assert (operation.operator, operation.authority) == ("c", 200)
+        assert operation.is_controlled
+        component = next(each for each in operation.robot.components if each.find("PrimitiveDriver"))
+        report = await at.ocu.query(component.id, QueryControl())
+        assert report.authority_code == 200, "control is requested anew with the other authority"
+
+
+async def test_control_that_was_lost_is_taken_again(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at, virtual_network.ocu("42.1.9") as other:
+        await at.operation.take("first", 127)
+        async with (await other.discover(101)).control(authority=200):
+            await asyncio.sleep(1.0)
+            assert not at.operation.is_controlled
+        assert await at.operation.take("first", 127) == ""
+        assert at.operation.is_controlled
 
 
 async def test_refused_control_says_why(virtual_network: VirtualNetwork) -> None:

@@ -130,9 +130,32 @@ const jauspy = {
     jauspy.tick();
   },
 
+  // --- colours: as the system has them, or as chosen; this browser remembers --------------------------------------
+  scheme() {
+    const chosen = localStorage.getItem("jauspy-scheme");
+    return chosen === "light" || chosen === "dark" ? chosen : "system";
+  },
+  showScheme() {
+    const button = document.getElementById("scheme");
+    button.textContent = { system: "◐ system", light: "☀ light", dark: "☾ dark" }[jauspy.scheme()];
+    button.setAttribute("aria-label", `colours: ${jauspy.scheme()}`);
+  },
+  nextScheme() {
+    const names = ["system", "light", "dark"];
+    localStorage.setItem("jauspy-scheme", names[(names.indexOf(jauspy.scheme()) + 1) % names.length]);
+    emitEvent("scheme", jauspy.scheme());
+    jauspy.showScheme();
+  },
+  restoreScheme() {
+    if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restoreScheme, 100); return; }
+    jauspy.showScheme();
+    if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
+  },
+
   start(token) {
     jauspy.token = token;
     jauspy.connectStop();
     jauspy.listenToKeys();
+    jauspy.restoreScheme();
   },
 };
