@@ -1,6 +1,6 @@
 """Screenshots of the console's panels for docs/console.md: light and dark, at 1440x900 and 1024x768.
 
-    python tools/console_screenshots.py [--backend sim] [--output docs/assets]
+    python tools/console_screenshots.py [--backend sim] [--output docs/assets] [--panels video plots]
 
 It runs a robot and a console with ports and sockets of its own, and needs Debian's chromium and playwright.
 """
@@ -15,7 +15,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
@@ -26,7 +26,7 @@ from playwright.sync_api import Page, ViewportSize, sync_playwright
 MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
-PANELS: Final = ("video", "plots", "log")
+PANELS: Final = ("video", "settings", "plots", "log")
 PORT: Final = 3952
 WAIT: Final = 90_000
 """Milliseconds for anything to appear."""
@@ -80,8 +80,11 @@ def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
 
 
 def show(page: Page, panel: str) -> None:
-    """Open a tab; in the log, open a message."""
-    page.get_by_role("tab", name=panel, exact=False).click()
+    """Open a tab; in the log, open a message; of video, the settings besides."""
+    page.get_by_role("tab", name="video" if panel == "settings" else panel, exact=False).click()
+    if panel == "settings":
+        page.get_by_role("button", name="settings").click()
+        page.get_by_text("headlights").wait_for()
     if panel == "log":
         page.locator(".traffic tbody tr").nth(2).click()
         page.locator(".fields .path").first.wait_for()
@@ -101,8 +104,8 @@ def save(picture: bytes, path: Path) -> None:
     print(f"{path}: {data.tell() // 1000} kB, quality {quality}")
 
 
-def take_all(url: str, folder: Path) -> None:
-    """All panels in all sizes and schemes, of one page, on which the robot was driven before."""
+def take_all(url: str, folder: Path, panels: Iterable[str]) -> None:
+    """These panels in all sizes and schemes, of one page, on which the robot was driven before."""
     executable = shutil.which("chromium") or shutil.which("google-chrome")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=executable, args=["--no-sandbox"])
@@ -110,7 +113,7 @@ def take_all(url: str, folder: Path) -> None:
         page.set_default_timeout(WAIT)
         page.goto(url)
         prepare(page)
-        for panel in PANELS:
+        for panel in panels:
             show(page, panel)
             for scheme in SCHEMES:
                 page.emulate_media(color_scheme="dark" if scheme == "dark" else "light")
@@ -126,10 +129,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--backend", default="sim", help="of the robot")
     parser.add_argument("--output", type=Path, default=Path("docs/assets"), help="folder of the pictures")
+    parser.add_argument("--panels", nargs="+", choices=PANELS, default=PANELS, help="which, all by default")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     with console(arguments.backend) as url:
-        take_all(url, arguments.output)
+        take_all(url, arguments.output, arguments.panels)
 
 
 if __name__ == "__main__":
