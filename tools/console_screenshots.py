@@ -28,7 +28,7 @@ SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
 PANELS: Final = ("video", "settings", "plots", "log")
 PORT: Final = 3952
-WAIT: Final = 90_000
+WAIT: Final = 180_000
 """Milliseconds for anything to appear."""
 
 
