@@ -143,7 +143,9 @@ async def _switch_light(service: ServiceClient, name: str, level: int) -> None:
         if getattr(report.illumination, name) == level:
             return
         await asyncio.sleep(LIGHT_CHECK_INTERVAL)
-    raise RequestError(f"{service.id} did not switch it; commands have an effect in the state READY only: take control")
+    raise RequestError(
+        f"{service.id} did not switch {name.replace('_', ' ')}; some robots do so in the state READY only"
+    )
 
 
 async def _rows(service: ServiceClient, *queries: Any) -> list[Any]:
