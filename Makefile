@@ -7,10 +7,14 @@ VENV := .venv
 BIN := $(VENV)/bin
 # not from the environment, where PORT often means something else; `make demo PORT=3795` works
 PORT = 3794
+# each worker begins with a third of the tests, so that those of a file share its fixtures
+PYTEST = $(BIN)/pytest -n 3 --dist worksteal
 PYTEST_ARGS ?=
 CASES ?= 200000
 SECONDS ?= 600
 ATTACK_ARGS ?=
+# Many container images set it; then every process that a test starts would compile its modules again.
+unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
 .PHONY: help setup dev demo cell test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack format generate clean
@@ -36,15 +40,18 @@ demo: setup
 cell: dev
 	$(BIN)/jauspy cell all --out cell_out $(CELL_ARGS)
 
-test: check wheel-test unit
+# the checks two at a time, and then the tests alone: some of them measure time
+test: dev
+	@$(MAKE) --no-print-directory -j2 --output-sync=target check wheel-test
+	@$(MAKE) --no-print-directory unit
 
 coverage: dev
-	$(BIN)/pytest -n 3 --cov --cov-report=term $(PYTEST_ARGS)
+	$(PYTEST) --cov --cov-report=term $(PYTEST_ARGS)
 
 test-slow: dev
-	$(BIN)/pytest -n 3 -m slow $(PYTEST_ARGS)
+	$(PYTEST) -m slow $(PYTEST_ARGS)
 
-check: lint types imports docs
+check: types docs lint imports
 
 lint: dev
 	$(BIN)/ruff check
@@ -61,7 +68,7 @@ docs: dev
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build -q --strict
 
 unit: dev
-	$(BIN)/pytest -n 3 $(PYTEST_ARGS)
+	$(PYTEST) $(PYTEST_ARGS)
 
 wheel-test: dev
 	$(BIN)/python tools/wheel_test.py

@@ -1,6 +1,6 @@
 """Screenshots of the console's panels for docs/console.md: light and dark, at 1440x900 and 1024x768.
 
-    python tools/console_screenshots.py [--backend sim] [--output docs/assets] [--panels video plots]
+    python tools/console_screenshots.py [--backend sim] [--output docs/assets]
 
 It runs a robot and a console with ports and sockets of its own, and needs Debian's chromium and playwright.
 """
@@ -15,7 +15,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
@@ -26,7 +26,8 @@ from playwright.sync_api import Page, ViewportSize, sync_playwright
 MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
-PANELS: Final = ("video", "settings", "plots", "log")
+PANELS: Final = ("video", "world", "plots", "log")
+SOFTWARE_GL: Final = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 PORT: Final = 3952
 WAIT: Final = 180_000
 """Milliseconds for anything to appear."""
@@ -80,11 +81,18 @@ def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
 
 
 def show(page: Page, panel: str) -> None:
-    """Open a tab; in the log, open a message; of video, the settings besides."""
-    page.get_by_role("tab", name="video" if panel == "settings" else panel, exact=False).click()
-    if panel == "settings":
-        page.get_by_role("button", name="settings").click()
-        page.get_by_text("headlights").wait_for()
+    """Open a tab; in the log, open a message; in the world, drive to waypoints."""
+    page.get_by_role("tab", name=panel, exact=False).click()
+    if panel == "world":
+        page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 5")
+        for ahead, left in ((0.6, 0.9), (-0.8, 1.4), (-1.6, 0.0)):
+            place = f"(([x, y]) => [x + {ahead}, y + {left}])(jauspy.world.pose)"
+            right, down = page.evaluate(f"jauspy.map.toScreen({place})")
+            page.locator("#world-map canvas").click(position={"x": right, "y": down})
+            page.wait_for_timeout(1000)
+        page.get_by_role("button", name="start", exact=True).click()
+        page.get_by_text("drives to waypoint 2").wait_for()
+        page.get_by_role("button", name="pause", exact=True).click()
     if panel == "log":
         page.locator(".traffic tbody tr").nth(2).click()
         page.locator(".fields .path").first.wait_for()
@@ -104,11 +112,11 @@ def save(picture: bytes, path: Path) -> None:
     print(f"{path}: {data.tell() // 1000} kB, quality {quality}")
 
 
-def take_all(url: str, folder: Path, panels: Iterable[str]) -> None:
+def take_all(url: str, folder: Path, panels: Sequence[str]) -> None:
     """These panels in all sizes and schemes, of one page, on which the robot was driven before."""
     executable = shutil.which("chromium") or shutil.which("google-chrome")
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=executable, args=["--no-sandbox"])
+        browser = playwright.chromium.launch(executable_path=executable, args=["--no-sandbox", *SOFTWARE_GL])
         page = browser.new_page(viewport=ViewportSize(width=1440, height=900))
         page.set_default_timeout(WAIT)
         page.goto(url)
@@ -129,11 +137,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--backend", default="sim", help="of the robot")
     parser.add_argument("--output", type=Path, default=Path("docs/assets"), help="folder of the pictures")
-    parser.add_argument("--panels", nargs="+", choices=PANELS, default=PANELS, help="which, all by default")
+    parser.add_argument("--panel", action="append", choices=PANELS, help="only this one; may be given several times")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     with console(arguments.backend) as url:
-        take_all(url, arguments.output, arguments.panels)
+        take_all(url, arguments.output, arguments.panel or PANELS)
 
 
 if __name__ == "__main__":

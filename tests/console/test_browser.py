@@ -175,3 +175,43 @@ def test_a_message_is_found_and_opened(url: str) -> None:
         page.get_by_role("button", name="pause").click()
         page.locator(".traffic tbody tr").first.click()
         page.locator(".fields .path").get_by_text("status", exact=True).wait_for()
+
+
+def test_waypoints_are_set_by_clicks_and_driven(url: str, robot: RunningRobot) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_role("tab", name="World").click()
+        page.wait_for_function("jauspy.world.pose && jauspy.world.model.shapes.length > 80")
+        x, y = page.evaluate("jauspy.world.pose.slice(0, 2)")
+
+        def click(ahead: float, left: float) -> None:
+            page.evaluate("jauspy.map.draw()")
+            right, down = page.evaluate(f"jauspy.map.toScreen([{x + ahead}, {y + left}])")
+            box = page.locator("#world-map").bounding_box()
+            assert box is not None
+            page.mouse.click(box["x"] + 1 + right, box["y"] + 1 + down)
+
+        click(0.8, 0.4)
+        page.locator(".waypoint").nth(0).wait_for()
+        click(1.6, 0.0)
+        page.locator(".waypoint").nth(1).wait_for()
+        assert page.locator(".waypoint").all_inner_texts()[1].split("\n")[:1] == ["2"]
+        start_button = page.get_by_role("button", name="start", exact=True)
+        assert start_button.is_disabled(), "an observer plans, and does not drive"
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        start_button.click()
+        page.locator(".execution .progress").get_by_text("drives to waypoint").wait_for()
+        page.get_by_role("button", name="pause", exact=True).click()
+        page.locator(".execution .progress").get_by_text("waits on the way").wait_for()
+        page.get_by_role("button", name="resume", exact=True).click()
+        page.locator(".execution .progress").get_by_text("ended at waypoint 2 of 2").wait_for()
+        there = page.evaluate("jauspy.world.pose.slice(0, 2)")
+        assert abs(there[0] - x - 1.6) < 0.3
+        assert abs(there[1] - y) < 0.3
+        output, _ = start(
+            "query", "101.1.102", "QueryElementList", "--connect", robot.local, "--id", "42.9.1"
+        ).communicate()
+        assert output.count("element_uid") == 2
+        page.get_by_role("button", name="clear", exact=True).click()
+        page.get_by_text("click on the map to set a waypoint").wait_for()

@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+from collections import Counter
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
 from jauspy.console.fleet import Fleet
-from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation
+from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation, modes_of
 from jauspy.console.users import User
+from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.messages.core import QueryControl
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
@@ -174,3 +177,28 @@ async def test_the_fleet_follows_robots_and_their_states(virtual_network: Virtua
     assert events[0] == "robot 101 inc1 has appeared"
     assert "101.1.102 is controlled by 42.1.9, was by nobody" in events
     assert events[-1] == "robot 101 inc1 does not answer any more"
+
+
+async def test_a_robot_is_driven_by_effort_where_it_offers_that(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        assert modes_of(at.operation.robot) == ["velocity", "effort"]
+        assert at.operation.set_mode("first", "effort") == "take control first"
+        await at.operation.take("first", 127)
+        await at.drive(0.5)
+        assert at.operation.set_mode("first", "somehow") == "this robot does not offer the mode somehow"
+        assert at.operation.set_mode("first", "effort") == ""
+        names = Counter[str]()
+
+        def count(_source: JausID, _destination: JausID, payload: bytes, *, sent: bool) -> None:
+            names[registry.decode(payload).NAME] += sent
+
+        at.ocu.trace(count)
+        at.operation.speed_limit = 0.4
+        await at.drive(2.0)
+        assert at.operation.commanded == (0.4, 0.0)
+        assert names["SetWrenchEffort"] > 30
+        assert names["SetVelocityCommand"] <= 1, "the velocity before is not repeated beside the effort"
+        assert at.speed > 0.3
+        await asyncio.sleep(DEAD_MAN_TIME + STOP_TIME)
+        assert abs(at.speed) < 0.05
+        at.ocu.trace(None)

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from contextlib import suppress
 from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.drive_modes import DriveModes
 from jauspy.console.server import Console
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot
@@ -20,9 +22,12 @@ MAX_SPEED: Final = 1.5
 
 
 class DrivePanel:
-    """Driving the chosen robot, for one page, which `token` names; the keys and the stick are in console.js."""
+    """Driving the chosen robot, for one page, which `token` names; the keys and the stick are in console.js.
 
-    def __init__(self, console: Console, token: str) -> None:
+    `open_map` shows where waypoints are set.
+    """
+
+    def __init__(self, console: Console, token: str, open_map: Callable[[], None]) -> None:
         self._console = console
         self._token = token
         self._robot: Robot | None = None
@@ -30,6 +35,7 @@ class DrivePanel:
             with ui.element("div").classes("row"):
                 ui.label("Drive").classes("heading")
                 ui.label("W A S D, arrows, stick, gamepad").classes("hint")
+            self._modes = DriveModes(console, token, open_map, self._show_limit)
             with ui.element("div").classes("row"):
                 ui.html(
                     '<div id="stick" role="img" aria-label="stick; drive by the keys W A S D or the arrows">'
@@ -52,13 +58,14 @@ class DrivePanel:
         services = ("PrimitiveDriver", "VelocityStateDriver")
         drives = robot is not None and any(each.find(name) for each in robot.components for name in services)
         self._panel.set_visibility(drives)
+        self._modes.show(robot)
 
     def close(self) -> None:
         """The page has gone."""
         self._robot = None
 
     def _show_limit(self) -> None:
-        self._limit_text.set_text(f"limit {self._limit.value:.1f} m/s")
+        self._limit_text.set_text(self._modes.limit_text(self._limit.value))
 
     async def _update(self) -> None:
         if self._robot is None:

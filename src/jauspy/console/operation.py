@@ -10,7 +10,7 @@ from typing import Final
 from jauspy.console.users import LOCAL, User
 from jauspy.errors import JausError
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.ocu.driving import WRENCH
+from jauspy.ocu.driving import VELOCITY, WRENCH
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.robot_control import RobotControl
 
@@ -18,6 +18,8 @@ DEAD_MAN_TIME: Final = 0.2
 """Seconds without a message of the operator's browser after which the robot is stopped."""
 MAX_TURN_RATE: Final = 1.2
 """rad/s at full deflection of the stick."""
+VELOCITY_MODE, EFFORT = "velocity", "effort"
+"""Modes of driving: m/s and rad/s, or shares of the robot's full effort."""
 REQUEST_TIME: Final = 30.0
 """Seconds in which the operator may answer another one who asks for control."""
 
@@ -44,11 +46,13 @@ class Operation:
         self.authority = 0
         """With which the robot is controlled."""
         self.speed_limit = 0.5
-        """m/s at full deflection."""
+        """m/s at full deflection; in the mode EFFORT the share of the full effort, at most 1."""
+        self.mode = next(iter(modes_of(robot)), VELOCITY_MODE)
         self.problem = ""
         """Why the last command had no effect, in words."""
         self.commanded = (0.0, 0.0)
-        """m/s and rad/s of the present drive command."""
+        """m/s and rad/s of the present drive command, or shares of the full effort."""
+        self._sent_mode = self.mode
         self._on_event = on_event
         self._control: RobotControl | None = None
         self._watchdog: asyncio.TimerHandle | None = None
@@ -146,14 +150,31 @@ class Operation:
         if self._control.lost:
             self.problem = self._control.lost
             return self.problem
-        linear = self.speed_limit * min(1.0, max(-1.0, forward))
-        angular = MAX_TURN_RATE * min(1.0, self.speed_limit / 0.5) * min(1.0, max(-1.0, left))
+        ahead, turn = self._full_deflection()
+        linear, angular = ahead * min(1.0, max(-1.0, forward)), turn * min(1.0, max(-1.0, left))
         self._cancel_watchdog()
         moving = bool(linear or angular)
         if moving:
             self._watchdog = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
         self._want(linear, angular)
         return ""
+
+    def set_mode(self, token: str, mode: str) -> str:
+        """Drive by velocities or efforts from now on; the robot stops first. Returns why not, or an empty string."""
+        if token != self.operator or self._control is None:
+            return "take control first"
+        if mode not in modes_of(self.robot):
+            return f"this robot does not offer the mode {mode}"
+        self._stop_driving()
+        self.mode = mode
+        self._on_event(f"robot {self.robot.id} is driven by {mode}")
+        return ""
+
+    def _full_deflection(self) -> tuple[float, float]:
+        if self.mode == EFFORT:
+            share = min(1.0, self.speed_limit)
+            return share, share
+        return self.speed_limit, MAX_TURN_RATE * min(1.0, self.speed_limit / 0.5)
 
     def _dead_man(self) -> None:
         self._watchdog = None
@@ -171,12 +192,25 @@ class Operation:
             self._wanted = None
             try:
                 if any(wanted):
-                    await self.robot.drive(*wanted)
+                    await self._drive(*wanted)
                 else:
                     await self._brake()
                 self.problem, self.commanded = "", wanted
             except JausError as error:
                 self.problem, self.commanded = str(error), (0.0, 0.0)
+
+    async def _drive(self, linear: float, angular: float) -> None:
+        """Angles of JAUS count clockwise. The browser repeats commands, so an effort is not repeated here."""
+        if self.mode != self._sent_mode:
+            await self._brake()  # a velocity that is repeated would go on beside the effort
+            self._sent_mode = self.mode
+        if self.mode == EFFORT:
+            effort = SetWrenchEffort(
+                propulsive_linear_effort_x=100.0 * linear, propulsive_rotational_effort_z=-100.0 * angular
+            )
+            await self.robot.service(WRENCH).send(effort)
+        else:
+            await self.robot.drive(linear, angular)
 
     async def _brake(self) -> None:
         """Stop: a velocity of zero slows down within the robot's limits, an effort of zero brakes."""
@@ -193,3 +227,13 @@ class Operation:
         if self._watchdog is not None:
             self._watchdog.cancel()
             self._watchdog = None
+
+
+def modes_of(robot: Robot) -> list[str]:
+    """The modes in which a robot can be driven by hand, as it offers; the usual one first."""
+
+    def offers(*names: str) -> bool:
+        return all(any(each.find(name) for each in robot.components) for name in names)
+
+    by_velocity = offers(VELOCITY) or offers(WRENCH, "ugv:PlatformSpecifications")
+    return [VELOCITY_MODE] * by_velocity + [EFFORT] * offers(WRENCH)

@@ -16,14 +16,15 @@ from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
 from jauspy.console.users import LOCAL, User
 from jauspy.console.video_panel import VideoPanel
+from jauspy.console.world_panel import WorldPanel
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
-TABS: Final = ("Video", "Plots", "Log")
-SCRIPTS: Final = ("console", "video", "plots")
-STYLES: Final = ("theme", "console", "video")
+TABS: Final = ("Video", "World", "Plots", "Log")
+SCRIPTS: Final = ("console", "video", "plots", "world", "map")
+STYLES: Final = ("theme", "console", "video", "world")
 SCHEMES: Final = {"system": None, "light": False, "dark": True}
 """Of colours, as the switch goes through them."""
 BUTTONS: Final = (
@@ -83,15 +84,15 @@ class _Page:
                 self._build_centre(token, user)
             with ui.element("aside").classes("side"):
                 self._control = ControlPanel(console, token, user)
-                self._drive = DrivePanel(console, token)
+                self._drive = DrivePanel(console, token, lambda: self._show_tab("World"))
                 self._arm = ArmPanel(console, token)
-        self._of_robot = (self._fleet, self._control, self._drive, self._arm, self._videos, self._plots)
+        self._of_robot = (self._fleet, self._control, self._drive, self._arm, self._videos, self._world, self._plots)
         self._show_tab(TABS[0])
         ui.timer(REFRESH_INTERVAL, self._refresh)
 
     def close(self) -> None:
         """The page has gone."""
-        for each in (self._control, self._drive, self._arm, self._videos, self._plots):
+        for each in (self._control, self._drive, self._arm, self._videos, self._world, self._plots):
             each.close()
 
     def _build_bar(self, user: User) -> None:
@@ -117,6 +118,8 @@ class _Page:
             ui.html(NO_ROBOTS, sanitize=False)
         with ui.element("div").classes("videos") as videos:
             self._videos = VideoPanel(self._console, token, user)
+        with ui.element("div").classes("panel plots") as world:
+            self._world = WorldPanel(self._console, token)
         with ui.element("div").classes("panel plots") as plots:
             self._plots = PlotsPanel(self._console.ocu)
         with ui.element("div").classes("panel messages") as messages:
@@ -124,7 +127,8 @@ class _Page:
         with ui.element("div").classes("panel log") as events:
             ui.label("Events").classes("heading")
             self._log = ui.log(max_lines=200).classes("lines")
-        self._parts = {"Video": (videos, events), "Plots": (plots, events), "Log": (messages,)}
+        self._parts = {"Video": (videos, events), "World": (world,), "Plots": (plots, events), "Log": (messages,)}
+        self._without_robots = (events, messages)
 
     def _tab(self, name: str) -> ui.button:
         return ui.button(name, on_click=lambda: self._show_tab(name), color=None).props('flat no-caps dense role="tab"')
@@ -133,12 +137,13 @@ class _Page:
         self._tab_shown = name
         has_robots = self._robot is not None
         for part in {part for parts in self._parts.values() for part in parts}:
-            part.set_visibility(part in self._parts[name] and (has_robots or part is self._parts[name][-1]))
+            part.set_visibility(part in self._parts[name] and (has_robots or part in self._without_robots))
         self._empty.set_visibility(not has_robots and name != "Log")
         for each, button in self._tabs.items():
             button.classes(add="chosen" if each == name else "", remove="" if each == name else "chosen")
             button.props(f'aria-selected="{str(each == name).lower()}"')
         self._messages.visible = name == "Log"
+        self._world.visible = name == "World"
 
     def _refresh(self) -> None:
         robots = self._console.fleet.robots

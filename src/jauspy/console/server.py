@@ -28,6 +28,8 @@ from jauspy.console.sessions import current_user
 from jauspy.console.traffic import Traffic
 from jauspy.console.users import LOCAL, User, Users
 from jauspy.console.video import SharedCamera, camera_state
+from jauspy.console.world import Worlds
+from jauspy.console.world_socket import add_world
 from jauspy.errors import CodecError, ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -82,6 +84,7 @@ class Console:
         self._emergency_ocu = emergency_ocu
         self._operations: dict[int, Operation] = {}
         self._cameras: dict[JausID, SharedCamera] = {}
+        self.worlds = Worlds(ocu, lambda: self.fleet.robots)
         self._attitudes: dict[int, AttitudeFeed] = {}
         self._browsers: dict[str, User] = {}
         """Whose page has this token; sockets without one are refused."""
@@ -117,6 +120,7 @@ class Console:
             if operation.operator == token:
                 self.note(f"robot {operation.robot.id}: the browser of {operation.user.name} has left")
                 await operation.release()
+        await self.worlds.forget(token)
 
     def _trace(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
         """Keep a message for the log; a command that was sent goes into the audit log, with the user who gave it."""
@@ -185,6 +189,7 @@ class Console:
             await asyncio.wait(self._leaving)
         for operation in self._operations.values():
             await operation.release()
+        await self.worlds.close()
         for camera in self._cameras.values():
             await camera.close()
         await self.fleet.close()
@@ -245,6 +250,12 @@ def make_app(console: Console) -> FastAPI:
             except JausError as error:
                 await page.send_text(str(error))
 
+    add_world(
+        app,
+        console.worlds,
+        lambda page, token: _accepted(page, console, token),
+        lambda token: console.is_of(token, current_user()),
+    )
     return app
 
 

@@ -97,7 +97,7 @@ async def joint_table(connection: Connection, component: ComponentInfo) -> Joint
     if component.find(DESCRIPTION):
         report = await connection.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
         assert isinstance(report, ReportJointDescription)
-        return _described(report)
+        return table_of(report)
     if component.find(SPECIFICATION):
         query = QueryManipulatorSpecifications(NAMES)
         specified = await connection.query(component.id, query, expects=ReportManipulatorSpecifications)
@@ -127,7 +127,8 @@ def position_records(table: JointTable, values: Sequence[float]) -> list[JointPo
     ]
 
 
-def _described(report: ReportJointDescription) -> JointTable:
+def table_of(report: ReportJointDescription) -> JointTable:
+    """The joints that a component describes."""
     group = report.group_rec
     types = ReportJointDescription.JointType
     joints = tuple(
