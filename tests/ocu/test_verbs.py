@@ -58,7 +58,7 @@ async def test_drive_stops_at_the_end_of_the_block(inc1, robot):
 
 
 async def test_drive_without_control_says_what_to_do(inc1):
-    with pytest.raises(ControlRejected, match=r"use `async with robot.control\(\)"):
+    with pytest.raises(ControlRejected, match=r"take control first, with `robot.control\(\)`"):
         await inc1.drive(linear=0.4)
 
 
@@ -198,6 +198,17 @@ async def test_control_takes_all_that_moves_and_releases_it(inc1, ocu, virtual_n
                     pass
     for component in (102, 103, 104, 105):
         assert "is nobody: take control first" in await ocu.explain(f"101.1.{component}")
+
+
+async def test_a_robot_that_went_to_standby_meanwhile_can_be_resumed(inc1, robot):
+    """As after the link was lost for longer than its time-outs."""
+    async with inc1.control("drive") as control:
+        await inc1.service("mobility:LocalPoseSensor").standby()
+        with pytest.raises(RequestError, match=r"is in Standby: resume first, with `resume\(\)` of"):
+            await inc1.drive(linear=0.4)
+        await control.resume()
+        await inc1.drive(linear=0.4, seconds=1.0)
+    assert robot.snapshot.pose.x > 0.2
 
 
 async def test_unknown_part_is_named(inc1):

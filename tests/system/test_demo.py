@@ -17,11 +17,13 @@ import pytest
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 pytest.importorskip("av", reason="PyAV is not installed")
 pytest.importorskip("matplotlib", reason="matplotlib is not installed")
+pytest.importorskip("canopen", reason="canopen is not installed")
 
 import av
 import cv2
 import yaml
 
+from jauspy.cli.can_bus import on_bus
 from jauspy.cli.demo import grasp, plan
 from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
@@ -32,6 +34,7 @@ from jauspy.modules.robot_files import load, robot_model
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
+from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.contract import Command, DriveBase, PartId, Robot
 from jauspy.transport import LocalTransport
 
@@ -40,9 +43,21 @@ INC1 = load("inc1")
 
 @pytest.mark.slow
 @pytest.mark.timeout(300)
-def test_demo_drives_grasps_and_lifts(free_port: int, tmp_path: Path) -> None:
+@pytest.mark.parametrize("backend", ["sim", "can"])
+def test_demo_drives_grasps_and_lifts(free_port: int, tmp_path: Path, backend: str) -> None:
     folder = tmp_path / "out"
-    arguments = ("demo", "--port", str(free_port), "--output", str(folder), "--size", "320x240", "--plain")
+    arguments = (
+        "demo",
+        "--backend",
+        backend,
+        "--port",
+        str(free_port),
+        "--output",
+        str(folder),
+        "--size",
+        "320x240",
+        "--plain",
+    )
     command = [sys.executable, "-m", "jauspy.cli.main", *arguments]
     ours = {**os.environ, "DEMO": str(folder)}
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=280, env=ours)
@@ -83,16 +98,20 @@ def with_environment(name: str, value: str) -> list[psutil.Process]:
 
 
 @pytest.mark.slow
-async def test_can_is_lifted_in_the_simulation(root: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize("backend", ["sim", "can"])
+async def test_can_is_lifted_in_the_simulation(root: Path, tmp_path: Path, backend: str) -> None:
     """The stages after the drive; the robot is put before the table, not quite where the plan has it."""
     exact = INC1.model_copy(update={"localization": LocalizationConfig(source="exact")})  # also where it is put
+    if backend == "can":  # simulated servo drives between the modules and the physics
+        exact = on_bus(exact, "virtual:sim")
     model, state = robot_model(exact), DemoState()
-    runner = RobotRunner(exact, lambda me: LocalTransport(me, root), backend="sim")
+    runner = RobotRunner(exact, lambda me: LocalTransport(me, root), backend=backend)
     async with AsyncExitStack() as stack:
         await stack.enter_async_context(NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root)))
         await stack.enter_async_context(runner)
         assert runner._realtime is not None
-        simulated = runner._realtime._robot
+        opened = runner._realtime._robot
+        simulated = opened.fleet.plant.robot if backend == "can" else opened
         runner._realtime.submit(PutRobot(2.03, 0.04, math.pi / 2 - 0.04))
         ocu = await stack.enter_async_context(OCU("42.1.1", f"local:{root}", timeout=3.0))
         robot = await ocu.discover(101, timeout=20.0)
@@ -132,6 +151,8 @@ class PutRobot(Command):
         return PartId(DriveBase)
 
     def apply(self, robot: Robot) -> None:
+        if isinstance(robot, CanRobot):
+            robot = robot.fleet.plant.robot
         address = robot.model.joint("inc1/base").qposadr[0]
         half = self.yaw / 2
         robot.data.qpos[address : address + 7] = (self.x, self.y, 0.0, math.cos(half), 0.0, 0.0, math.sin(half))

@@ -627,6 +627,13 @@ class RobotControl(Facade[_RobotControl]):
         """Raise `ControlRejected` when control of a component was lost."""
         self._async.check()
 
+    def resume(self) -> None:
+        """Resume the components again, as after the link was lost, an emergency, or a Standby from somewhere else.
+
+        They obey commands that come from now on; nothing that was under way goes on by itself.
+        """
+        self._portal.run(self._async.resume())
+
     def until_lost(self) -> None:
         """Wait until control of a component is lost, or until the block is left."""
         self._portal.run(self._async.until_lost())

@@ -7,12 +7,15 @@ from collections.abc import Callable
 from typing import Final
 
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.can.cia402 import DriveState, Mode
+from jauspy.logs import get_logger
+from jauspy.platform.can.cia402 import Mode
 from jauspy.platform.can.drive import Drive
 from jauspy.platform.description import JointGains
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.setpoint import SetpointGenerator
+
+_LOG: Final = get_logger("jauspy.can")
 
 TRACK_ACCELERATION: Final = 4.0
 """m/s^2, unless the drive has an `acceleration`."""
@@ -40,6 +43,10 @@ class JointMotion:
         if target.compensated and not target.value:
             self.hold()
             return
+        if drive.by_profile and target.mode is ControlMode.EFFORT and not target.compensated:
+            _LOG.warning("%s has no mode for efforts: the command is not followed", drive.name)
+            self.hold()
+            return
         if self._holding or target.mode is not self._setpoint.target.mode:
             self._setpoint.start(drive.position, 0.0 if self._holding else drive.velocity)
         self._setpoint.target = target
@@ -60,9 +67,14 @@ class JointMotion:
             return None
         setpoint = self._setpoint
         mode = setpoint.target.mode
-        if drive.state is not DriveState.OPERATION_ENABLED:  # it does not move yet
+        if not drive.ready:  # it does not move yet
             setpoint.start(drive.position, 0.0)
+            if drive.by_profile:
+                return Mode.PROFILE_POSITION, drive.position
             return (Mode.CYCLIC_POSITION, drive.position) if mode is ControlMode.POSITION else _still(mode)
+        if drive.by_profile:
+            setpoint.advance(dt)
+            return Mode.PROFILE_POSITION, setpoint.position
         if mode is ControlMode.EFFORT:
             return self._by_effort(setpoint.target.value, drive, dt)
         if mode is ControlMode.VELOCITY:
@@ -111,7 +123,7 @@ class TrackMotion:
         if self._wanted is None:
             self._velocity = drive.velocity
             return None
-        if drive.state is DriveState.OPERATION_ENABLED:
+        if drive.ready:
             change = self._acceleration * dt
             self._velocity += min(change, max(-change, self._wanted - self._velocity))
         else:

@@ -149,7 +149,14 @@ class LockedJoints(CanJoints):
 class CanRobot:
     """A `Robot`. With simulated drives in this process its time is that of `advance`; on a bus it is the clock's."""
 
-    def __init__(self, model: RobotModel, setup: CanSetup, bus: str, world: str) -> None:
+    def __init__(
+        self,
+        model: RobotModel,
+        setup: CanSetup,
+        bus: str,
+        world: str,
+        begin: Callable[[Master], None] = Master.start,
+    ) -> None:
         self._model, self._setup = model, setup
         interface, channel, _ = buses.split(bus)
         self._holding = HoldingEfforts(model.description)
@@ -183,7 +190,7 @@ class CanRobot:
         self._lidars = {each.name: Scanner(each) for each in model.lidars}
         try:
             self._ticker.start(self.master, self._tick)
-            self.master.start()
+            begin(self.master)
         except BaseException:
             self.close()
             raise
@@ -361,6 +368,8 @@ class _Simulated:
         self.wire: buses.Wire | None = (wire := buses.Wire())
         self.network = wire.near.network()
         self.fleet: Fleet | None = Fleet(model, setup, plant_of(plant, model, setup, world), wire.far)
+        for each in self.fleet.drives.values():
+            each.know_home()  # no other program could have them search for it
         self.plant_robot = self.fleet.plant.robot
         self._fleet = self.fleet
         self._period = 1.0 / setup.sync_rate
