@@ -1,4 +1,4 @@
-# make demo    sets everything up, then runs the whole system once
+# make demo    sets everything up, then runs the whole system once (WORLD=street: in a street)
 # make test    sets everything up, then runs the checks and tests (a few minutes)
 # Everything lives in .venv; nothing is reinstalled until pyproject.toml changes.
 
@@ -7,6 +7,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 # not from the environment, where PORT often means something else; `make demo PORT=3795` works
 PORT = 3794
+# `make demo WORLD=street`: over a kerb to a pipe with wires
+WORLD = yard
 # each worker begins with a third of the tests, so that those of a file share its fixtures
 PYTEST = $(BIN)/pytest -n 3 --dist worksteal
 PYTEST_ARGS ?=
@@ -35,7 +37,7 @@ setup: $(VENV)/.installed
 dev: $(VENV)/.developing
 
 demo: setup
-	@$(BIN)/jauspy demo --port $(PORT)
+	@$(BIN)/jauspy demo --port $(PORT) --world $(WORLD)
 
 cell: dev
 	$(BIN)/jauspy cell all --out cell_out $(CELL_ARGS)

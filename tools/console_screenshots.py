@@ -26,7 +26,7 @@ from playwright.sync_api import Page, ViewportSize, sync_playwright
 MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
-PANELS: Final = ("video", "world", "plots", "log")
+PANELS: Final = ("video", "world", "trajectory", "plots", "log")
 SOFTWARE_GL: Final = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 PORT: Final = 3952
 WAIT: Final = 180_000
@@ -81,7 +81,7 @@ def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
 
 
 def show(page: Page, panel: str) -> None:
-    """Open a tab; in the log, open a message; in the world, drive to waypoints."""
+    """Open a tab; in the log, open a message; make a trajectory; in the world, drive to waypoints."""
     page.get_by_role("tab", name=panel, exact=False).click()
     if panel == "world":
         page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 5")
@@ -93,11 +93,28 @@ def show(page: Page, panel: str) -> None:
         page.get_by_role("button", name="start", exact=True).click()
         page.get_by_text("drives to waypoint 2").wait_for()
         page.get_by_role("button", name="pause", exact=True).click()
+    if panel == "trajectory":
+        teach(page)
     if panel == "log":
         page.locator(".traffic tbody tr").nth(2).click()
         page.locator(".fields .path").first.wait_for()
     page.mouse.move(2, 2)
     page.wait_for_timeout(1500)
+
+
+def teach(page: Page) -> None:
+    """Make a trajectory of three rows, and play it."""
+    page.locator(".arm").get_by_text("tool", exact=True).first.click()
+    turn, shoulder = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"
+    for row, (seconds, turned, raised) in enumerate((("4", "0.6", "2.4"), ("6", "-0.6", "2.1"), ("0", "0", "2.7")), 1):
+        page.get_by_role("button", name="add present positions").click()
+        page.get_by_label(f"seconds of row {row}").fill(seconds)
+        page.get_by_label(f"{turn} of row {row}").fill(turned)
+        page.get_by_label(f"{shoulder} of row {row}").fill(raised)
+        page.keyboard.press("Tab")
+        page.wait_for_timeout(500)
+    page.get_by_role("button", name="play", exact=True).click()
+    page.locator(".line.active").wait_for()
 
 
 def save(picture: bytes, path: Path) -> None:

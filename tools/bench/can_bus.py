@@ -53,7 +53,6 @@ def main() -> None:
     setup = replace(model.can, bus=options.bus, heartbeat_timeout=1.0, status_timeout=1.0, sync_rate=options.rate)
     with ExitStack() as stack:
         start(stack, "can", "simulate", "inc1", "--bus", options.bus)
-        time.sleep(4.0)
         if options.cameras:
             record_cameras(stack, options.seconds)
         robot = find("can").open(replace(model, can=setup), "empty")
@@ -62,21 +61,34 @@ def main() -> None:
         robot.close()
 
 
-def start(stack: ExitStack, *arguments: str) -> None:
-    """Run `jauspy` with these arguments until the stack closes."""
-    process = subprocess.Popen([sys.executable, "-m", "jauspy.cli.main", *arguments], stdout=subprocess.DEVNULL)
-    stack.callback(process.wait)
+def start(stack: ExitStack, *arguments: str, waits: bool = True) -> None:
+    """Run `jauspy` with these arguments until the stack closes; returns when it has printed a line if it `waits`."""
+    command = [sys.executable, "-m", "jauspy.cli.main", *arguments]
+    process = stack.enter_context(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
     stack.callback(process.terminate)
+    assert process.stdout is not None
+    if waits:
+        process.stdout.readline()
 
 
 def record_cameras(stack: ExitStack, seconds: float) -> None:
     """Simulate a robot, and record its cameras, beside the measurement."""
     folder = stack.enter_context(TemporaryDirectory(prefix="jauspy-"))
     start(stack, "up", "inc1", "--backend", "sim", "--port", "3989", "--interface", "127.0.0.1", "--local-root", folder)
-    time.sleep(20.0)
     for camera in ("101.1.106", "101.1.107", "101.1.109"):
         file = f"{folder}/{camera}.mp4"
-        start(stack, "video", camera, "--save", file, "--seconds", f"{seconds}", "--connect", f"local:{folder}")
+        start(
+            stack,
+            "video",
+            camera,
+            "--save",
+            file,
+            "--seconds",
+            f"{seconds}",
+            "--connect",
+            f"local:{folder}",
+            waits=False,
+        )
     time.sleep(20.0)
 
 

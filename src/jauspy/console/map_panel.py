@@ -153,7 +153,9 @@ class MapPanel:
                 with ui.element("div").classes("waypoint").props(f'data-state="{state}"'):
                     ui.label(str(index + 1)).classes("number")
                     where = (
-                        f"{point.x:.2f}, {point.y:.2f} m" if point.is_point else getattr(point.element, "NAME", "data")
+                        f"{round(point.x, 2) + 0.0:.2f}, {round(point.y, 2) + 0.0:.2f} m"
+                        if point.is_point
+                        else getattr(point.element, "NAME", "data")
                     )
                     ui.label(where).classes("grow")
                     ui.label(state).classes("hint")

@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.console.manipulators import operated
 from jauspy.console.users import LOCAL, User
 from jauspy.errors import JausError
 from jauspy.messages.mobility import SetWrenchEffort
@@ -116,7 +117,7 @@ class Operation:
         if self._control is not None and (authority != self.authority or not self._control.held):
             await self._leave()
         if self._control is None:
-            control = self.robot.control(authority=authority)
+            control = self.robot.control(*operated(self.robot), authority=authority)
             try:
                 await control.__aenter__()
             except JausError as error:
@@ -143,13 +144,18 @@ class Operation:
             if had_control:
                 self._on_event(f"control of robot {self.robot.id} was released by {self.user.name}")
 
-    def drive(self, token: str, forward: float, left: float) -> str:
-        """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; returns why not, or an empty string."""
+    def refusal(self, token: str) -> str:
+        """Why a browser may not command the robot now; empty if it may."""
         if token != self.operator or self._control is None:
             return "another browser operates this robot" if self.operator else "take control first"
         if self._control.lost:
             self.problem = self._control.lost
-            return self.problem
+        return self._control.lost
+
+    def drive(self, token: str, forward: float, left: float) -> str:
+        """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; returns why not, or an empty string."""
+        if why_not := self.refusal(token):
+            return why_not
         ahead, turn = self._full_deflection()
         linear, angular = ahead * min(1.0, max(-1.0, forward)), turn * min(1.0, max(-1.0, left))
         self._cancel_watchdog()

@@ -14,6 +14,7 @@ from jauspy.console.fleet_panel import FleetPanel
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
+from jauspy.console.trajectory_panel import TrajectoryPanel
 from jauspy.console.users import LOCAL, User
 from jauspy.console.video_panel import VideoPanel
 from jauspy.console.world_panel import WorldPanel
@@ -22,9 +23,9 @@ from jauspy.printable import printable
 
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
-TABS: Final = ("Video", "World", "Plots", "Log")
-SCRIPTS: Final = ("console", "video", "plots", "world", "map")
-STYLES: Final = ("theme", "console", "video", "world")
+TABS: Final = ("Video", "World", "Trajectory", "Plots", "Log")
+SCRIPTS: Final = ("console", "video", "plots", "world", "map", "arm")
+STYLES: Final = ("theme", "console", "video", "world", "arm")
 SCHEMES: Final = {"system": None, "light": False, "dark": True}
 """Of colours, as the switch goes through them."""
 BUTTONS: Final = (
@@ -86,13 +87,22 @@ class _Page:
                 self._control = ControlPanel(console, token, user)
                 self._drive = DrivePanel(console, token, lambda: self._show_tab("World"))
                 self._arm = ArmPanel(console, token)
-        self._of_robot = (self._fleet, self._control, self._drive, self._arm, self._videos, self._world, self._plots)
+        self._of_robot = (
+            self._fleet,
+            self._control,
+            self._drive,
+            self._arm,
+            self._videos,
+            self._world,
+            self._trajectory,
+            self._plots,
+        )
         self._show_tab(TABS[0])
         ui.timer(REFRESH_INTERVAL, self._refresh)
 
     def close(self) -> None:
         """The page has gone."""
-        for each in (self._control, self._drive, self._arm, self._videos, self._world, self._plots):
+        for each in (self._control, self._drive, self._arm, self._videos, self._world, self._trajectory, self._plots):
             each.close()
 
     def _build_bar(self, user: User) -> None:
@@ -120,6 +130,8 @@ class _Page:
             self._videos = VideoPanel(self._console, token, user)
         with ui.element("div").classes("panel plots") as world:
             self._world = WorldPanel(self._console, token)
+        with ui.element("div").classes("panel trajectory") as trajectory:
+            self._trajectory = TrajectoryPanel(self._console, token)
         with ui.element("div").classes("panel plots") as plots:
             self._plots = PlotsPanel(self._console.ocu)
         with ui.element("div").classes("panel messages") as messages:
@@ -127,7 +139,13 @@ class _Page:
         with ui.element("div").classes("panel log") as events:
             ui.label("Events").classes("heading")
             self._log = ui.log(max_lines=200).classes("lines")
-        self._parts = {"Video": (videos, events), "World": (world,), "Plots": (plots, events), "Log": (messages,)}
+        self._parts = {
+            "Video": (videos, events),
+            "World": (world,),
+            "Trajectory": (trajectory, events),
+            "Plots": (plots, events),
+            "Log": (messages,),
+        }
         self._without_robots = (events, messages)
 
     def _tab(self, name: str) -> ui.button:

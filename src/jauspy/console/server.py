@@ -23,6 +23,7 @@ from jauspy.console.access import LOCAL_HOSTS, Gate
 from jauspy.console.attitude import AttitudeFeed
 from jauspy.console.certificates import check_certificate
 from jauspy.console.fleet import NOTHING, Fleet
+from jauspy.console.jogging import Jogging
 from jauspy.console.operation import Operation
 from jauspy.console.sessions import current_user
 from jauspy.console.traffic import Traffic
@@ -35,6 +36,7 @@ from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.modules.audit import MAX_PAYLOAD, AuditLog
 from jauspy.ocu import OCU
+from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.emergency import obeys, set_emergency
 from jauspy.printable import printable
 from jauspy.services.core.command_seal import needs_seal
@@ -83,6 +85,7 @@ class Console:
         self._audit = audit
         self._emergency_ocu = emergency_ocu
         self._operations: dict[int, Operation] = {}
+        self._jogging: dict[JausID, Jogging] = {}
         self._cameras: dict[JausID, SharedCamera] = {}
         self.worlds = Worlds(ocu, lambda: self.fleet.robots)
         self._attitudes: dict[int, AttitudeFeed] = {}
@@ -150,6 +153,19 @@ class Console:
         if not operation.is_controlled:
             operation.robot = robot
         return operation
+
+    def jogging(self, component: str) -> Jogging | None:
+        """What moves the tool of this arm; None when there is no such arm."""
+        try:
+            id = JausID.parse(component)
+        except ConfigError:
+            return None
+        operation = self.operation(id.subsystem)
+        if operation is None or not any(
+            each.id == id and each.find(POSITION_DRIVER) for each in operation.robot.components
+        ):
+            return None
+        return self._jogging.setdefault(id, Jogging(operation, id, self.note))
 
     def camera(self, id: JausID) -> SharedCamera | None:
         """The camera of a component; None when it is not there."""
@@ -256,7 +272,25 @@ def make_app(console: Console) -> FastAPI:
         lambda page, token: _accepted(page, console, token),
         lambda token: console.is_of(token, current_user()),
     )
+    _add_jog(app, console)
     return app
+
+
+def _add_jog(app: FastAPI, console: Console) -> None:
+    @app.websocket("/ws/jog/{component}/{token}")
+    async def jog(page: WebSocket, component: str, token: str) -> None:
+        """Velocities of a tool as `jogging.velocity` reads them; the answer is why there is no effect, if so."""
+        if not await _accepted(page, console, token):
+            return
+        said = ""
+        async for text in _messages(page):
+            jogging = console.jogging(component)
+            problem = "the arm has gone" if jogging is None else jogging.move(token, text)
+            if problem != said:
+                await page.send_text(problem)
+                said = problem
+        if (jogging := console.jogging(component)) is not None:
+            jogging.leave(token)
 
 
 async def _accepted(page: WebSocket, console: Console, token: str) -> bool:

@@ -45,6 +45,8 @@ class DescribedJoint:
     upper: float = math.inf
     max_effort: float | None = None
     """Newtons or newton metres; None when it is not known."""
+    max_speed: float | None = None
+    """rad/s or m/s; None when it is not known."""
 
     @property
     def unit(self) -> str:
@@ -140,6 +142,7 @@ def table_of(report: ReportJointDescription) -> JointTable:
             -math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
             math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
             each.max_effort,
+            each.max_speed,
         )
         for each in report.joint_list
     )
@@ -151,18 +154,25 @@ def table_of(report: ReportJointDescription) -> JointTable:
 def _specified(report: ReportManipulatorSpecifications) -> JointTable:
     names = [each.description for each in report.joint_names_list or ()]
     first = report.first_joint_parameters
-    limits: list[tuple[bool, float | None, float | None]]
-    limits = [(hasattr(first, "joint1_max_torque"), first.joint1_min_value, first.joint1_max_value)]
+    limits: list[tuple[bool, float | None, float | None, float | None]]
+    limits = [
+        (hasattr(first, "joint1_max_torque"), first.joint1_min_value, first.joint1_max_value, first.joint1_max_speed)
+    ]
     limits += [
-        (hasattr(each, "max_torque"), each.min_value, each.max_value) for each in report.joint_specification_list
+        (hasattr(each, "max_torque"), each.min_value, each.max_value, each.max_speed)
+        for each in report.joint_specification_list
     ]
     names += [f"joint{number}" for number in range(len(names) + 1, len(limits) + 1)]
     rows = zip(names, limits, strict=False)
     return JointTable(
         tuple(
             DescribedJoint(
-                name, turns, lower=-math.inf if low is None else low, upper=math.inf if high is None else high
+                name,
+                turns,
+                lower=-math.inf if low is None else low,
+                upper=math.inf if high is None else high,
+                max_speed=speed,
             )
-            for name, (turns, low, high) in rows
+            for name, (turns, low, high, speed) in rows
         )
     )

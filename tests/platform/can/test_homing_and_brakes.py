@@ -87,6 +87,7 @@ def test_a_drive_that_knows_its_home_starts_and_drives(open_can: OpenCan) -> Non
     assert robot.master.running
 
 
+@pytest.mark.slow
 def test_a_joint_waits_until_its_brake_has_released(open_can: OpenCan) -> None:
     robot = open_can(arm_5={"brake_release": 0.3})
     arm = robot.groups["arm"]
@@ -119,7 +120,7 @@ def profile_position_only(monkeypatch: pytest.MonkeyPatch) -> None:
     ("target", "reached"),
     [
         (Target(ControlMode.POSITION, 0.5), pytest.approx(0.5, abs=0.01)),
-        (Target(ControlMode.VELOCITY, 0.4), pytest.approx(0.6, abs=0.15)),
+        pytest.param(Target(ControlMode.VELOCITY, 0.4), pytest.approx(0.6, abs=0.15), marks=pytest.mark.slow),
         (Target(ControlMode.EFFORT, 6.0), pytest.approx(0.0, abs=1e-3)),
     ],
     ids=["position", "velocity", "effort"],

@@ -98,6 +98,7 @@ const jauspy = {
     const typing = (event) => event.target.closest?.("input, textarea, select, [contenteditable]");
     addEventListener("keydown", (event) => {
       if (event.code === "Escape") { jauspy.stop("all"); event.preventDefault(); return; }
+      if (event.key.startsWith("Arrow") && event.target.closest?.("[role=slider]")) return;
       if (typing(event) || event.ctrlKey || event.altKey || event.metaKey) return;
       if (event.code in jauspy.bindings) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
     });
