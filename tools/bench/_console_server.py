@@ -40,8 +40,8 @@ class WatchedOCU(OCU):
         super().trace(both)
 
 
-def _moves(command: object) -> bool:
-    numbers = (getattr(command, each.name) for each in fields(command))  # type: ignore[arg-type] - a message
+def _moves(command: Any) -> bool:
+    numbers = (getattr(command, each.name) for each in fields(command))
     return any(isinstance(each, float) and each for each in numbers)
 
 
