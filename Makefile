@@ -1,4 +1,4 @@
-# make demo    sets everything up, then runs the whole system once
+# make demo    sets everything up, then runs the whole system once (WORLD=street: in a street)
 # make test    sets everything up, then runs the checks and tests (a few minutes)
 # Everything lives in .venv; nothing is reinstalled until pyproject.toml changes.
 
@@ -7,10 +7,16 @@ VENV := .venv
 BIN := $(VENV)/bin
 # not from the environment, where PORT often means something else; `make demo PORT=3795` works
 PORT = 3794
+# `make demo WORLD=street`: over a kerb to a pipe with wires
+WORLD = yard
+# each worker begins with a third of the tests, so that those of a file share its fixtures
+PYTEST = $(BIN)/pytest -n 3 --dist worksteal
 PYTEST_ARGS ?=
 CASES ?= 200000
 SECONDS ?= 600
 ATTACK_ARGS ?=
+# Many container images set it; then every process that a test starts would compile its modules again.
+unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
 .PHONY: help setup dev demo cell test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack format generate clean
@@ -31,20 +37,23 @@ setup: $(VENV)/.installed
 dev: $(VENV)/.developing
 
 demo: setup
-	@$(BIN)/jauspy demo --port $(PORT)
+	@$(BIN)/jauspy demo --port $(PORT) --world $(WORLD)
 
 cell: dev
 	$(BIN)/jauspy cell all --out cell_out $(CELL_ARGS)
 
-test: check wheel-test unit
+# the checks two at a time, and then the tests alone: some of them measure time
+test: dev
+	@$(MAKE) --no-print-directory -j2 --output-sync=target check wheel-test
+	@$(MAKE) --no-print-directory unit
 
 coverage: dev
-	$(BIN)/pytest -n 3 --cov --cov-report=term $(PYTEST_ARGS)
+	$(PYTEST) --cov --cov-report=term $(PYTEST_ARGS)
 
 test-slow: dev
-	$(BIN)/pytest -n 3 -m slow $(PYTEST_ARGS)
+	$(PYTEST) -m slow $(PYTEST_ARGS)
 
-check: lint types imports docs
+check: types docs lint imports
 
 lint: dev
 	$(BIN)/ruff check
@@ -61,7 +70,7 @@ docs: dev
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build -q --strict
 
 unit: dev
-	$(BIN)/pytest -n 3 $(PYTEST_ARGS)
+	$(PYTEST) $(PYTEST_ARGS)
 
 wheel-test: dev
 	$(BIN)/python tools/wheel_test.py

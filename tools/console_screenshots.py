@@ -15,7 +15,7 @@ import signal
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Final
@@ -26,9 +26,10 @@ from playwright.sync_api import Page, ViewportSize, sync_playwright
 MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
-PANELS: Final = ("video", "plots", "log")
+PANELS: Final = ("video", "world", "trajectory", "plots", "log")
+SOFTWARE_GL: Final = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 PORT: Final = 3952
-WAIT: Final = 90_000
+WAIT: Final = 180_000
 """Milliseconds for anything to appear."""
 
 
@@ -80,13 +81,40 @@ def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
 
 
 def show(page: Page, panel: str) -> None:
-    """Open a tab; in the log, open a message."""
+    """Open a tab; in the log, open a message; make a trajectory; in the world, drive to waypoints."""
     page.get_by_role("tab", name=panel, exact=False).click()
+    if panel == "world":
+        page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 5")
+        for ahead, left in ((0.6, 0.9), (-0.8, 1.4), (-1.6, 0.0)):
+            place = f"(([x, y]) => [x + {ahead}, y + {left}])(jauspy.world.pose)"
+            right, down = page.evaluate(f"jauspy.map.toScreen({place})")
+            page.locator("#world-map canvas").click(position={"x": right, "y": down})
+            page.wait_for_timeout(1000)
+        page.get_by_role("button", name="start", exact=True).click()
+        page.get_by_text("drives to waypoint 2").wait_for()
+        page.get_by_role("button", name="pause", exact=True).click()
+    if panel == "trajectory":
+        teach(page)
     if panel == "log":
         page.locator(".traffic tbody tr").nth(2).click()
         page.locator(".fields .path").first.wait_for()
     page.mouse.move(2, 2)
     page.wait_for_timeout(1500)
+
+
+def teach(page: Page) -> None:
+    """Make a trajectory of three rows, and play it."""
+    page.locator(".arm").get_by_text("tool", exact=True).first.click()
+    turn, shoulder = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"
+    for row, (seconds, turned, raised) in enumerate((("4", "0.6", "2.4"), ("6", "-0.6", "2.1"), ("0", "0", "2.7")), 1):
+        page.get_by_role("button", name="add present positions").click()
+        page.get_by_label(f"seconds of row {row}").fill(seconds)
+        page.get_by_label(f"{turn} of row {row}").fill(turned)
+        page.get_by_label(f"{shoulder} of row {row}").fill(raised)
+        page.keyboard.press("Tab")
+        page.wait_for_timeout(500)
+    page.get_by_role("button", name="play", exact=True).click()
+    page.locator(".line.active").wait_for()
 
 
 def save(picture: bytes, path: Path) -> None:
@@ -101,16 +129,16 @@ def save(picture: bytes, path: Path) -> None:
     print(f"{path}: {data.tell() // 1000} kB, quality {quality}")
 
 
-def take_all(url: str, folder: Path) -> None:
-    """All panels in all sizes and schemes, of one page, on which the robot was driven before."""
+def take_all(url: str, folder: Path, panels: Sequence[str]) -> None:
+    """These panels in all sizes and schemes, of one page, on which the robot was driven before."""
     executable = shutil.which("chromium") or shutil.which("google-chrome")
     with sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=executable, args=["--no-sandbox"])
+        browser = playwright.chromium.launch(executable_path=executable, args=["--no-sandbox", *SOFTWARE_GL])
         page = browser.new_page(viewport=ViewportSize(width=1440, height=900))
         page.set_default_timeout(WAIT)
         page.goto(url)
         prepare(page)
-        for panel in PANELS:
+        for panel in panels:
             show(page, panel)
             for scheme in SCHEMES:
                 page.emulate_media(color_scheme="dark" if scheme == "dark" else "light")
@@ -126,10 +154,11 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--backend", default="sim", help="of the robot")
     parser.add_argument("--output", type=Path, default=Path("docs/assets"), help="folder of the pictures")
+    parser.add_argument("--panel", action="append", choices=PANELS, help="only this one; may be given several times")
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
     with console(arguments.backend) as url:
-        take_all(url, arguments.output)
+        take_all(url, arguments.output, arguments.panel or PANELS)
 
 
 if __name__ == "__main__":

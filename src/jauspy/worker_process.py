@@ -70,7 +70,7 @@ class WorkerProcess:
         assert process.stdout is not None
         self._process, self._input, self._output = process, process.stdin, process.stdout
         self._largest = 0
-        """Bytes of the largest message; that with which a camera starts has the whole model of its world."""
+        """Bytes of the largest message; that with which a camera starts may have the whole model of its world."""
 
     @classmethod
     async def start(cls, module: str, niceness: int, descriptors: Sequence[int]) -> Self:

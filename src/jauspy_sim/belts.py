@@ -3,16 +3,45 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from typing import Final
 
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 ALONG_THE_TRACK: Final = 0.002
 """Cosines of normals to the track, of all contacts together, below which MuJoCo's own Jacobian is right."""
 
 FRICTION: Final = 3
 """Rows of the Jacobian for a contact with friction: along the normal and two tangents."""
+
+MAX_KNOWN: Final = 128
+"""Sets of contacts that are remembered; a robot on its belts has few, between which it changes all the time."""
+
+
+@dataclass(frozen=True, slots=True)
+class _Rows:
+    """Where the Jacobian has what the belts' contacts need. Indices of columns: x, y and z of the base, and belts."""
+
+    rows: NDArray[np.int64]
+    """Contact; normal and tangents."""
+    places: NDArray[np.int64]
+    """Contact; normal and tangents; column."""
+    missing: NDArray[np.bool_] | None
+    """Where a sparse Jacobian has no such column; None for a dense one."""
+    belts: NDArray[np.int64]
+    """Places of the columns of belts that there are."""
+    pushes: NDArray[np.int64]
+    """Those of normals."""
+
+    @classmethod
+    def of(cls, rows: NDArray[np.int64], places: NDArray[np.int64], missing: NDArray[np.bool_] | None) -> _Rows:
+        """All of them."""
+        if missing is None:
+            return cls(rows, places, None, places[:, :, 3:].ravel(), places[:, 0, 3:].ravel())
+        there = ~missing[:, :, 3:]
+        return cls(rows, places, missing, places[:, :, 3:][there], places[:, 0, 3:][there[:, 0]])
 
 
 class Belts:
@@ -37,63 +66,60 @@ class Belts:
         self._lateral = np.array((-y, x, 0.0))  # up times the axis of the joint
         self._sparse = bool(mujoco.mj_isSparse(model))
         self._uniform = bool((model.geom_condim == FRICTION).all() and (model.pair_dim == FRICTION).all())
-        self._known: tuple[int, int] = (0, 0)
-        self._places = self._rows = np.empty((0, FRICTION), np.int64)
-        self._normals = np.empty(0, np.int64)
-        self._missing = np.empty((0, FRICTION), np.bool_)
+        self._known: dict[object, _Rows] = {}
 
     def run_around(self) -> None:
         """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it."""
         data = self._data
-        contacts = data.ne + data.nf + data.nl, data.nefc
-        if contacts[0] == contacts[1]:
+        first, end = data.ne + data.nf + data.nl, data.nefc
+        if first == end:
             return
-        if contacts != self._known or self._sparse or not self._uniform:
-            self._find(*contacts)
-        jacobian, places = data.efc_J, self._places
-        if self._sparse:
-            pushes = np.where(self._missing[:, 0, 3:], 0.0, jacobian[places[:, 0, 3:]]).ravel()
-        else:
-            pushes = jacobian[self._normals]
+        found = self._find(first, end)
+        jacobian = data.efc_J
+        pushes = jacobian[found.pushes]
         if pushes.dot(pushes) < ALONG_THE_TRACK**2:
             return
-        block = jacobian[places]  # contact; normal and tangents; x, y and z of the base, and belts
-        if self._sparse:
-            block[self._missing] = 0.0
+        block = jacobian[found.places]
+        if found.missing is not None:
+            block[found.missing] = 0.0
         before = block[:, :, 3:]
         x, y, z = self._frame.dot(self._lateral).tolist()
         directions = block[:, :, :3]
         tangents = directions[:, 0].dot(np.array(((0.0, z, -y), (-z, 0.0, x), (y, -x, 0.0))))
         after = (directions @ tangents[:, :, None]) * before.any(axis=1)[:, None, :]
-        if self._sparse:
-            there = ~self._missing[:, :, 3:]
-            jacobian[places[:, :, 3:][there]] = after[there]
-        else:
-            jacobian[places[:, :, 3:]] = after
+        jacobian[found.belts] = after.ravel() if found.missing is None else after[~found.missing[:, :, 3:]]
         change = (after - before).dot(self._qvel[self._dofs])
-        if self._uniform:
-            data.efc_aref[contacts[0] :] -= data.efc_KBIP[contacts[0] :, 1] * change.ravel()
-        else:
-            data.efc_aref[self._rows] -= data.efc_KBIP[self._rows, 1] * change
+        data.efc_aref[found.rows] -= data.efc_KBIP[found.rows, 1] * change
 
-    def _find(self, first: int, end: int) -> None:
-        """Find the rows of contacts with friction, and where the Jacobian has their columns."""
+    def _find(self, first: int, end: int) -> _Rows:
+        """The rows of the contacts, from `first` on, as they were found when the Jacobian last had this structure."""
         data = self._data
-        if self._uniform:
-            rows = np.arange(first, end).reshape(-1, FRICTION)
-        else:
-            contacts = data.contact
-            starts = contacts.efc_address[(contacts.dim >= FRICTION) & (contacts.efc_address >= 0)]
-            rows = starts[:, None] + np.arange(FRICTION)
-        self._known, self._rows = (first, end), rows
+        key: object = (first, end)
+        if self._sparse:
+            begin = data.efc_J_rowadr[first:end]
+            columns = data.efc_J_colind[begin[0] : data.nJ]
+            key = (first, begin.tobytes(), columns.tobytes(), data.efc_id[first:end].tobytes())
+        elif not self._uniform:
+            key = (first, data.efc_id[first:end].tobytes())
+        if (known := self._known.get(key)) is not None:
+            return known
+        if len(self._known) >= MAX_KNOWN:
+            self._known.clear()
+        found = self._known[key] = self._search(first, end)
+        return found
+
+    def _search(self, first: int, end: int) -> _Rows:
+        """Search the rows of contacts with friction, and where the Jacobian has their columns."""
+        data = self._data
+        _, starts, lengths = np.unique(data.efc_id[first:end], return_index=True, return_counts=True)
+        rows = first + starts[lengths >= FRICTION, None] + np.arange(FRICTION)
         if not self._sparse:
-            self._places = rows[:, :, None] * self._nv + self._columns
-            self._normals = self._places[:, 0, 3:].ravel()
-            return
+            return _Rows.of(rows, rows[:, :, None] * self._nv + self._columns, None)
         begin = data.efc_J_rowadr[first:end]
-        wanted = self._column_of[data.efc_J_colind[begin[0] :]]
+        wanted = self._column_of[data.efc_J_colind[begin[0] : data.nJ]]
         found = np.flatnonzero(wanted >= 0)
         places = np.full((end - first, len(self._columns)), -1)
         places[np.searchsorted(begin, found + begin[0], side="right") - 1, wanted[found]] = found + begin[0]
-        self._places = places[rows - first]
-        self._missing = self._places < 0
+        rows = rows[(places[rows - first][:, 0, 3:] >= 0).any(axis=1)]  # those of belts
+        places = places[rows - first]
+        return _Rows.of(rows, places, places < 0)

@@ -24,6 +24,7 @@ from jauspy_sim.backend import choose_gl
 from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
 from jauspy_sim.sensors import cast_rays
+from jauspy_sim.shared_model import ModelMemory, shared_model
 from jauspy_sim.urdf import body_name
 
 _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -103,15 +104,20 @@ class Renderer(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class SimulatedCamera:
-    """A `Camera`. `model` is MuJoCo's, as bytes; `number` is the camera's in it, `prefix` that of the robot's names.
+    """A `Camera`; `number` is its number in the model, `prefix` that of the robot's names.
 
-    GL shows `drawn` in its place, if there is one; rays are cast at the simple shapes of `model`.
+    GL shows `drawn`, if there is one; rays are cast at the simple shapes of the model for physics. Both are in memory
+    that the processes of all cameras share (`ModelMemory`).
     """
 
     setup: CameraSetup
-    model: mujoco.MjModel
     number: int
-    descriptor: int
+    state: int
+    """Descriptor of the robot's state."""
+    physics: int
+    """Descriptor of the model for physics."""
+    drawing: int
+    """Descriptor of the model that is drawn, which the first camera makes."""
     prefix: str = ""
     lamps: tuple[LampSetup, ...] = ()
     time_of_day: TimeOfDay = TimeOfDay.DAY
@@ -122,8 +128,8 @@ class SimulatedCamera:
 
     @property
     def descriptors(self) -> tuple[int, ...]:
-        """The robot's state."""
-        return (self.descriptor,)
+        """The robot's state, and the models."""
+        return self.state, self.physics, self.drawing
 
     def open(self) -> SimulatedCameraSession:
         """Open with GL if it works, else with ray casting."""
@@ -135,7 +141,7 @@ class SimulatedCameraSession:
     """A `CameraSession`."""
 
     def __init__(self, camera: SimulatedCamera) -> None:
-        self._state = StateReader(camera.descriptor)
+        self._state = StateReader(camera.state)
         self._number = camera.number
         self._levels: list[float] = []
         self._renderer, self._model = _renderer(camera)
@@ -276,12 +282,21 @@ def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
     """The best renderer that works here, and the model that it shows."""
     way = choose_gl()
     if way is not None:
-        model = camera.model if camera.drawn is None else camera.drawn.build()
+        model = _physics(camera) if camera.drawn is None else shared_model(camera.drawing, camera.drawn.build)
         try:
             return GlRenderer(model, camera.number, camera.setup.fov, way, camera.quality), model
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
             logger.warning("%s does not work here: %s", way, error)
-    return RayRenderer(camera.model, camera.number, camera.setup.fov), camera.model
+    model = _physics(camera)
+    return RayRenderer(model, camera.number, camera.setup.fov), model
+
+
+def _physics(camera: SimulatedCamera) -> mujoco.MjModel:
+    return shared_model(camera.physics, _missing)
+
+
+def _missing() -> mujoco.MjModel:
+    raise RuntimeError("the robot's process has not shared its model")
 
 
 class SimulatedCameras:
@@ -299,14 +314,19 @@ class SimulatedCameras:
     ) -> None:
         self._data, self._lamps = data, lamps
         self._shared = StateWriter(state_size(model, len(lamps))) if robot.cameras else None
+        self._models = (ModelMemory(), ModelMemory()) if robot.cameras else ()
         state = -1 if self._shared is None else self._shared.descriptor
+        physics, drawing = (memory.descriptor for memory in self._models) if self._models else (-1, -1)
+        if self._models:
+            shared_model(physics, lambda: model)
         shining = tuple(lamp.setup for lamp in lamps)
         self.cameras: Mapping[str, SimulatedCamera] = {
             setup.name: SimulatedCamera(
                 setup,
-                model,
                 int(model.camera(f"{prefix}{setup.name}").id),
                 state,
+                physics,
+                drawing,
                 prefix,
                 shining,
                 robot.time_of_day,
@@ -328,3 +348,5 @@ class SimulatedCameras:
         if self._shared is not None:
             self._shared.close()
             self._shared = None
+        for memory in self._models:
+            memory.close()

@@ -21,7 +21,7 @@ from jauspy_sim.mesh_files import read_heights
 from jauspy_sim.model_paths import ModelPaths
 from jauspy_sim.sdf_materials import look_of
 from jauspy_sim.sdf_poses import floats, is_true, line_of, located, raw_pose, words
-from jauspy_sim.shapes import Look, ShapeBuilder, Solid
+from jauspy_sim.shapes import Look, MeshSource, ShapeBuilder, Solid
 
 logger = logging.getLogger("jauspy_sim.sdf")
 
@@ -174,8 +174,7 @@ class LinkBuilder:
             return
         look = look_of(visual, self._paths, near)
         if shape.tag == "mesh":
-            path, scale, submesh, centred = self._mesh(shape, near)
-            self._shapes.draw_mesh(body, path, pose, look, scale=scale, submesh=submesh, centred=centred)
+            self._shapes.draw_mesh(body, self._mesh(shape, near), pose, look)
         elif shape.tag == "heightmap":
             pass  # drawn by the collision
         elif shape.tag == "cone":
@@ -196,12 +195,10 @@ class LinkBuilder:
             return []
         solid = Solid(_friction(collision), mass=0.0)
         if shape.tag == "mesh":
-            path, scale, submesh, centred = self._mesh(shape, near)
+            source = self._mesh(shape, near)
             if moves:
-                return [
-                    self._shapes.collide_mesh(body, path, pose, solid, scale=scale, submesh=submesh, centred=centred)
-                ]
-            self._shapes.collide_surface(body, path, pose, solid, scale=scale, submesh=submesh, centred=centred)
+                return [self._shapes.collide_mesh(body, source, pose, solid)]
+            self._shapes.collide_surface(body, source, pose, solid)
             return []
         if shape.tag == "heightmap" and not moves:
             self._add_heights(shape, body, pose, near)
@@ -233,7 +230,7 @@ class LinkBuilder:
         geom = self._shapes.height_field(body, read_heights(path, MAX_HEIGHTS), size, frame, look)
         geom.group = 0
 
-    def _mesh(self, mesh: Element, near: Path) -> tuple[Path, tuple[float, ...], str | None, bool]:
+    def _mesh(self, mesh: Element, near: Path) -> MeshSource:
         scale = mesh.find("scale")
         try:
             path = self._paths.file(" ".join(words(mesh.find("uri"))), near)
@@ -243,7 +240,7 @@ class LinkBuilder:
         factors = (1.0, 1.0, 1.0) if scale is None else floats(scale, 3)
         if not all(factors):
             raise ConfigError(f"line {line_of(mesh)}: <scale>: must not be zero")
-        return path, factors, submesh, is_true(mesh.find("submesh/center")) is True
+        return MeshSource(path, factors, submesh, is_true(mesh.find("submesh/center")) is True)
 
     def add_light(self, light: Element, body: mujoco.MjsBody, frame: Transform) -> None:
         """Add a lamp or the sun to a body."""

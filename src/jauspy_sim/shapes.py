@@ -65,6 +65,31 @@ class Solid:
     density: float = DENSITY
 
 
+@dataclass(frozen=True, slots=True)
+class MeshSource:
+    """The mesh of a file."""
+
+    path: Path
+    scale: tuple[float, ...] = (1.0, 1.0, 1.0)
+    submesh: str | None = None
+    """The name of the parts that are taken; all if none has it, or without a name."""
+    centred: bool = False
+    """Whether the middle of these parts becomes the origin."""
+
+    def parts(self) -> tuple[MeshPart, ...]:
+        """The parts, not scaled."""
+        every, name = read_mesh(self.path), self.submesh
+        return tuple(part for part in every if name in (part.name, part.name.removesuffix("-mesh"))) or every
+
+    def centre(self, parts: Sequence[MeshPart]) -> NDArray[np.float64]:
+        """The point of the parts that becomes the origin; not scaled."""
+        if not self.centred:
+            return np.zeros(3)
+        vertices = np.concatenate([part.vertices for part in parts])
+        middle: NDArray[np.float64] = (vertices.min(axis=0) + vertices.max(axis=0)) / 2.0
+        return middle
+
+
 class ShapeBuilder:
     """Adds geometries to the bodies of one model. Names of assets begin with `prefix`.
 
@@ -77,7 +102,7 @@ class ShapeBuilder:
         self._prefix = prefix
         self._materials: dict[tuple[object, ...], str] = {}
         self._textures: dict[tuple[object, ...], str] = {}
-        self._meshes: dict[tuple[object, ...], list[tuple[str, MeshPart]]] = {}
+        self._meshes: dict[tuple[MeshSource, bool], list[tuple[str, MeshPart]]] = {}
         self._fields = self._count = 0
 
     def draw(
@@ -124,66 +149,36 @@ class ShapeBuilder:
         mesh.uservert = corners.ravel()
         return name
 
-    def draw_mesh(
-        self,
-        body: mujoco.MjsBody,
-        path: Path,
-        pose: Transform,
-        look: Look,
-        *,
-        scale: Sequence[float] = (1.0, 1.0, 1.0),
-        submesh: str | None = None,
-        centred: bool = False,
-    ) -> None:
+    def draw_mesh(self, body: mujoco.MjsBody, source: MeshSource, pose: Transform, look: Look) -> None:
         """Add a mesh that is only seen: a geometry for each of its colours."""
-        for name, part in self._mesh(path, tuple(scale), submesh, centred=centred, hull=False):
+        for name, part in self._mesh(source, hull=False):
             geom = _add_mesh_geom(body, name, pose)
             self._paint_part(geom, look, part)
             self._only_seen(geom)
 
-    def collide_mesh(
-        self,
-        body: mujoco.MjsBody,
-        path: Path,
-        pose: Transform,
-        solid: Solid,
-        *,
-        scale: Sequence[float] = (1.0, 1.0, 1.0),
-        submesh: str | None = None,
-        centred: bool = False,
-    ) -> mujoco.MjsGeom:
+    def collide_mesh(self, body: mujoco.MjsBody, source: MeshSource, pose: Transform, solid: Solid) -> mujoco.MjsGeom:
         """Add the convex hull of a mesh, which collides."""
-        ((name, _),) = self._mesh(path, tuple(scale), submesh, centred=centred, hull=True)
+        ((name, _),) = self._mesh(source, hull=True)
         geom = _add_mesh_geom(body, name, pose)
         self._make_solid(geom, solid)
         return geom
 
-    def collide_surface(
-        self,
-        body: mujoco.MjsBody,
-        path: Path,
-        pose: Transform,
-        solid: Solid,
-        *,
-        scale: Sequence[float] = (1.0, 1.0, 1.0),
-        submesh: str | None = None,
-        centred: bool = False,
-    ) -> None:
+    def collide_surface(self, body: mujoco.MjsBody, source: MeshSource, pose: Transform, solid: Solid) -> None:
         """Add convex pieces with the surface of a mesh, which collide; the body must not move.
 
         A mesh of too many pieces collides as its convex hull, and this is logged.
         """
-        parts = _chosen(read_mesh(path), submesh)
-        centre = _middle(parts) if centred else np.zeros(3)
+        parts = source.parts()
         whole = joined(parts)
-        vertices = (whole.vertices - centre) * np.asarray(scale, np.float64)
+        vertices = (whole.vertices - source.centre(parts)) * np.asarray(source.scale, np.float64)
         pieces = convex_pieces(vertices, whole.faces, MAX_PIECES)
         if pieces is None:
-            logger.warning("%s: has %d faces and is not convex; it collides as its convex hull", path, len(whole.faces))
-            self.collide_mesh(body, path, pose, solid, scale=scale, submesh=submesh, centred=centred)
+            faces = len(whole.faces)
+            logger.warning("%s: has %d faces and is not convex; it collides as its convex hull", source.path, faces)
+            self.collide_mesh(body, source, pose, solid)
             return
         for corners in pieces:
-            name = self._add_hull(path, with_volume(corners))
+            name = self._add_hull(source.path, with_volume(corners))
             geom = _add_mesh_geom(body, name, pose)
             self._make_solid(geom, solid)
 
@@ -290,27 +285,23 @@ class ShapeBuilder:
         else:
             geom.rgba = look.colour or part.colour or GREY
 
-    def _mesh(
-        self, path: Path, scale: tuple[float, ...], submesh: str | None, *, centred: bool, hull: bool
-    ) -> list[tuple[str, MeshPart]]:
+    def _mesh(self, source: MeshSource, *, hull: bool) -> list[tuple[str, MeshPart]]:
         """Names of the meshes of a file; of its convex hull, one."""
-        key = (path, scale, submesh, centred, hull)
+        key = (source, hull)
         if key not in self._meshes:
-            parts = _chosen(read_mesh(path), submesh)
+            parts = source.parts()
+            centre = source.centre(parts)
             parts = (joined(parts),) if hull else by_look(parts)
-            centre = _middle(parts) if centred else np.zeros(3)
-            self._meshes[key] = [(self._add_mesh(path, part, centre, scale, hull=hull), part) for part in parts]
+            self._meshes[key] = [(self._add_mesh(source, part, centre, hull=hull), part) for part in parts]
         return self._meshes[key]
 
     def _mesh_name(self, path: Path) -> str:
         self._count += 1
         return f"{self._prefix}{path.stem}_{self._count}"
 
-    def _add_mesh(
-        self, path: Path, part: MeshPart, centre: NDArray[np.float64], scale: Sequence[float], *, hull: bool
-    ) -> str:
-        name = self._mesh_name(path)
-        factors = np.asarray(scale, np.float64)
+    def _add_mesh(self, source: MeshSource, part: MeshPart, centre: NDArray[np.float64], *, hull: bool) -> str:
+        name = self._mesh_name(source.path)
+        factors = np.asarray(source.scale, np.float64)
         vertices = (part.vertices - centre) * factors
         faces = part.faces[:, ::-1] if np.prod(factors) < 0.0 else part.faces
         mesh = self._spec.add_mesh(name=name)
@@ -334,18 +325,6 @@ class ShapeBuilder:
             mesh.usertexcoord = np.column_stack([part.texcoords[:, 0], 1.0 - part.texcoords[:, 1]]).ravel()
             mesh.userfacetexcoord = faces.ravel()
         return name
-
-
-def _chosen(parts: tuple[MeshPart, ...], submesh: str | None) -> tuple[MeshPart, ...]:
-    """The parts of one name, if it is given; all if none has it."""
-    named = tuple(part for part in parts if submesh is None or submesh in (part.name, part.name.removesuffix("-mesh")))
-    return named or parts
-
-
-def _middle(parts: Sequence[MeshPart]) -> NDArray[np.float64]:
-    every = np.concatenate([part.vertices for part in parts])
-    middle: NDArray[np.float64] = (every.min(axis=0) + every.max(axis=0)) / 2.0
-    return middle
 
 
 def _square(pixels: NDArray[np.uint8]) -> NDArray[np.uint8]:

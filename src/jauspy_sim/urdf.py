@@ -22,7 +22,7 @@ from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, nu
 from jauspy.geometry.vectors import quaternion
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.inertias import KEYS, MIN_INERTIA, checked_inertia, set_inertia
-from jauspy_sim.shapes import DENSITY, RGBA, Look, ShapeBuilder, Solid
+from jauspy_sim.shapes import DENSITY, RGBA, Look, MeshSource, ShapeBuilder, Solid
 
 logger = logging.getLogger("jauspy_sim.urdf")
 
@@ -219,7 +219,7 @@ class _Drawing:
         self.shapes.draw(self.body, kind, size, pose, self.look)
 
     def mesh(self, path: Path, pose: Transform, scale: tuple[float, ...]) -> None:
-        self.shapes.draw_mesh(self.body, path, pose, self.look, scale=scale)
+        self.shapes.draw_mesh(self.body, MeshSource(path, scale), pose, self.look)
 
 
 @dataclass(frozen=True, slots=True)
@@ -232,7 +232,7 @@ class _Colliding:
         self.shapes.collide(self.body, kind, size, pose, self.solid)
 
     def mesh(self, path: Path, pose: Transform, scale: tuple[float, ...]) -> None:
-        self.shapes.collide_mesh(self.body, path, pose, self.solid, scale=scale)
+        self.shapes.collide_mesh(self.body, MeshSource(path, scale), pose, self.solid)
 
 
 def _located(element: Element, add: Callable[[], None]) -> None:

@@ -18,7 +18,7 @@ from jauspy.user_files import read_toml
 from jauspy_sim.groups import COLLISION
 from jauspy_sim.lighting import HORIZON, ZENITH, add_floor, add_sky, add_sun
 from jauspy_sim.mesh_files import read_heights
-from jauspy_sim.shapes import RGBA, Look, ShapeBuilder, Solid
+from jauspy_sim.shapes import RGBA, Look, MeshSource, ShapeBuilder, Solid
 
 MAX_HEIGHTS: Final = 513
 """Rows and columns of a height map; larger ones are made smaller."""
@@ -199,13 +199,13 @@ class _Builder:
         if item.mass is not None:
             body.add_freejoint()
         if item.shape == "mesh":
-            path = self._path.parent / (item.file or "")
             scale = (item.scale,) * 3 if isinstance(item.scale, float) else item.scale
-            self._hidden.draw_mesh(body, path, Transform(), look, scale=scale)
+            source = MeshSource(self._path.parent / (item.file or ""), scale)
+            self._hidden.draw_mesh(body, source, Transform(), look)
             if item.mass is None:
-                self._hidden.collide_surface(body, path, Transform(), solid, scale=scale)
+                self._hidden.collide_surface(body, source, Transform(), solid)
             else:
-                self._hidden.collide_mesh(body, path, Transform(), solid, scale=scale)
+                self._hidden.collide_mesh(body, source, Transform(), solid)
             return
         kinds = mujoco.mjtGeom
         radius, half = item.radius or 0.0, (item.length or 0.0) / 2.0

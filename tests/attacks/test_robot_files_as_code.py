@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from jauspy.cli.main import app
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
+from jauspy.modules import robot_files, xacro_files
 
 run = CliRunner()
 
@@ -81,3 +81,17 @@ def test_the_command_says_so() -> None:
     assert done.exit_code == 1
     assert "xacro cannot expand it" in " ".join(done.output.split())
     assert not Path("written").exists()
+
+
+@pytest.mark.parametrize("reading", ["$(env {})", "$(optenv {} none)", "${{'$(env {})'}}"])
+def test_a_robot_file_does_not_read_secrets_from_the_environment(tmp_path, monkeypatch, reading) -> None:
+    """Names of links and joints are told to every client."""
+    path = tmp_path / "it.xacro"
+    path.write_text(f'<robot name="{reading.format("API_TOKEN")}" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
+    monkeypatch.setenv("API_TOKEN", "s3cr3t")
+    with pytest.raises(ConfigError, match="environment variable API_TOKEN is not read, because") as told:
+        xacro_files.expand(str(path))
+    assert "s3cr3t" not in str(told.value)
+    for value in ("1", "-2.5", "true", "Off"):
+        monkeypatch.setenv("API_TOKEN", value)
+        assert f'name="{value}"' in xacro_files.expand(str(path))

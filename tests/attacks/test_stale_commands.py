@@ -12,7 +12,7 @@ import time
 from pathlib import Path
 
 import pytest
-from tests.node.daemon import Daemon
+from tests.node.daemon import DaemonProcess
 
 from jauspy.ids import JausID
 from jauspy.messages.core import Resume
@@ -32,16 +32,18 @@ def command(number: int, ack: Ack = Ack.NONE) -> bytes:
 
 
 @pytest.mark.usefixtures("kernel_stamps")
-def test_a_node_manager_that_was_stopped_hands_on_only_what_is_acknowledged_or_new(daemon: Daemon, root: Path) -> None:
-    robot, operator = daemon.component("101.1.30"), daemon.peer()
+def test_a_node_manager_that_was_stopped_hands_on_only_what_is_acknowledged_or_new(
+    daemon_process: DaemonProcess, root: Path
+) -> None:
+    robot, operator = daemon_process.component("101.1.30"), daemon_process.peer()
     operator.says(command(0).hex())
     robot.hears(command(0).hex())
-    daemon.process.send_signal(signal.SIGSTOP)
+    daemon_process.process.send_signal(signal.SIGSTOP)
     for number in range(1, 40):
         operator.says(command(number).hex())
     operator.says(command(40, Ack.REQUIRED).hex())
     time.sleep(MAX_AGE + 0.1)
-    daemon.process.send_signal(signal.SIGCONT)
+    daemon_process.process.send_signal(signal.SIGCONT)
     operator.says(command(41).hex())
     robot.hears(command(40, Ack.REQUIRED).hex())
     robot.hears(command(41).hex())

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import pytest
 
-pytest.importorskip("pinocchio", reason="needs the extra `cell`")
-pytest.importorskip("coal", reason="needs the extra `cell`")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
+pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
 from jauspy.cell.layout import Layout
 from jauspy.modules import robot_files

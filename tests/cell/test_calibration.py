@@ -5,9 +5,9 @@ import math
 import numpy as np
 import pytest
 
-pytest.importorskip("pinocchio", reason="the extra 'cell' is not installed")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("scipy", reason="the extra 'cell' is not installed")
-pytest.importorskip("coal", reason="the extra 'cell' is not installed")
+pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
 import pinocchio as pin
 from tests.helpers.servo_plant import ServoPlant, many

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-pytest.importorskip("pinocchio", reason="the extra 'cell' is not installed")
-pytest.importorskip("coal", reason="the extra 'cell' is not installed")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
+pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
 from jauspy.cell.swing import AT_REST, Swing, SwingComparison, compare, plot_swing
 from jauspy.platform.modular.arm import ArmController

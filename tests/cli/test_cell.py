@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 from typer.testing import CliRunner
 
-pytest.importorskip("pinocchio", reason="needs the extra `cell`")
-pytest.importorskip("coal", reason="needs the extra `cell`")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
+pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
 from jauspy.cell import iso9283, swing, tasks, trials

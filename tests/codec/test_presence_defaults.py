@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import pytest
+from tests.helpers.sampling import sampled
 
 from jauspy.codec.layout import Composite
 from jauspy.errors import EncodeError
@@ -27,7 +28,7 @@ def test_query_without_arguments_asks_for_all_fields():
     assert QueryLocalPose(0x43).presence_vector == 0x43
 
 
-@pytest.mark.parametrize("query", EVERY, ids=lambda query: f"{query.NAME}-{query.VERSION}")
+@pytest.mark.parametrize("query", sampled(EVERY, 60), ids=lambda query: f"{query.NAME}-{query.VERSION}")
 def test_default_covers_the_optional_fields_of_the_report(query):
     layout, report = query.layout(), query.REPORT.layout()
     if not isinstance(layout, Composite) or [slot.name for slot in layout.slots] != ["presence_vector"]:

@@ -46,11 +46,12 @@ def robot(
     name: str = "igvc",
     timeout: int | None = None,
     component: int | None = None,
+    backend: str = "kinematic",
     **options: object,
 ) -> VirtualTarget:
     """The whole robot, or one `component` of it, which is made faster.
 
-    `part` and `virtual_target` may be broken ones, `timeout` is that of its access control.
+    `part` and `virtual_target` may be broken ones, `timeout` is that of its access control, `backend` moves it.
     """
     config = robot_files.load(name)
     if timeout is not None:
@@ -58,7 +59,7 @@ def robot(
         modules = tuple(each.model_copy(update={"access_control": access}) for each in config.modules)
         config = config.model_copy(update={"modules": modules})
     model = _model(name)
-    body = backends.find("kinematic").open(model, config.world)
+    body = backends.find(backend).open(model, config.world)
     videos = {each.name: Cameraman(body.cameras[each.name], each.settings()) for each in config.cameras}
     made: list[VirtualTarget] = []
 

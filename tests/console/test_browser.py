@@ -95,7 +95,7 @@ def test_a_persons_tour(url: str, robot: RunningRobot) -> None:
         page.keyboard.press("Escape")
         page.get_by_text("components stopped").first.wait_for()
         assert "EMERGENCY" in status(robot)
-        page.get_by_role("button", name="release", exact=True).first.click()
+        page.get_by_role("button", name="clear emergency").click()
         page.get_by_text("released from the emergency").first.wait_for()
         assert "EMERGENCY" not in status(robot)
     for _ in range(100):  # the page is closed: control is released, the robot is in Standby
@@ -112,9 +112,28 @@ def test_two_browsers_one_operates_and_hands_over(url: str) -> None:
         second.set_default_timeout(WAIT)
         second.goto(url)
         second.get_by_text("another browser operates it").wait_for()
-        second.get_by_role("button", name="take over").click()
+        second.get_by_role("button", name="ask", exact=True).click()
+        first.get_by_text("another browser asks for control, with authority 127").wait_for()
+        first.get_by_role("button", name="refuse").click()
+        second.get_by_role("button", name="ask", exact=True).click()
+        first.get_by_role("button", name="hand over").click()
         second.get_by_text("you operate this robot").wait_for()
-        first.get_by_text("another browser operates it").wait_for()
+        first.get_by_role("button", name="take over").click()
+        first.get_by_text("you operate this robot").wait_for()
+        second.get_by_text("another browser operates it").wait_for()
+
+
+def test_a_component_shows_its_services_and_what_it_refused(url: str, robot: RunningRobot) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        holder = start("send", "101.1.102", "SetEmergency", "--connect", robot.local, "--id", "42.9.1")
+        holder.communicate()
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_role("button", name=re.compile("1.102 CM-MOB")).click()
+        page.locator(".service").get_by_text("PrimitiveDriver").wait_for()
+        page.get_by_text(re.compile("last sign of life . s ago")).wait_for()
+        page.get_by_role("button", name="clear emergency").click()
+        page.get_by_text("released from the emergency").first.wait_for()
 
 
 def test_pictures_of_the_cameras_arrive(url: str) -> None:
@@ -156,3 +175,43 @@ def test_a_message_is_found_and_opened(url: str) -> None:
         page.get_by_role("button", name="pause").click()
         page.locator(".traffic tbody tr").first.click()
         page.locator(".fields .path").get_by_text("status", exact=True).wait_for()
+
+
+def test_waypoints_are_set_by_clicks_and_driven(url: str, robot: RunningRobot) -> None:
+    with page_at(url) as page:
+        page.get_by_text("101 inc1").first.wait_for()
+        page.get_by_role("tab", name="World").click()
+        page.wait_for_function("jauspy.world.pose && jauspy.world.model.shapes.length > 80")
+        x, y = page.evaluate("jauspy.world.pose.slice(0, 2)")
+
+        def click(ahead: float, left: float) -> None:
+            page.evaluate("jauspy.map.draw()")
+            right, down = page.evaluate(f"jauspy.map.toScreen([{x + ahead}, {y + left}])")
+            box = page.locator("#world-map").bounding_box()
+            assert box is not None
+            page.mouse.click(box["x"] + 1 + right, box["y"] + 1 + down)
+
+        click(0.8, 0.4)
+        page.locator(".waypoint").nth(0).wait_for()
+        click(1.6, 0.0)
+        page.locator(".waypoint").nth(1).wait_for()
+        assert page.locator(".waypoint").all_inner_texts()[1].split("\n")[:1] == ["2"]
+        start_button = page.get_by_role("button", name="start", exact=True)
+        assert start_button.is_disabled(), "an observer plans, and does not drive"
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        start_button.click()
+        page.locator(".execution .progress").get_by_text("drives to waypoint").wait_for()
+        page.get_by_role("button", name="pause", exact=True).click()
+        page.locator(".execution .progress").get_by_text("waits on the way").wait_for()
+        page.get_by_role("button", name="resume", exact=True).click()
+        page.locator(".execution .progress").get_by_text("ended at waypoint 2 of 2").wait_for()
+        there = page.evaluate("jauspy.world.pose.slice(0, 2)")
+        assert abs(there[0] - x - 1.6) < 0.3
+        assert abs(there[1] - y) < 0.3
+        output, _ = start(
+            "query", "101.1.102", "QueryElementList", "--connect", robot.local, "--id", "42.9.1"
+        ).communicate()
+        assert output.count("element_uid") == 2
+        page.get_by_role("button", name="clear", exact=True).click()
+        page.get_by_text("click on the map to set a waypoint").wait_for()

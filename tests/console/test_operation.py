@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import asyncio
+from collections import Counter
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
 from jauspy.console.fleet import Fleet
-from jauspy.console.operation import DEAD_MAN_TIME, Operation
+from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation, modes_of
+from jauspy.console.users import User
+from jauspy.ids import JausID
+from jauspy.messages import registry
+from jauspy.messages.core import QueryControl
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.testing import VirtualNetwork
@@ -81,6 +86,61 @@ async def test_hand_over_stops_the_robot_first(virtual_network: VirtualNetwork) 
         assert at.speed > 0.2
 
 
+ANNA, BEN, CARA, DAN = (
+    User("anna", "operator", 127),
+    User("ben", "operator", 127),
+    User("cara", "supervisor", 255),
+    User("dan", "observer", 0),
+)
+
+
+async def test_another_user_asks_and_the_operator_decides(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        operation = at.operation
+        await operation.take("a", 127, ANNA)
+        assert "ask for it, or take it over" in await operation.take("b", 127, BEN)
+        operation.ask("b", 255, BEN)
+        assert operation.request is not None
+        assert (operation.request.user, operation.request.authority) == (BEN, 127)
+        assert await operation.answer("b", grant=True) == "", "only the operator may answer"
+        assert operation.operator == "a"
+        await operation.answer("a", grant=False)
+        assert (operation.operator, operation.request) == ("a", None)
+        operation.ask("b", 127, BEN)
+        await asyncio.sleep(REQUEST_TIME + 1.0)
+        assert operation.request is None, "nobody has answered"
+        operation.ask("b", 127, BEN)
+        await operation.answer("a", grant=True)
+        assert (operation.operator, operation.user) == ("b", BEN)
+        assert at.events[-1] == "ben operates robot 101 with authority 127"
+
+
+async def test_a_higher_authority_takes_over_and_observers_do_not(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        operation = at.operation
+        assert await operation.take("d", 0, DAN) == "dan may only observe (observer)"
+        operation.ask("d", 0, DAN)
+        assert operation.request is None
+        assert await operation.take("a", 200, ANNA) == "anna has an authority of at most 127 (operator)"
+        await operation.take("a", 127, ANNA)
+        assert await operation.take("c", 200, CARA) == ""
+        assert (operation.operator, operation.authority) == ("c", 200)
+        assert operation.is_controlled
+        component = next(each for each in operation.robot.components if each.find("PrimitiveDriver"))
+        report = await at.ocu.query(component.id, QueryControl())
+        assert report.authority_code == 200, "control is requested anew with the other authority"
+
+
+async def test_control_that_was_lost_is_taken_again(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at, virtual_network.ocu("42.1.9") as other:
+        await at.operation.take("first", 127)
+        async with (await other.discover(101)).control(authority=200):
+            await asyncio.sleep(1.0)
+            assert not at.operation.is_controlled
+        assert await at.operation.take("first", 127) == ""
+        assert at.operation.is_controlled
+
+
 async def test_refused_control_says_why(virtual_network: VirtualNetwork) -> None:
     async with (
         desk(virtual_network) as at,
@@ -117,3 +177,28 @@ async def test_the_fleet_follows_robots_and_their_states(virtual_network: Virtua
     assert events[0] == "robot 101 inc1 has appeared"
     assert "101.1.102 is controlled by 42.1.9, was by nobody" in events
     assert events[-1] == "robot 101 inc1 does not answer any more"
+
+
+async def test_a_robot_is_driven_by_effort_where_it_offers_that(virtual_network: VirtualNetwork) -> None:
+    async with desk(virtual_network) as at:
+        assert modes_of(at.operation.robot) == ["velocity", "effort"]
+        assert at.operation.set_mode("first", "effort") == "take control first"
+        await at.operation.take("first", 127)
+        await at.drive(0.5)
+        assert at.operation.set_mode("first", "somehow") == "this robot does not offer the mode somehow"
+        assert at.operation.set_mode("first", "effort") == ""
+        names = Counter[str]()
+
+        def count(_source: JausID, _destination: JausID, payload: bytes, *, sent: bool) -> None:
+            names[registry.decode(payload).NAME] += sent
+
+        at.ocu.trace(count)
+        at.operation.speed_limit = 0.4
+        await at.drive(2.0)
+        assert at.operation.commanded == (0.4, 0.0)
+        assert names["SetWrenchEffort"] > 30
+        assert names["SetVelocityCommand"] <= 1, "the velocity before is not repeated beside the effort"
+        assert at.speed > 0.3
+        await asyncio.sleep(DEAD_MAN_TIME + STOP_TIME)
+        assert abs(at.speed) < 0.05
+        at.ocu.trace(None)

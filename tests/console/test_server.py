@@ -87,7 +87,7 @@ async def test_sockets_are_refused_to_other_sites_and_without_a_token(console: s
                 await refused.recv()
 
 
-@pytest.mark.parametrize(("host", "said"), [("0.0.0.0", "no login"), ("127.0.0.1", "choose another")])
+@pytest.mark.parametrize(("host", "said"), [("0.0.0.0", "only with TLS and a login"), ("127.0.0.1", "choose another")])
 async def test_addresses_that_cannot_be_served(node_manager: LocalNode, host: str, said: str) -> None:
     async with node_manager.ocu("42.1.2") as ocu, node_manager.ocu("42.1.3") as stopper:
         with socket.create_server(("127.0.0.1", 0)) as taken, pytest.raises(ConfigError, match=said):

@@ -58,9 +58,9 @@ def unstable(right: Any, data: bytes) -> Any:
     [
         (wrong_exception, "decode RegisterServices 1.1 ZeroDivisionError", 7),
         (wrong_value, "tolerant RegisterServices 1.1 values", 6),
-        (drops_a_service, "tolerant RegisterServices 1.1 values", 12),
+        pytest.param(drops_a_service, "tolerant RegisterServices 1.1 values", 12, marks=pytest.mark.slow),
         (hungry, "memory RegisterServices 1.1", 6),
-        (unstable, "tolerant RegisterServices 1.1 values", 7),
+        pytest.param(unstable, "tolerant RegisterServices 1.1 values", 7, marks=pytest.mark.slow),
     ],
 )
 def test_planted_fault_is_found_minimised_and_replayed(  # noqa: PLR0917 - parameters and fixtures

@@ -6,7 +6,9 @@ import json
 import struct
 import sys
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
+from itertools import groupby
 from pathlib import Path
 from types import ModuleType
 from typing import Any
@@ -40,6 +42,15 @@ class Row:
 
     def __str__(self) -> str:
         return f"{self.set} {self.message} {self.case}"
+
+    @contextmanager
+    def named(self) -> Iterator[None]:
+        """Adds the row to what fails inside."""
+        try:
+            yield
+        except Exception as error:
+            error.add_note(f"row: {self}")
+            raise
 
 
 def rows(folder: Path) -> Iterator[Row]:
@@ -146,8 +157,9 @@ def existing_rows(folder: Path) -> list[Row]:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    if "row" in metafunc.fixturenames:
-        metafunc.parametrize("row", existing_rows(COMMITTED), ids=str)
+    if "rows" in metafunc.fixturenames:  # those of a set
+        sets = groupby(existing_rows(COMMITTED), lambda row: row.set)
+        metafunc.parametrize("rows", [pytest.param(list(found), id=name) for name, found in sets])
 
 
 @pytest.fixture(scope="session")

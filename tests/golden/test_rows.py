@@ -14,36 +14,46 @@ from jauspy.messages import registry
 from jauspy.schema import model as m
 
 
-def test_values_to_bytes(row: Any, vectors: ModuleType) -> None:
-    cls = vectors.find(registry, row)
-    assert vectors.to_ours(cls.layout(), row.values).encode() == row.right
+def test_values_to_bytes(rows: list[Any], vectors: ModuleType) -> None:
+    for row in rows:
+        with row.named():
+            cls = vectors.find(registry, row)
+            assert vectors.to_ours(cls.layout(), row.values).encode() == row.right
 
 
-def test_bytes_to_values(row: Any, vectors: ModuleType) -> None:
-    cls = vectors.find(registry, row)
-    expected = vectors.to_ours(cls.layout(), row.values)
-    assert vectors.raw_of(cls.layout(), cls.decode(row.right)) == vectors.raw_of(cls.layout(), expected)
+def test_bytes_to_values(rows: list[Any], vectors: ModuleType) -> None:
+    for row in rows:
+        with row.named():
+            cls = vectors.find(registry, row)
+            expected = vectors.to_ours(cls.layout(), row.values)
+            assert vectors.raw_of(cls.layout(), cls.decode(row.right)) == vectors.raw_of(cls.layout(), expected)
 
 
-def test_bytes_to_message_to_bytes(row: Any, vectors: ModuleType) -> None:
-    cls = vectors.find(registry, row)
-    for data in (row.theirs, row.right):
-        message = cls.decode(data)
-        assert message.encode() == data
-        assert cls.from_dict(json.loads(json.dumps(message.to_dict()))) == message
+def test_bytes_to_message_to_bytes(rows: list[Any], vectors: ModuleType) -> None:
+    for row in rows:
+        with row.named():
+            cls = vectors.find(registry, row)
+            for data in (row.theirs, row.right):
+                message = cls.decode(data)
+                assert message.encode() == data
+                assert cls.from_dict(json.loads(json.dumps(message.to_dict()))) == message
 
 
-def test_slow_path_agrees_with_straight_line_code(row: Any, vectors: ModuleType) -> None:
-    cls = vectors.find(registry, row)
-    message = cls._unpack(row.right, None)
-    assert slow_path.decode(cls, row.right) == message
-    assert slow_path.decode_tolerant(cls, row.right) == cls.decode(row.right, strict=False) == (message, [])
-    assert message._pack() == slow_path.encode(message, clamp=False, strict=True) == row.right
-    assert slow_path.encode(message, clamp=True, strict=False) == row.right
+def test_slow_path_agrees_with_straight_line_code(rows: list[Any], vectors: ModuleType) -> None:
+    for row in rows:
+        with row.named():
+            cls = vectors.find(registry, row)
+            message = cls._unpack(row.right, None)
+            assert slow_path.decode(cls, row.right) == message
+            assert slow_path.decode_tolerant(cls, row.right) == cls.decode(row.right, strict=False) == (message, [])
+            assert message._pack() == slow_path.encode(message, clamp=False, strict=True) == row.right
+            assert slow_path.encode(message, clamp=True, strict=False) == row.right
 
 
-def test_reference_agrees(row: Any, vectors: ModuleType, models: dict[tuple[str, str, str], m.Message]) -> None:
-    check_reference(vectors.find(registry, row), row.right, models)
+def test_reference_agrees(rows: list[Any], vectors: ModuleType, models: dict[tuple[str, str, str], m.Message]) -> None:
+    for row in rows:
+        with row.named():
+            check_reference(vectors.find(registry, row), row.right, models)
 
 
 def check_reference(cls: type[Message], data: bytes, models: dict[tuple[str, str, str], m.Message]) -> None:

@@ -25,6 +25,8 @@ from jauspy.mapping.mapper import Mapper
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 
+pytestmark = pytest.mark.slow
+
 TOUR = (  # m
     (2.2, 0.0),
     (2.4, -2.2),
@@ -131,7 +133,6 @@ def shares(robot: SimulatedRobot, mapper: Mapper) -> tuple[float, float, float]:
     return float(right.mean()), float(near(true)[marked].mean()), float(marked[true & observed].mean())
 
 
-@pytest.mark.slow
 def test_map_matches_the_floor_plan(tour: tuple[SimulatedRobot, dict[bool, Mapper], list[float], float]) -> None:
     robot, mappers, errors, drift = tour
     assert drift > 0.2, "odometry was to be wrong"

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from tests.helpers.sampling import sampled
 from tests.modules.world import OTHER, World
 
 from jauspy.messages.core import ClearEmergency, RequestControl, SetEmergency, Standby
@@ -41,7 +42,8 @@ def current(world: World) -> SetVelocityCommand:
 
 
 @pytest.mark.parametrize(
-    ("speed", "yaw_rate"), [(0.5, 0.0), (-0.5, 0.0), (0.2, 0.0), (1.45, 0.0), (0.0, 0.5), (0.0, -0.3), (0.6, 0.4)]
+    ("speed", "yaw_rate"),
+    sampled([(0.5, 0.0), (-0.5, 0.0), (0.0, 0.5), (0.2, 0.0), (0.6, 0.4), (0.0, -0.3), (1.45, 0.0)], 3, several=True),
 )
 def test_velocities_are_reached_and_held(world: World, speed: float, yaw_rate: float) -> None:
     world.tell(drive(speed, yaw_rate))

@@ -9,6 +9,7 @@ from dataclasses import replace
 from importlib.util import find_spec
 
 import pytest
+from tests.helpers.sampling import sampled
 from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
 
 from jauspy.codec.message import Message
@@ -198,7 +199,7 @@ def test_command_event_fails_when_the_pose_is_abandoned(arm: Handler) -> None:
     assert told(arm, CreateCommandEvent(1, 60, goals[0]), Standby()) == [1]
 
 
-@pytest.mark.parametrize("stop", [Standby(), ReleaseControl(), SetEmergency(1)])
+@pytest.mark.parametrize("stop", sampled([Standby(), ReleaseControl(), SetEmergency(1)], 1))
 @pytest.mark.parametrize("what", ["pose", "velocity", "search"])
 def test_stops_within_200_ms(arm: Handler, stop: Message, what: str) -> None:
     far = arm.pose_at((-1.5, 1.3, -1.0, 0.2, -0.3))
@@ -283,7 +284,7 @@ def test_element_with_zero_quaternion_is_rejected(arm: Handler) -> None:
 # --- velocities
 
 
-@pytest.mark.parametrize(("robot", "way"), LINES)
+@pytest.mark.parametrize(("robot", "way"), sampled(LINES, 2, several=True))
 def test_the_tool_moves_along_a_straight_line_and_stops(backend: str, robot: str, way: Vector) -> None:
     arm = Handler(backend, robot)
     arm.to(STARTS[robot])

@@ -9,7 +9,7 @@ from typing import Any
 
 import pytest
 
-pytest.importorskip("pinocchio", reason="models of arms need the extra 'cell'")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("ruckig", reason="trajectories of arms need the extra 'cell'")
 
 from tests.helpers.servo_plant import PERIOD, ServoPlant, many

@@ -7,7 +7,7 @@ from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from tests.node.daemon import Daemon
+from tests.node.daemon import Daemon, DaemonProcess
 
 from jauspy.ids import JausID
 from jauspy.protocol import junior
@@ -50,3 +50,9 @@ def udp(stack: ExitStack) -> Callable[[], socket.socket]:
 def daemon(root: Path, free_port: int) -> Iterator[Daemon]:
     with contextlib.ExitStack() as stack:
         yield Daemon(stack, root, free_port)
+
+
+@pytest.fixture
+def daemon_process(root: Path, free_port: int) -> Iterator[DaemonProcess]:
+    with contextlib.ExitStack() as stack:
+        yield DaemonProcess(stack, root, free_port)

@@ -1,4 +1,4 @@
-"""`jauspy node-manager` as a process, and everybody around it, in hexadecimal."""
+"""A node manager with all links, and everybody around it, in hexadecimal."""
 
 import contextlib
 import os
@@ -14,6 +14,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.ids import JausID
+from jauspy.node import NodeManager, config_file
+from jauspy.sync.portal import Portal
 
 PATIENCE = 20
 IP_RECVTTL = 12
@@ -77,7 +79,7 @@ class End:
 
 
 class Daemon:
-    """The process, and everybody around it."""
+    """The node manager in a thread of this process, and everybody around it."""
 
     def __init__(self, stack: contextlib.ExitStack, root: Path, port: int) -> None:
         self._stack = stack
@@ -89,22 +91,15 @@ class Daemon:
             stack.callback(os.close, file)
         config = root / "nm.toml"
         config.write_text(CONFIG.format(port=port, root=root, device=os.ttyname(device)))
-        self._command = (sys.executable, "-m", "jauspy.cli.main", "node-manager", "--config", str(config))
+        self._config = config
         self.start()
 
     def start(self) -> None:
-        """Also again, after `die`."""
-        self.process = self._stack.enter_context(
-            subprocess.Popen(self._command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
-        )
-        self._stack.callback(self.process.terminate)
-        assert self.process.stdout is not None
-        assert "ready" in self.process.stdout.readline()
-
-    def die(self) -> None:
-        """Without a word."""
-        self.process.kill()
-        self.process.wait()
+        portal, manager = Portal("node manager"), NodeManager(config_file.load(self._config))
+        portal.open()
+        self._stack.callback(portal.close)
+        portal.run(manager.open())
+        self._stack.callback(lambda: portal.run(manager.close()))
 
     def component(self, id: int | str, *, connect: bool = True) -> End:
         """A component on its Unix socket, by the number that names it."""
@@ -143,3 +138,22 @@ class Daemon:
     def stream(self) -> End:
         """A peer by TCP."""
         return End(self._stack.enter_context(socket.create_connection(("127.0.0.1", self.port))), None)
+
+
+class DaemonProcess(Daemon):
+    """`jauspy node-manager`, which can be killed and stopped."""
+
+    def start(self) -> None:
+        """Also again, after `die`."""
+        command = (sys.executable, "-m", "jauspy.cli.main", "node-manager", "--config", str(self._config))
+        self.process = self._stack.enter_context(
+            subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True)
+        )
+        self._stack.callback(self.process.terminate)
+        assert self.process.stdout is not None
+        assert "ready" in self.process.stdout.readline()
+
+    def die(self) -> None:
+        """Without a word."""
+        self.process.kill()
+        self.process.wait()

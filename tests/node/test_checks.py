@@ -6,7 +6,7 @@ What must not arrive is found out by what is sent after it, and arrives.
 import time
 
 import pytest
-from tests.node.daemon import ACCEPT, CANCEL, CONNECT, TEN, Daemon, End, plain
+from tests.node.daemon import ACCEPT, CANCEL, CONNECT, TEN, Daemon, DaemonProcess, End, plain
 
 from jauspy.transport.node_status import read_at_once
 
@@ -192,10 +192,10 @@ def test_15_dead_component_is_removed_and_can_return(daemon: Daemon, connects: b
     again.hears(f"02001000 01 {TO_B} 0220 0300")
 
 
-def test_16_components_that_send_are_registered_after_a_restart(daemon: Daemon) -> None:
-    a, b = daemon.component(A), daemon.component(B)
-    daemon.die()
-    daemon.start()
+def test_16_components_that_send_are_registered_after_a_restart(daemon_process: DaemonProcess) -> None:
+    a, b = daemon_process.component(A), daemon_process.component(B)
+    daemon_process.die()
+    daemon_process.start()
     a.says("02001000 05 ffffffff 01016400 0220 0100")
     b.hears("02001000 05 ffffffff 01016400 0220 0100")
     b.says(f"02001000 01 {TO_A} 0220 0200")
@@ -204,18 +204,18 @@ def test_16_components_that_send_are_registered_after_a_restart(daemon: Daemon) 
     b.hears(f"02001000 01 {TO_B} 0240 0200")
 
 
-def test_silent_components_are_reachable_after_a_restart(daemon: Daemon) -> None:
+def test_silent_components_are_reachable_after_a_restart(daemon_process: DaemonProcess) -> None:
     """Of those whose sockets are there: live ones, and no other files."""
-    a, b = daemon.component(A), daemon.component(B)
-    dead = daemon.component("100.1.9")
+    a, b = daemon_process.component(A), daemon_process.component(B)
+    dead = daemon_process.component("100.1.9")
     dead.socket.close()
-    daemon.die()
-    daemon.start()
+    daemon_process.die()
+    daemon_process.start()
     a.says(f"02001000 01 {TO_B} 0220 0100")
     b.hears(f"02001000 01 {TO_B} 0220 0100")
     a.says("02001000 01 09016400 01016400 0220 0200")  # is searched for on the network
     b.hears_nothing()
-    found = {each["id"] for each in read_at_once(daemon.root)["components"]}
+    found = {each["id"] for each in read_at_once(daemon_process.root)["components"]}
     assert found == {A, B}
 
 

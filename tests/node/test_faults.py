@@ -13,7 +13,7 @@ from pathlib import Path
 
 import psutil
 import pytest
-from tests.node.daemon import Daemon
+from tests.node.daemon import DaemonProcess
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.node import NodeConfig, NodeManager
@@ -45,12 +45,12 @@ def numbered(source: JausID, destination: JausID, count: int) -> list[bytes]:
     return [judp.pack(Packet(source, destination, b"\x02\x20", number)) for number in range(count)]
 
 
-def test_idle_node_manager_sleeps(daemon: Daemon) -> None:
+def test_idle_node_manager_sleeps(daemon_process: DaemonProcess) -> None:
     """It looks after its components once a second, and does not poll: others wake up a thousand times a second."""
-    component = daemon.component("100.1.1")
+    component = daemon_process.component("100.1.1")
     component.says("02001000 01 01016400 01016400 0000 0100")
     component.hears("02001000 01 01016400 01016400 0000 0100")
-    process = psutil.Process(daemon.process.pid)
+    process = psutil.Process(daemon_process.process.pid)
     before, began = process.num_ctx_switches().voluntary, time.monotonic()
     time.sleep(2)
     waked = process.num_ctx_switches().voluntary - before

@@ -32,6 +32,8 @@ class Socket:
             raise BlockingIOError
         return self.datagrams.pop(0), ("10.0.0.1", 3794)
 
+    family = socket.AF_INET
+
     def setsockopt(self, *_: object) -> None:
         raise OSError("this kernel has no filters")
 
@@ -176,3 +178,47 @@ async def test_large_datagrams_are_bounded_by_their_bytes(counters: Counters, mo
     routed = await run(Socket(*small, *large), counters)
     assert routed == large[-9:]  # the small ones are of lower priority
     assert counters["dropped.overload"] == 31
+
+
+async def test_a_host_that_floods_displaces_its_own_packets(counters: Counters) -> None:
+    """Also those that were read already, as after a burst into a large receive buffer."""
+    routed: list[bytes] = []
+    reader = Ingress(lambda data, _: routed.append(data), counters)
+
+    class Two(Socket):
+        def recvfrom(self, _: int) -> tuple[bytes, tuple[str, int]]:
+            datagram = super().recvfrom(_)[0]
+            return datagram, ("10.0.0.1" if datagram in honest else "10.0.0.66", 3794)
+
+    honest = {packet(40_000 + number, Priority.STANDARD) for number in range(100)}
+    flood = [packet(n, Priority.STANDARD) for n in range(3 * ingress.MAX_QUEUED)]
+    source = Two(*flood[:200], *honest, *flood)
+    ages = DatagramReader(source, counters)  # type: ignore[arg-type]
+    while source.datagrams:
+        reader._wake(ages, "lan", {}, lambda error: None)
+    while len(reader):
+        reader._route()
+    assert counters["dropped.overload"]
+    assert honest <= {*routed}
+
+
+async def test_the_kernel_drops_packets_of_the_host_that_floods(udp, counters: Counters) -> None:
+    receiver, sender = udp(), udp()
+    receiver.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, 1 << 22)
+    reader, ages = Ingress(lambda data, _: None, counters), DatagramReader(receiver, counters)
+    where, port = receiver.getsockname()
+    with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as other:
+        try:
+            other.bind(("127.0.0.2", 0))
+        except OSError:
+            pytest.skip("the loopback interface has one address only")
+        while not counters["kernel_filter.attached"]:
+            for _ in range(ingress.READ_BURST):
+                sender.sendto(packet(1, Priority.STANDARD), (where, port))
+            reader._wake(ages, "lan", {}, lambda error: None)
+        for number in range(3):
+            sender.sendto(packet(1, Priority.STANDARD), (where, port))
+            other.sendto(packet(2 + number, Priority.LOW), (where, port))
+        assert [receiver.recv(100) for _ in range(3)] == [packet(2 + number, Priority.LOW) for number in range(3)]
+        with pytest.raises(BlockingIOError):
+            receiver.recv(100)

@@ -3,6 +3,7 @@
 import socket
 import sys
 from collections.abc import Callable
+from contextlib import ExitStack
 
 import pytest
 
@@ -51,6 +52,37 @@ def test_urgent_and_unknown_packets_pass_the_filter(
     for data in sent:
         sender.sendto(data, receiver.getsockname())
     assert arrived(receiver) == sent
+
+
+@pytest.mark.parametrize(
+    ("hosts", "others"),
+    [
+        (["127.0.0.2"], ["127.0.0.3"]),
+        ([f"127.0.0.{n}" for n in range(2, 10)], ["127.0.0.10", "127.1.0.2"]),
+        (["::1"], []),
+    ],
+)
+def test_only_the_flooding_hosts_are_filtered(hosts: list[str], others: list[str]) -> None:
+    def bound(host: str) -> socket.socket:
+        family = socket.AF_INET6 if ":" in host else socket.AF_INET
+        sock = stack.enter_context(socket.socket(family, socket.SOCK_DGRAM))
+        sock.setblocking(False)
+        try:
+            sock.bind((host, 0))
+        except OSError:
+            pytest.skip(f"this machine has no {host}")
+        return sock
+
+    with ExitStack() as stack:
+        receiver = bound("::1" if ":" in hosts[0] else "127.0.0.1")
+        senders = [bound(host) for host in (*hosts, *others)]
+        unused = ["10.0.0.1", "fd00::1"]
+        for filtered, passed in ((hosts, others), ([*hosts[:6], *unused], others + hosts[6:]), (unused, senders)):
+            assert kernel_filter.attach(receiver, Priority.STANDARD, 0, filtered)
+            for sock in senders:
+                sock.sendto(packet(Priority.STANDARD), receiver.getsockname())
+                sock.sendto(packet(Priority.HIGH), receiver.getsockname())
+            assert len(arrived(receiver)) == len(senders) + len(passed)
 
 
 def test_missing_filter_support_is_reported(monkeypatch: pytest.MonkeyPatch, udp: Callable[[], socket.socket]) -> None:

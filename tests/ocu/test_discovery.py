@@ -87,6 +87,8 @@ async def test_missing_subsystem_error_names_the_queries_and_others(world):
 
     with pytest.raises(ResponseTimeout, match=r"subsystem 7 did not answer.*QueryServices, sent to 7\.255\.255"):
         await ocu.discover(subsystem=7, timeout=0.2)
+    with pytest.raises(ResponseTimeout, match=r"\(of the others, 101 did answer\)"):
+        await ocu.discover(subsystem=7, timeout=0.2)
 
 
 async def test_invalid_arguments_are_explained(world):

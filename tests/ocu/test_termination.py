@@ -101,7 +101,9 @@ STOPPED = (ReportStatus.Status.STANDBY, 0.0)
         ASYNCHRONOUS.format(what="await asyncio.sleep(60)"),
         SYNCHRONOUS.format(what="control.until_lost()"),
         pytest.param(SYNCHRONOUS.format(what="time.sleep(60)"), marks=pytest.mark.slow),
-        WITHOUT_BLOCKS.format(what="await asyncio.sleep(60)", run="asyncio.run(main())"),
+        pytest.param(
+            WITHOUT_BLOCKS.format(what="await asyncio.sleep(60)", run="asyncio.run(main())"), marks=pytest.mark.slow
+        ),
         pytest.param(
             WITHOUT_BLOCKS.format(
                 what="await asyncio.sleep(60)", run="asyncio.new_event_loop().run_until_complete(main())"

@@ -58,7 +58,7 @@ async def test_drive_stops_at_the_end_of_the_block(inc1, robot):
 
 
 async def test_drive_without_control_says_what_to_do(inc1):
-    with pytest.raises(ControlRejected, match=r"use `async with robot.control\(\)"):
+    with pytest.raises(ControlRejected, match=r"take control first, with `robot.control\(\)`"):
         await inc1.drive(linear=0.4)
 
 
@@ -149,6 +149,124 @@ async def test_unknown_joints_and_positions_out_of_range_are_named(inc1):
             await inc1.arm.move({ELBOW: 3.0})
 
 
+async def test_a_move_takes_its_duration_with_all_joints(inc1, robot):
+    clock = asyncio.get_running_loop().time
+    async with inc1.control("arm"):
+        limits = await inc1.arm.motion_limits()
+        begun = clock()
+        await inc1.arm.move({TURN: 0.8, ELBOW: -2.4}, duration=4.0)
+        assert clock() - begun == pytest.approx(4.0, abs=0.4)
+        assert await inc1.arm.motion_limits() == limits, "the motion profile is as before"
+        there = robot.snapshot.joints["arm"].positions
+        with pytest.raises(ConfigError, match=rf"{TURN} needs at least \d.\d\d s for its way, and not 0.1 s"):
+            await inc1.arm.move({TURN: -0.8}, duration=0.1)
+        assert robot.snapshot.joints["arm"].positions == there
+        with pytest.raises(ConfigError, match="not both"):
+            await inc1.arm.move({TURN: 0.0}, duration=4.0, speed=0.1)
+
+
+@pytest.mark.parametrize("service", ["list", "verbs"])
+async def test_an_arm_follows_rows_in_their_times(inc1, robot, monkeypatch, service):
+    if service == "verbs":
+        monkeypatch.setattr("jauspy.ocu.arm.LIST_DRIVER", "Nothing")
+    clock, seen = asyncio.get_running_loop().time, []
+    rows = [(2.0, {TURN: 0.4}), (0.0, {ELBOW: -2.3}), (3.0, {TURN: 0.0, SHOULDER: 2.4})]
+    async with inc1.control("arm"):
+        limits, begun = await inc1.arm.motion_limits(), clock()
+        reached = await inc1.arm.follow(rows, progress=lambda number: seen.append((number, clock() - begun)))
+        taken = clock() - begun
+        assert await inc1.arm.motion_limits() == limits
+    assert [number for number, _ in seen] == [0, 1, 2]
+    assert seen[1][1] == pytest.approx(2.0, abs=0.4)
+    assert taken - seen[2][1] == pytest.approx(3.0, abs=0.5)
+    assert reached.positions[TURN] == pytest.approx(0.0, abs=0.02)
+    assert reached.positions[ELBOW] == pytest.approx(-2.3, abs=0.02)
+    assert reached.positions[SHOULDER] == pytest.approx(2.4, abs=0.02)
+
+
+async def test_rows_that_cannot_be_move_nothing(inc1, robot):
+    async with inc1.control("arm"):
+        before = robot.snapshot.joints["arm"].positions
+        for rows, said in (
+            ([(3.0, {TURN: 0.4}), (0.1, {TURN: -0.4})], rf"row 2: {TURN} needs at least \d.\d\d s for its way"),
+            ([(3.0, {TURN: 0.4}), (3.0, {ELBOW: 3.0})], f"row 2: {ELBOW} can be"),
+            ([(-1.0, {TURN: 0.4})], "row 1: its time is -1 s"),
+            ([], "no rows"),
+        ):
+            with pytest.raises(ConfigError, match=said):
+                await inc1.arm.follow(rows)
+        assert robot.snapshot.joints["arm"].positions == before
+
+
+async def test_a_pause_takes_its_time_and_cancelling_stops(inc1, robot):
+    clock = asyncio.get_running_loop().time
+    async with inc1.control("arm"):
+        here, begun = (await inc1.arm.joints()).positions[TURN], clock()
+        await inc1.arm.follow([(1.5, {TURN: here})])
+        assert clock() - begun >= 1.5
+        moving = asyncio.create_task(inc1.arm.follow([(4.0, {TURN: 1.0}), (4.0, {TURN: -1.0})]))
+        await asyncio.sleep(2.0)
+        moving.cancel()
+        await asyncio.wait([moving])
+        await asyncio.sleep(0.5)
+        there = robot.snapshot.joints["arm"].positions[0]
+        assert 0.1 < there < 0.9
+        await asyncio.sleep(2.0)
+        assert robot.snapshot.joints["arm"].positions[0] == pytest.approx(there, abs=0.01)
+
+
+async def test_a_speed_may_be_that_of_some_joints(inc1, robot):
+    clock = asyncio.get_running_loop().time
+    async with inc1.control("arm"):
+        begun = clock()
+        await inc1.arm.move({TURN: 0.3, ELBOW: -2.4}, speed={TURN: 0.1})
+        assert clock() - begun == pytest.approx(3.1, abs=0.4)
+
+
+@pytest.mark.parametrize("service", ["velocity", "pose"])
+async def test_the_tool_moves_at_a_velocity_in_both_frames(inc1, robot, monkeypatch, service):
+    if service == "pose":
+        monkeypatch.setattr("jauspy.ocu.arm.VELOCITY_DRIVER", "Nothing")
+    arm = inc1.arm
+    async with inc1.control("arm"):
+        await arm.move_tool((0.6, 0.2, 0.6))
+        for frame in ("robot", "tool"):
+            before = await arm.tool()
+            pitch, yaw = before.pitch, before.yaw
+            ahead = (
+                0.1 * math.cos(yaw) * math.cos(pitch),
+                0.1 * math.sin(yaw) * math.cos(pitch),
+                -0.1 * math.sin(pitch),
+            )
+            way = (0.0, 0.0, 0.1) if frame == "robot" else ahead
+            velocity = (0.0, 0.0, 0.05) if frame == "robot" else (0.05, 0.0, 0.0)
+            for _ in range(20):
+                await arm.move_tool_at(velocity, frame=frame)
+                await asyncio.sleep(0.1)
+            await arm.move_tool_at()
+            await asyncio.sleep(0.5)
+            after = await arm.tool()
+            moved = (after.x - before.x, after.y - before.y, after.z - before.z)
+            assert math.dist(moved, way) < 0.035, (frame, moved)
+            await asyncio.sleep(1.0)
+            still = await arm.tool()
+            assert math.dist((still.x, still.y, still.z), (after.x, after.y, after.z)) < 0.002
+        with pytest.raises(ConfigError, match='there are "robot" and "tool"'):
+            await arm.move_tool_at((0.1, 0.0, 0.0), frame="base")
+
+
+async def test_the_gripper_opens_to_a_width(inc1, robot):
+    async with inc1.control("gripper"):
+        gripper = inc1.gripper
+        low, high = (await gripper.limits())[FINGER]
+        assert await gripper.max_force()
+        for opening in (0.3 * high, 0.8 * high, low + 0.5 * (high - low)):
+            reached = await gripper.open_to(opening)
+            assert reached.positions[FINGER] == pytest.approx(opening, abs=0.005)
+        with pytest.raises(ConfigError, match=f"{FINGER} can be"):
+            await gripper.open_to(2.0)
+
+
 async def test_cancelled_move_stops_the_arm(inc1, robot):
     async with inc1.control("arm"):
         with pytest.raises(TimeoutError):
@@ -198,6 +316,17 @@ async def test_control_takes_all_that_moves_and_releases_it(inc1, ocu, virtual_n
                     pass
     for component in (102, 103, 104, 105):
         assert "is nobody: take control first" in await ocu.explain(f"101.1.{component}")
+
+
+async def test_a_robot_that_went_to_standby_meanwhile_can_be_resumed(inc1, robot):
+    """As after the link was lost for longer than its time-outs."""
+    async with inc1.control("drive") as control:
+        await inc1.service("mobility:LocalPoseSensor").standby()
+        with pytest.raises(RequestError, match=r"is in Standby: resume first, with `resume\(\)` of"):
+            await inc1.drive(linear=0.4)
+        await control.resume()
+        await inc1.drive(linear=0.4, seconds=1.0)
+    assert robot.snapshot.pose.x > 0.2
 
 
 async def test_unknown_part_is_named(inc1):

@@ -16,7 +16,13 @@ MODELS = {name: robot_model(load(name)) for name in ("inc1", "rover")}
 @pytest.fixture(
     params=[
         "kinematic",
-        pytest.param("can", marks=pytest.mark.skipif(find_spec("canopen") is None, reason="canopen is not installed")),
+        pytest.param(
+            "can",
+            marks=[
+                pytest.mark.slow,
+                pytest.mark.skipif(find_spec("canopen") is None, reason="canopen is not installed"),
+            ],
+        ),
         pytest.param("sim", marks=pytest.mark.skipif(find_spec("mujoco") is None, reason="MuJoCo is not installed")),
     ]
 )

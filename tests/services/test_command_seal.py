@@ -46,6 +46,7 @@ from jauspy.services.core.command_seal import (
     CommandRecord,
     needs_seal,
 )
+from jauspy.services.core.management import MAX_EMERGENCY_CLIENTS
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
 
 pytest.importorskip("cryptography", reason="keys of operators need the extra 'operators'")
@@ -339,6 +340,17 @@ def test_stops_with_a_wrong_seal_are_stops(rig):
 def test_a_stop_as_a_command_event(rig):
     in_control(rig)
     assert not reasons(rig.tell(OCU, CreateCommandEvent(1, 1, Standby())))
+    assert status(rig) == STANDBY
+
+
+def test_an_operator_clears_the_emergencies_of_more_clients_than_are_remembered(rig):
+    for number in range(1, MAX_EMERGENCY_CLIENTS + 2):
+        rig.tell(f"66.{1 + number // 250}.{1 + number % 250}", SetEmergency(emergency_code=1))
+    carol = Client(rig, "carol", OTHER)
+    carol.tell(SetEmergency(emergency_code=1))
+    Client(rig, "alice").tell(ClearEmergency(emergency_code=1))
+    assert status(rig) == EMERGENCY
+    carol.tell(ClearEmergency(emergency_code=1))
     assert status(rig) == STANDBY
 
 

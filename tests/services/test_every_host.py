@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from random import Random
 
 import pytest
+from tests.helpers.sampling import sampled
 
 from jauspy.codec.names import snake
 from jauspy.errors import ConfigError
@@ -61,7 +62,7 @@ def named(definition: model.Service) -> Iterator[tuple[str, str]]:
                 )
 
 
-@pytest.mark.parametrize("definition", SERVICES, ids=IDS)
+@pytest.mark.parametrize("definition", sampled(SERVICES, 50), ids=IDS)
 def test_host_of_every_service_starts_and_accepts_all_messages(make, definition) -> None:
     definitions = lineage(definition)
     rig = make(*(instance(Willing, each) for each in definitions), schema=SCHEMA)
@@ -76,7 +77,7 @@ def test_host_of_every_service_starts_and_accepts_all_messages(make, definition)
     assert {name for name in rig.host.counters if name.startswith(("action_failed", "malformed", "unknown"))} == set()
 
 
-@pytest.mark.parametrize("definition", SERVICES, ids=IDS)
+@pytest.mark.parametrize("definition", sampled(SERVICES, 50), ids=IDS)
 def test_missing_methods_are_an_error_at_start_up(make, definition) -> None:
     own, *ancestors = lineage(definition)
     wanted = set(named(definition))

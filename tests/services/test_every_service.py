@@ -15,6 +15,7 @@ from functools import cache
 from itertools import product
 
 import pytest
+from tests.helpers.sampling import sampled
 
 from jauspy.codec.names import snake
 from jauspy.protocol.counters import Counters
@@ -257,7 +258,7 @@ def _predicate(call: behavior.Call) -> str:
     return snake(call.name.rpartition(".")[2])
 
 
-@pytest.mark.parametrize("definition", SERVICES, ids=IDS)
+@pytest.mark.parametrize("definition", sampled(SERVICES, 50), ids=IDS)
 def test_engine_matches_a_simple_interpreter(definition: model.Service) -> None:
     """In every state that can be reached: every input, with all that the predicates may say about it."""
     pair = Pair(definition, "ReceiveFSM")

@@ -13,7 +13,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Ack, DataFlag, Packet, Priority
 from jauspy.protocol.pending import PROBE_INTERVAL, PendingDestinations
 from jauspy.transport.age import DatagramReader
-from jauspy.transport.base import SendQueue
+from jauspy.transport.send_queue import SendQueue
 from jauspy.transport.tcp import Dialer
 
 HERE, FAR = JausID.parse("101.1.30"), JausID.parse("42.1.1")

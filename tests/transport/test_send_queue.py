@@ -8,8 +8,8 @@ from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Packet, Priority
-from jauspy.transport import base as outbox_module
-from jauspy.transport.base import MAX_QUEUED_BYTES, QueueMemory, SendQueue
+from jauspy.transport import send_queue as outbox_module
+from jauspy.transport.send_queue import MAX_QUEUED_BYTES, QueueMemory, SendQueue
 
 A = JausID.parse("101.1.1")
 
@@ -31,7 +31,7 @@ def test_most_urgent_datagrams_are_sent_first_in_order() -> None:
     sent = [datagram(p, n) for n in range(2) for p in Priority]
     for data in (*sent, junior.accept(A)):
         assert outbox.push(data) == 0
-    assert drained(outbox) == [sent[3], sent[7], junior.accept(A), sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
+    assert drained(outbox) == [sent[3], junior.accept(A), sent[7], sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
 
 
 def test_oldest_of_the_lowest_priority_is_dropped() -> None:
@@ -128,3 +128,36 @@ def test_a_source_that_floods_a_queue_loses_its_own() -> None:
     dropped = sum(outbox.push(datagram(Priority.STANDARD, number)) for number in range(1000))
     assert dropped == 1000
     assert wanted in drained(outbox)
+
+
+def test_a_flood_of_urgent_packets_leaves_others_their_share() -> None:
+    outbox, operator = SendQueue(limit=100), JausID(42, 1, 1)
+    wanted = [judp.pack(Packet(operator, A, b"\x02\x00", number)) for number in range(12)]
+    for each in wanted:
+        outbox.push(each)
+    for number in range(1000):
+        outbox.push(datagram(Priority.SAFETY_CRITICAL, number))
+    assert len(outbox) == 100
+    assert [each for each in drained(outbox) if each in wanted] == wanted
+
+
+def test_senders_take_turns_and_each_keeps_its_order() -> None:
+    outbox = SendQueue(limit=100)
+    flood = [datagram(Priority.STANDARD, number) for number in range(90)]
+    other = [judp.pack(Packet(JausID(42, 1, 1), A, b"\x02\x00", number)) for number in range(3)]
+    for each in (*flood, *other):
+        outbox.push(each)
+    sent = drained(outbox)
+    assert [each for each in sent if each in other] == other
+    assert [each for each in sent if each not in other] == flood
+    assert sent.index(other[2]) == 5
+
+
+def test_of_many_senders_those_with_most_lose() -> None:
+    outbox = SendQueue(limit=100)
+    modest = [judp.pack(Packet(JausID(42, 1, 1 + n), A, b"\x02\x00", n)) for n in range(60)]
+    for number, each in enumerate(modest):
+        outbox.push(datagram(Priority.STANDARD, 2 * number))
+        outbox.push(each)
+        outbox.push(datagram(Priority.STANDARD, 2 * number + 1))
+    assert [each for each in drained(outbox) if each in modest] == modest

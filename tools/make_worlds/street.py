@@ -64,7 +64,7 @@ def street() -> Scene:
     _far_side(world)
     add_car(world, (0.85, 4.9, 0.0), 90.0, 58.0)
     add_rucksack(world, (3.55, 0.75, KERB))
-    add_pipe(world, (3.05, -0.55, KERB))
+    add_pipe(world, (3.35, -0.55, KERB))
     add_bin(world, (4.75, -1.75, KERB))
     add_cartons(world, KERB)
     for number, (x, y) in enumerate(((-0.9, 1.6), (-1.3, 7.9), (1.2, 8.2))):

@@ -85,12 +85,12 @@ def _strap(path: list[Vector], width: float, thickness: float = 0.006, across: V
 
 
 def add_pipe(world: Part, at: Vector) -> None:
-    """A capped steel pipe of 1 kg along x, with a timer, a battery and wires."""
+    """A capped steel pipe of 1 kg along x, painted red, with a timer, a battery and wires."""
     x, y, z = at
     pipe = world.body("pipe_device", (x, y, z + 0.031), euler=(0.0, 0.0, 12.0))
     turn = (0.0, math.pi / 2, 0.0)
     cap = lathe([(0.0, 0.0), (0.029, 0.0), (0.031, 0.003), (0.031, 0.038), (0.027, 0.040), (0.0, 0.040)], 8)
-    pipe.see("metal_uv", cylinder(-0.13, 0.13, 0.024, 0.0, 22).at(rpy=turn))
+    pipe.see("paint_red", cylinder(-0.13, 0.13, 0.024, 0.0, 22).at(rpy=turn))
     pipe.see("rust_uv", cap.at(0.125, rpy=turn), cap.at(-0.125, rpy=(0.0, -math.pi / 2, 0.0)))
     tape = [cylinder(-0.012, 0.012, 0.0255, 0.0, 20).at(dx, rpy=turn) for dx in (-0.075, 0.075)]
     pipe.see(

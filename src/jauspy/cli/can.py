@@ -14,8 +14,8 @@ from jauspy.cli.can_bus import on_bus
 from jauspy.cli.options import Bus, Json, World
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
-from jauspy.platform.can.cia402 import error_text, register_text, state_of
-from jauspy.platform.can.setup import CanSetup
+from jauspy.platform.can.cia402 import LIMIT_ACTIVE, error_text, register_text, state_of
+from jauspy.platform.can.setup import CanSetup, DriveFault
 
 if TYPE_CHECKING:
     import canopen
@@ -120,13 +120,17 @@ def _row(network: canopen.Network, setup: CanSetup, node: int, name: str, answer
         return (read(index) or b"").decode("latin-1").strip("\0 ")
 
     status, register = number(0x6041), number(0x1001) or 0
-    row["state"] = "no drive (no CiA 402)" if status is None else state_of(status).value
+    row["state"] = "no drive (no CiA 402)" if status is None else _state(status)
     row["error"] = error_text(number(0x603F) or 0)
     row["register"] = register_text(register)
     row["voltage"] = None if (millivolts := number(0x6079)) is None else millivolts / 1e3
     index = setup.drives[name].temperature if name else None
     row["temperature"] = None if index is None or (tenths := number(index)) is None else tenths / 10.0
     return row | {"serial": number(0x1018, 4), "device": text(0x1008), "firmware": text(0x100A)}
+
+
+def _state(status: int) -> str:
+    return state_of(status).value + (", limit active" if status & LIMIT_ACTIVE else "")
 
 
 HEADER: Final = ("node", "drive", "state", "volt", "degC", "serial", "device", "firmware", "error")
@@ -184,6 +188,39 @@ def simulate(
     finally:
         fleet.fleet.close()
         opened.shutdown()
+
+
+def home(*, robot: Robot, bus: Bus = None) -> None:
+    """Have all drives with a homing that lost their position search for it, one after the other. Joints move.
+
+    Drives with absolute encoders need no homing. A drive keeps its home position until it loses its power; until then
+    `jauspy up` needs nothing more. End the robot's program before: two masters on a bus are dangerous. Ctrl-C stops.
+
+    Example:
+      jauspy can home my_robot.toml --bus socketcan:can0
+    """
+    model, setup = _robot(robot, bus)
+    if not any(drive.homing for drive in setup.drives.values()):
+        console.note(f"no drive of {robot} has a homing: their encoders are absolute (can.drives.NAME.homing)")
+        return
+    from jauspy.platform.can import bus as buses
+    from jauspy.platform.can.robot import CanRobot
+
+    if buses.split(setup.bus)[0] == buses.VIRTUAL:
+        raise ConfigError(f"{setup.bus} is inside the robot's process, and its drives know their home positions")
+    moved: list[str] = []
+
+    def tell(text: str) -> None:
+        moved.append(text)
+        console.print_lines(text)
+
+    try:
+        CanRobot(model, setup, setup.bus, "empty", lambda master: master.home(tell)).close()
+    except DriveFault as error:
+        raise ConfigError(f"can: {error}") from error
+    except KeyboardInterrupt:
+        raise typer.Exit(130) from None
+    console.note(f"{len(moved)} drives have moved; all know their home positions")
 
 
 def fault(

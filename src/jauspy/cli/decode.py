@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import heapq
 import sys
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
 from io import BufferedReader
@@ -25,7 +26,7 @@ from jauspy.capture.dissect import (
 )
 from jauspy.capture.reader import CaptureReader, Datagram, from_hex, from_lines, is_capture
 from jauspy.cli import console
-from jauspy.cli.can_log import can_lines, is_can_log
+from jauspy.cli.can_log import CanFrame, can_frames, changes, is_can_log
 from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.render import field_lines
 from jauspy.codec import reference
@@ -47,10 +48,12 @@ class HexKind(StrEnum):
 
 def decode(
     *,
-    source: Annotated[
-        str,
+    sources: Annotated[
+        list[str],
         typer.Argument(
-            metavar="FILE|HEX|-", help="A pcap or pcapng file, a file of hex lines, hex text, or - for standard input."
+            metavar="FILE|HEX|-",
+            help="A pcap or pcapng file, a log of CAN frames, a file of hex lines, hex text, or - for standard input; "
+            "several captures and logs are listed together, by time.",
         ),
     ],
     as_json: Annotated[bool, typer.Option("--json", help="One JSON object per datagram per line.")] = False,
@@ -65,12 +68,18 @@ def decode(
         HexKind | None,
         typer.Option("--as", help="What the hex text is. Default: a datagram (01 or 02 first), else a bare message."),
     ] = None,
-    sources: SchemasOption = None,
+    schemas: SchemasOption = None,
     service: ServiceName = None,
     version: ServiceVersion = None,
     robot: Annotated[
         str, typer.Option("--robot", metavar="ROBOT", help="The robot whose drives are in a log of CAN frames.")
     ] = "inc1",
+    only_changes: Annotated[
+        bool,
+        typer.Option(
+            "--changes", help="Of CAN frames only those whose state, command or mode, or the sign of a value, is new."
+        ),
+    ] = False,
     message: Annotated[
         str | None,
         typer.Option("--message", metavar="NAME", help="Which message, if a service has several with one id."),
@@ -79,7 +88,7 @@ def decode(
     """Print the JAUS messages in a capture file or in hex text.
 
     Values are in SI units and radians. Yellow lines describe deviations from the definition. The exit status is 1 if
-    something could not be decoded. Of a log of candump, the CAN frames are printed, with the drives of --robot.
+    something could not be decoded. Frames of logs of candump are named by the drives of --robot.
 
     A message id is decoded by the newest version of its service; a line names the other definitions of the id.
     --service, --version and --message select one; they do not affect ids that the selected definitions lack.
@@ -89,21 +98,40 @@ def decode(
       jauspy decode --explain 02001000010a017e0014017e0002200200
       tcpdump -w - udp | jauspy decode -
       jauspy decode arm.pcap --schemas vendor/ --version 1.0
-      jauspy decode candump-2026-11-22.log --robot inc1
+      jauspy decode run.pcapng candump-2026-11-22.log --robot inc1 --changes
     """
-    if is_can_log(source):
-        for line in can_lines(source, robot):
-            console.print_lines(line)
-        return
-    known = definitions(sources)
+    known = definitions(schemas)
     wanted = known.hints(service, version, message)
     options = DecodeOptions(known.registry, wanted, _port(port), None if what is None else what.value)
     explained = known if explain else None
     printer = JsonPrinter(explained) if as_json else HumanPrinter(explained)
-    for item in items(source, options):
-        printer.show(item)
+
+    def listed(source: str) -> Iterator[Item | CanFrame]:
+        if not is_can_log(source):
+            return items(source, options)
+        frames = can_frames(source, robot)
+        return changes(frames) if only_changes else frames
+
+    for item in listed(sources[0]) if len(sources) == 1 else by_time(map(listed, sources)):
+        if isinstance(item, CanFrame):
+            printer.show_frame(item)
+        else:
+            printer.show(item)
     if printer.failed:
         raise typer.Exit(1)
+
+
+def by_time(listings: Iterable[Iterator[Item | CanFrame]]) -> Iterator[Item | CanFrame]:
+    """What several captures and logs have, in order of time; raises `ConfigError` for what has no times."""
+    return heapq.merge(*listings, key=_time)
+
+
+def _time(item: Item | CanFrame) -> float:
+    if isinstance(item, CanFrame):
+        return item.time
+    if item.captured is None:
+        raise ConfigError("hex text has no times; list only captures (pcap, pcapng) and logs of CAN frames together")
+    return item.captured.time
 
 
 def _port(text: str) -> int | None:
@@ -202,6 +230,9 @@ class Printer(Protocol):
     def show(self, item: Item) -> None:
         """Print one item."""
 
+    def show_frame(self, frame: CanFrame) -> None:
+        """Print one CAN frame."""
+
 
 # --- JSON lines -----------------------------------------------------------------------------------------------------
 
@@ -221,6 +252,10 @@ class JsonPrinter:
             for shown, content in zip(made["messages"], contents(item), strict=True):
                 shown["explained"] = [_row_json(row) for row in rows_of(content, self._explain.model_of)]
         console.print_json(made)
+
+    def show_frame(self, frame: CanFrame) -> None:
+        """Print one CAN frame."""
+        console.print_json(frame.as_json())
 
 
 def contents(item: Item) -> list[Content]:
@@ -312,6 +347,16 @@ class HumanPrinter:
             return
         self._datagram(item, item.dissection)
 
+    def show_frame(self, frame: CanFrame) -> None:
+        """Print one CAN frame in a line."""
+        head = Text(f"      {self._elapsed(frame.time)}  {frame.channel or 'CAN'} {frame.identifier:03X}  ")
+        console.stdout().print(head.append(frame.text, style="magenta"), soft_wrap=True)
+
+    def _elapsed(self, time: float) -> str:
+        if self._start is None:
+            self._start = time
+        return f"{time - self._start:+12.6f} s"
+
     def _datagram(self, item: Item, dissection: Dissection) -> None:
         if dissection.note:
             self._heading(item, Text(f"{dissection.note} ({len(dissection.data)} bytes)", style="yellow"))
@@ -331,9 +376,7 @@ class HumanPrinter:
         out = console.stdout()
         head = Text(f"{item.number:>4}" if item.number else "", style="dim")
         if item.captured is not None:
-            if self._start is None:
-                self._start = item.captured.time
-            head.append(f"  {item.captured.time - self._start:+12.6f} s")
+            head.append(f"  {self._elapsed(item.captured.time)}")
             head.append(f"  {_short(item.captured.source)} → {_short(item.captured.destination)}")
         if out.is_terminal and head.cell_len + 2 + line.cell_len > out.width:
             out.print(head)

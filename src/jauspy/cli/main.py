@@ -124,6 +124,7 @@ CELL_VERBS: Final = {
 CAN_VERBS: Final = {
     "drives": ("jauspy.cli.can:drives", "List the nodes on a robot's bus: state, error, voltage, firmware."),
     "simulate": ("jauspy.cli.can:simulate", "Simulate all drives of a robot on a CAN bus, until Ctrl-C."),
+    "home": ("jauspy.cli.can:home", "Have drives search their home positions. Joints move."),
     "fault": ("jauspy.cli.can:fault", "Make a simulated drive fail."),
 }
 FUZZ_VERBS: Final = {
@@ -185,11 +186,17 @@ class SchemaGroup(VerbGroup):
 
 
 def load_verb(name: str, target: str) -> Any:
-    """The command of a verb, from `module:function`."""
-    module, _, function = target.partition(":")
-    verb = getattr(importlib.import_module(module), function)
+    """The command of a verb, from `module:function`; an `app` in that module has it with verbs of its own."""
+    path, _, function = target.partition(":")
+    module = importlib.import_module(path)
+    verb = getattr(module, function)
+    help_text = _help_text(verb.__doc__ or "")
+    if isinstance(own := getattr(module, "app", None), typer.Typer):
+        command = typer.main.get_command(own)
+        command.help = help_text
+        return command
     single = typer.Typer(add_completion=False, rich_markup_mode="rich")
-    single.command(name, help=_help_text(verb.__doc__ or ""))(verb)
+    single.command(name, help=help_text)(verb)
     return typer.main.get_command(single)
 
 

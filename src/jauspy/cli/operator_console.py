@@ -6,10 +6,10 @@ import asyncio
 import sys
 import webbrowser
 from collections.abc import AsyncIterator
-from contextlib import asynccontextmanager
+from contextlib import AbstractContextManager, asynccontextmanager, nullcontext
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated, Final
+from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
 
@@ -19,17 +19,54 @@ from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, run
 from jauspy.errors import ConfigError
 from jauspy.ocu import OCU
 
+if TYPE_CHECKING:
+    from jauspy.modules.audit import AuditLog
+
 DEFAULT_PORT: Final = 8101
 NEEDS_EXTRA: Final = "the console needs the extra 'console': pip install 'jauspy[console]'"
 READY: Final = "the console is at"
+USERS_FILE: Final = Path("console-users.toml")
+CERTIFICATE_FILE: Final = Path("console-certificate.pem")
+KEY_FILE: Final = Path("console-key.pem")
+UsersFile = Annotated[Path, typer.Option("--users", metavar="FILE", help="The file of users.")]
+
+app = typer.Typer(name="console", add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="rich")
+user_app = typer.Typer(name="user", no_args_is_help=True, help="Edit the file of users who may log in to the console.")
+app.add_typer(user_app)
 
 
+@app.callback(invoke_without_command=True)
 def console_page(
+    context: typer.Context,
     *,
     port: Annotated[
         int, typer.Option("--port", min=0, max=65535, help="The port of the page; 0 is any free one.")
     ] = DEFAULT_PORT,
-    host: Annotated[str, typer.Option("--host", metavar="ADDRESS", help="Where it listens.")] = "127.0.0.1",
+    host: Annotated[
+        str,
+        typer.Option(
+            "--host",
+            metavar="ADDRESS",
+            help="Where it listens; for others than this machine with --users, --certificate and --key only.",
+        ),
+    ] = "127.0.0.1",
+    users: Annotated[Path | None, typer.Option("--users", metavar="FILE", help="Who may log in.")] = None,
+    certificate: Annotated[
+        Path | None, typer.Option("--certificate", metavar="FILE", help="The certificate for TLS (PEM).")
+    ] = None,
+    key: Annotated[Path | None, typer.Option("--key", metavar="FILE", help="The key of the certificate (PEM).")] = None,
+    audit: Annotated[
+        Path | None,
+        typer.Option(
+            "--audit",
+            metavar="FILE",
+            help="Where each command is recorded with its user.  [default: with --users FILE: FILE.audit]",
+        ),
+    ] = None,
+    recordings: Annotated[
+        Path | None,
+        typer.Option("--recordings", metavar="DIR", help="Where video is recorded; ~/jauspy-recordings by default."),
+    ] = None,
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser.")] = False,
     connect: Connect = None,
     own_id: OwnId = None,
@@ -41,27 +78,106 @@ def console_page(
     It finds every robot that the node manager of this machine reaches, shows its cameras, drives it by keys, stick or
     gamepad, and moves its arm. A robot stops when the key is up, or the page is left. Escape stops all robots.
 
-    Example:
+    Examples:
       jauspy console
+      jauspy console --host 0.0.0.0 --users users.toml --certificate certificate.pem --key key.pem
     """
+    if context.invoked_subcommand is not None:
+        return
     try:
-        from jauspy.console.server import serving
+        from jauspy.console.server import RECORDINGS, Access, serving
     except ImportError as error:
         raise ConfigError(f"{NEEDS_EXTRA} ({error})") from error
     if with_parent:
         end_with_parent()
 
+    if audit is None and users is not None:
+        audit = users.with_name(f"{users.name}.audit")
+    access = Access(users, certificate, key)
+
     async def serve() -> None:
+        with _audit_log(audit) as log:
+            await serve_with(log)
+
+    async def serve_with(log: AuditLog | None) -> None:
         ocu = client.make_ocu(own_id, connect, 0.5, operator=operator_key)
         async with ocu:
             stopper = OCU(client.own_id(None, connect), connect, operator=operator_key, name="jauspy console (stop)")
-            async with stopper, serving(ocu, stopper, host, port) as url:
+            page = serving(ocu, stopper, host, port, access=access, audit=log, recordings=recordings or RECORDINGS)
+            async with stopper, page as url:
                 console.print_lines(f"{READY} {url}", "stop it: Ctrl-C")
                 if not no_browser:
                     webbrowser.open(url)
                 await asyncio.Event().wait()
 
     run(serve())
+
+
+def _audit_log(path: Path | None) -> AbstractContextManager[AuditLog | None]:
+    if path is None:
+        return nullcontext()
+    from jauspy.modules.audit import AuditLog
+
+    return AuditLog(path, "console")
+
+
+@user_app.command("add")
+def add(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="Letters, digits, _ and -.")],
+    *,
+    role: Annotated[str, typer.Option("--role", metavar="ROLE", help="observer, operator or supervisor.")] = "operator",
+    users: UsersFile = USERS_FILE,
+) -> None:
+    """Add a user, or give a user another password and role. The password is asked for, or read from a pipe."""
+    from jauspy.console.users import add_user
+
+    if sys.stdin.isatty():
+        password = typer.prompt(f"password of {name}", hide_input=True, confirmation_prompt=True, err=True)
+    else:
+        password = sys.stdin.readline().rstrip("\n")
+    replaced = add_user(users, name, role, password)
+    console.note(f"{users}: {name} is {'changed' if replaced else 'added'}, {role}; it holds when the console starts")
+
+
+@user_app.command("remove")
+def remove(
+    name: Annotated[str, typer.Argument(metavar="NAME", help="As `jauspy console user ls` lists it.")],
+    *,
+    users: UsersFile = USERS_FILE,
+) -> None:
+    """Remove a user."""
+    from jauspy.console.users import remove_user
+
+    remove_user(users, name)
+    console.note(f"{users}: {name} is removed; it holds when the console starts")
+
+
+@user_app.command("ls")
+def ls(*, users: UsersFile = USERS_FILE) -> None:
+    """List the users with their roles and authorities."""
+    from jauspy.console.users import Users
+
+    console.print_table(
+        ("NAME", "ROLE", "AUTHORITY"), [(each.name, each.role, str(each.authority)) for each in Users(users)]
+    )
+
+
+@app.command("certificate")
+def make_certificate(
+    names: Annotated[list[str], typer.Argument(metavar="HOST...", help="Names and addresses of this machine.")],
+    *,
+    output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="The certificate.")] = CERTIFICATE_FILE,
+    key: Annotated[Path, typer.Option("--key", metavar="FILE", help="Its key, which is secret.")] = KEY_FILE,
+) -> None:
+    """Make a certificate that signs itself, for a year. Browsers warn of it once; compare the fingerprint.
+
+    Example:
+      jauspy console certificate ground-station.local 192.168.1.20
+    """
+    from jauspy.console.certificates import make_certificate as make
+
+    fingerprint = make(names, output, key)
+    console.print_lines(f"{output} and {key} are written", f"SHA-256 fingerprint: {fingerprint}")
 
 
 @asynccontextmanager

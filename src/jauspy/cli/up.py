@@ -341,7 +341,7 @@ def print_truth(name: str, snapshot: Snapshot | None) -> None:
     """Print where a simulated robot is, if it does not know it exactly itself."""
     if snapshot is not None and PartId(Localization) in snapshot.parts:
         pose = snapshot.pose
-        where = f"x {pose.x:+.3f} m  y {pose.y:+.3f} m  yaw {math.degrees(pose.yaw):+.2f}°"
+        where = f"x {pose.x:+.3f} m  y {pose.y:+.3f} m  z {pose.z:+.3f} m  yaw {math.degrees(pose.yaw):+.2f}°"
         console.print_if_read(f"true pose of {name}: {where}", file=sys.stderr)
 
 

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import asyncio
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Final
 
+from jauspy.console.manipulators import operated
+from jauspy.console.users import LOCAL, User
 from jauspy.errors import JausError
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.ocu.driving import WRENCH
+from jauspy.ocu.driving import VELOCITY, WRENCH
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.robot_control import RobotControl
 
@@ -16,6 +19,20 @@ DEAD_MAN_TIME: Final = 0.2
 """Seconds without a message of the operator's browser after which the robot is stopped."""
 MAX_TURN_RATE: Final = 1.2
 """rad/s at full deflection of the stick."""
+VELOCITY_MODE, EFFORT = "velocity", "effort"
+"""Modes of driving: m/s and rad/s, or shares of the robot's full effort."""
+REQUEST_TIME: Final = 30.0
+"""Seconds in which the operator may answer another one who asks for control."""
+
+
+@dataclass(frozen=True, slots=True)
+class ControlRequest:
+    """Another browser asks the operator for control; `time` in seconds of the event loop's clock."""
+
+    token: str
+    user: User
+    authority: int
+    time: float
 
 
 class Operation:
@@ -25,66 +42,145 @@ class Operation:
         self.robot = robot
         self.operator = ""
         """Token of the browser that operates; empty while the robot is not controlled."""
+        self.user = LOCAL
+        """Whose browser operates, or did last."""
+        self.authority = 0
+        """With which the robot is controlled."""
         self.speed_limit = 0.5
-        """m/s at full deflection."""
+        """m/s at full deflection; in the mode EFFORT the share of the full effort, at most 1."""
+        self.mode = next(iter(modes_of(robot)), VELOCITY_MODE)
         self.problem = ""
         """Why the last command had no effect, in words."""
         self.commanded = (0.0, 0.0)
-        """m/s and rad/s of the present drive command."""
+        """m/s and rad/s of the present drive command, or shares of the full effort."""
+        self._sent_mode = self.mode
         self._on_event = on_event
         self._control: RobotControl | None = None
         self._watchdog: asyncio.TimerHandle | None = None
         self._busy = asyncio.Lock()
         self._wanted: tuple[float, float] | None = None
         self._sending: asyncio.Task[None] | None = None
+        self._request: ControlRequest | None = None
 
     @property
     def is_controlled(self) -> bool:
         """True while this console has control of the robot."""
         return self._control is not None and self._control.held
 
-    async def take(self, token: str, authority: int) -> str:
-        """Take control for a browser, or hand it over from another one; returns why not, or an empty string."""
+    @property
+    def request(self) -> ControlRequest | None:
+        """Who asks for control, while the operator may still answer."""
+        if self._request is not None and asyncio.get_running_loop().time() - self._request.time > REQUEST_TIME:
+            self._request = None
+        return self._request if self.operator else None
+
+    def may_take_over(self, user: User, authority: int) -> bool:
+        """True if control may be taken now: it is free, one's own in another browser, or held with less authority."""
+        return not self.operator or user.name == self.user.name or authority > self.authority
+
+    async def take(self, token: str, authority: int, user: User = LOCAL) -> str:
+        """Take control for a browser, or take it over from another one; returns why not, or an empty string."""
+        if not user.may_operate:
+            return f"{user.name} may only observe ({user.role})"
+        if authority > user.authority:
+            return f"{user.name} has an authority of at most {user.authority} ({user.role})"
         async with self._busy:
-            if self._control is None:
-                control = self.robot.control(authority=authority)
-                try:
-                    await control.__aenter__()
-                except JausError as error:
-                    self.problem = str(error)
-                    self._on_event(f"control of robot {self.robot.id} was not granted: {error}")
-                    return self.problem
-                self._control = control
-                self._on_event(f"control of robot {self.robot.id} was taken with authority {authority}")
-            self._stop_driving()
-            self.operator, self.problem = token, ""
+            if token != self.operator and not self.may_take_over(user, authority):
+                return (
+                    f"{self.user.name} operates this robot with authority {self.authority}; ask for it, or take it "
+                    "over with a higher authority"
+                )
+            return await self._enter(token, authority, user)
+
+    def ask(self, token: str, authority: int, user: User = LOCAL) -> None:
+        """Ask the operator for control."""
+        if self.operator and token != self.operator and user.may_operate:
+            self._request = ControlRequest(
+                token, user, min(authority, user.authority), asyncio.get_running_loop().time()
+            )
+            self._on_event(f"{user.name} asks {self.user.name} for control of robot {self.robot.id}")
+
+    async def answer(self, token: str, *, grant: bool) -> str:
+        """The operator's answer to who asks for control; returns why it could not be handed over, or nothing."""
+        async with self._busy:
+            request, self._request = self.request, None
+            if request is None or token != self.operator:
+                return ""
+            if grant:
+                return await self._enter(request.token, request.authority, request.user)
+            self._on_event(f"{self.user.name} does not hand over robot {self.robot.id} to {request.user.name}")
             return ""
+
+    async def _enter(self, token: str, authority: int, user: User) -> str:
+        """Stop, and control the robot for this browser; with another authority control is requested anew."""
+        self._stop_driving()
+        if self._control is not None and (authority != self.authority or not self._control.held):
+            await self._leave()
+        if self._control is None:
+            control = self.robot.control(*operated(self.robot), authority=authority)
+            try:
+                await control.__aenter__()
+            except JausError as error:
+                self.problem = str(error)
+                self._on_event(f"control of robot {self.robot.id} was not granted to {user.name}: {error}")
+                return self.problem
+            self._control = control
+        self.operator, self.user, self.authority, self.problem, self._request = token, user, authority, "", None
+        self._on_event(f"{user.name} operates robot {self.robot.id} with authority {authority}")
+        return ""
+
+    async def _leave(self) -> None:
+        control, self._control, self.operator = self._control, None, ""
+        self._cancel_watchdog()
+        self._wanted, self.commanded = None, (0.0, 0.0)
+        if control is not None:
+            await control.__aexit__(None, None, None)
 
     async def release(self) -> None:
         """Stop, put the robot in Standby and release control. May be called twice."""
         async with self._busy:
-            control, self._control, self.operator = self._control, None, ""
-            self._cancel_watchdog()
-            self._wanted, self.commanded = None, (0.0, 0.0)
-            if control is not None:
-                await control.__aexit__(None, None, None)
-                self._on_event(f"control of robot {self.robot.id} was released")
+            had_control = self._control is not None
+            await self._leave()
+            if had_control:
+                self._on_event(f"control of robot {self.robot.id} was released by {self.user.name}")
 
-    def drive(self, token: str, forward: float, left: float) -> str:
-        """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; returns why not, or an empty string."""
+    def refusal(self, token: str) -> str:
+        """Why a browser may not command the robot now; empty if it may."""
         if token != self.operator or self._control is None:
             return "another browser operates this robot" if self.operator else "take control first"
         if self._control.lost:
             self.problem = self._control.lost
-            return self.problem
-        linear = self.speed_limit * min(1.0, max(-1.0, forward))
-        angular = MAX_TURN_RATE * min(1.0, self.speed_limit / 0.5) * min(1.0, max(-1.0, left))
+        return self._control.lost
+
+    def drive(self, token: str, forward: float, left: float) -> str:
+        """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; returns why not, or an empty string."""
+        if why_not := self.refusal(token):
+            return why_not
+        ahead, turn = self._full_deflection()
+        linear, angular = ahead * min(1.0, max(-1.0, forward)), turn * min(1.0, max(-1.0, left))
         self._cancel_watchdog()
         moving = bool(linear or angular)
         if moving:
             self._watchdog = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
         self._want(linear, angular)
         return ""
+
+    def set_mode(self, token: str, mode: str) -> str:
+        """Drive by velocities or efforts from now on; the robot stops first. Returns why not, or an empty string."""
+        if token != self.operator or self._control is None:
+            return "take control first"
+        if mode not in modes_of(self.robot):
+            return f"this robot does not offer the mode {mode}"
+        self._stop_driving()
+        self.mode = mode
+        self._on_event(f"robot {self.robot.id} is driven by {mode}")
+        return ""
+
+    def _full_deflection(self) -> tuple[float, float]:
+        if self.mode == EFFORT:
+            share = min(1.0, self.speed_limit)
+            return share, share
+        return self.speed_limit, MAX_TURN_RATE * min(1.0, self.speed_limit / 0.5)
 
     def _dead_man(self) -> None:
         self._watchdog = None
@@ -102,12 +198,25 @@ class Operation:
             self._wanted = None
             try:
                 if any(wanted):
-                    await self.robot.drive(*wanted)
+                    await self._drive(*wanted)
                 else:
                     await self._brake()
                 self.problem, self.commanded = "", wanted
             except JausError as error:
                 self.problem, self.commanded = str(error), (0.0, 0.0)
+
+    async def _drive(self, linear: float, angular: float) -> None:
+        """Angles of JAUS count clockwise. The browser repeats commands, so an effort is not repeated here."""
+        if self.mode != self._sent_mode:
+            await self._brake()  # a velocity that is repeated would go on beside the effort
+            self._sent_mode = self.mode
+        if self.mode == EFFORT:
+            effort = SetWrenchEffort(
+                propulsive_linear_effort_x=100.0 * linear, propulsive_rotational_effort_z=-100.0 * angular
+            )
+            await self.robot.service(WRENCH).send(effort)
+        else:
+            await self.robot.drive(linear, angular)
 
     async def _brake(self) -> None:
         """Stop: a velocity of zero slows down within the robot's limits, an effort of zero brakes."""
@@ -124,3 +233,13 @@ class Operation:
         if self._watchdog is not None:
             self._watchdog.cancel()
             self._watchdog = None
+
+
+def modes_of(robot: Robot) -> list[str]:
+    """The modes in which a robot can be driven by hand, as it offers; the usual one first."""
+
+    def offers(*names: str) -> bool:
+        return all(any(each.find(name) for each in robot.components) for name in names)
+
+    by_velocity = offers(VELOCITY) or offers(WRENCH, "ugv:PlatformSpecifications")
+    return [VELOCITY_MODE] * by_velocity + [EFFORT] * offers(WRENCH)

@@ -1,41 +1,47 @@
-"""The console's page: fleet, video, driving, arm and log on one calm screen (NiceGUI)."""
+"""The console's page: puts the panels together on one screen (NiceGUI)."""
 
 from __future__ import annotations
 
-import asyncio
-import math
-from contextlib import suppress
-from typing import Any, Final
+from typing import Final
 
 from fastapi import FastAPI
 from nicegui import ui
 
-from jauspy.console.fleet import NOTHING
+from jauspy.console.arm_panel import ArmPanel
+from jauspy.console.control_panel import ControlPanel
+from jauspy.console.drive_panel import DrivePanel
+from jauspy.console.fleet_panel import FleetPanel
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
+from jauspy.console.trajectory_panel import TrajectoryPanel
+from jauspy.console.users import LOCAL, User
 from jauspy.console.video_panel import VideoPanel
-from jauspy.errors import JausError
-from jauspy.ocu.arm import POSITION_DRIVER
-from jauspy.ocu.control import DEFAULT_AUTHORITY
+from jauspy.console.world_panel import WorldPanel
 from jauspy.ocu.robot import Robot
-from jauspy.ocu.state import RobotPose
 from jauspy.printable import printable
 
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
-POSE_INTERVAL: Final = 0.2
-TABS: Final = ("Video", "Plots", "Log")
-SCRIPTS: Final = ("console", "video", "plots")
-STYLES: Final = ("console", "video")
-STATUS_COLOURS: Final = {
-    "READY": "ready",
-    "STANDBY": "standby",
-    "EMERGENCY": "emergency",
-    "FAILURE": "failure",
-}
-"""Classes of console.css; each state has a sign beside its colour, too."""
-SIGNS: Final = {"READY": "\u25b6", "STANDBY": "\u2016", "EMERGENCY": "\u26a0", "FAILURE": "\u2716"}
+TABS: Final = ("Video", "World", "Trajectory", "Plots", "Log")
+SCRIPTS: Final = ("console", "video", "plots", "world", "map", "arm")
+STYLES: Final = ("theme", "console", "video", "world", "arm")
+SCHEMES: Final = {"system": None, "light": False, "dark": True}
+"""Of colours, as the switch goes through them."""
+BUTTONS: Final = (
+    '<button id="scheme" class="quiet" onclick="jauspy.nextScheme()">\u25d0 system</button>',
+    '<button class="quiet" onclick="jauspy.clear(\'all\')">clear emergency</button>',
+    '<button id="stop" onclick="jauspy.stop(\'all\')">STOP ALL <kbd>Esc</kbd></button>',
+)
+"""They need console.js only, and work when the rest of the page hangs."""
+NO_ROBOTS: Final = """
+<h2>Looking for robots \u2026</h2>
+<p>No robot has answered yet. The console asks all the time, and shows each one as it appears.</p>
+<ul><li>To try it, run a robot on this machine: <code>jauspy up inc1</code></li>
+<li>Robots of the network need a node manager on this machine (<code>jauspy node-manager</code>), or
+<code>jauspy console --connect</code> to another one</li>
+<li>See what answers: <code>jauspy ls</code></li></ul>
+"""
 
 
 def add_page(app: FastAPI, console: Console) -> None:
@@ -43,14 +49,16 @@ def add_page(app: FastAPI, console: Console) -> None:
 
     @ui.page("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
     def index() -> None:
-        token = console.new_token()
-        page = _Page(console, token)
-        page.build()
+        browser = console.new_browser()
+        if browser is None:
+            ui.label("too many pages of this console are open; close one, then load this page again")
+            return
+        token, user = browser
+        page = _Page(console, token, user)
 
         def leave() -> None:
-            page.plots.close()
-            page.videos.close()
-            asyncio.ensure_future(console.forget(token))  # noqa: RUF006 - it ends when the robots are released
+            page.close()
+            console.forget(token)
 
         ui.context.client.on_delete(leave)
 
@@ -60,265 +68,122 @@ def add_page(app: FastAPI, console: Console) -> None:
 class _Page:
     """One browser's page."""
 
-    def __init__(self, console: Console, token: str) -> None:
-        self.console = console
-        self.token = token
-        self.robot: Robot | None = None
-        self._shown: tuple[Any, ...] = ()
+    def __init__(self, console: Console, token: str, user: User) -> None:
+        self._console = console
+        self._robot: Robot | None = None
         self._logged = 0
-        self._limits: dict[str, tuple[float, float]] = {}
-        self._sliders: dict[str, ui.slider] = {}
-        self._arm_busy = False
-
-    # --- building -------------------------------------------------------------------------------------------------
-
-    def build(self) -> None:
         ui.colors(primary="#1f6feb")
         ui.add_head_html("".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in STYLES))
         scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in SCRIPTS)
-        ui.add_body_html(f'{scripts}<script>jauspy.start("{self.token}")</script>')
+        ui.add_body_html(f'{scripts}<script>jauspy.start("{token}")</script>')
         with ui.element("header").classes("bar"):
-            ui.label("jauspy").classes("brand")
-            self.title = ui.label("looking for robots \u2026").classes("title")
-            ui.element("div").classes("space")
-            ui.html('<span id="stop-answer" role="status"></span>', sanitize=False)
+            self._build_bar(user)
+        with ui.element("main").classes("grid"):
+            with ui.element("section").classes("panel fleet").props('aria-label="Fleet"'):
+                self._fleet = FleetPanel(console, self._select)
+            with ui.element("section").classes("centre"):
+                self._build_centre(token, user)
+            with ui.element("aside").classes("side"):
+                self._control = ControlPanel(console, token, user)
+                self._drive = DrivePanel(console, token, lambda: self._show_tab("World"))
+                self._arm = ArmPanel(console, token)
+        self._of_robot = (
+            self._fleet,
+            self._control,
+            self._drive,
+            self._arm,
+            self._videos,
+            self._world,
+            self._trajectory,
+            self._plots,
+        )
+        self._show_tab(TABS[0])
+        ui.timer(REFRESH_INTERVAL, self._refresh)
+
+    def close(self) -> None:
+        """The page has gone."""
+        for each in (self._control, self._drive, self._arm, self._videos, self._world, self._trajectory, self._plots):
+            each.close()
+
+    def _build_bar(self, user: User) -> None:
+        ui.label("jauspy").classes("brand")
+        self._title = ui.label("").classes("title")
+        ui.element("div").classes("space")
+        ui.html('<span id="stop-answer" role="status"></span>', sanitize=False)
+        if user != LOCAL:
             ui.html(
-                '<button id="stop" onclick="jauspy.stop(\'all\')" title="Escape">STOP ALL <kbd>Esc</kbd></button>',
+                f'<form method="post" action="/logout" class="user"><span>{user.name}, {user.role}</span>'
+                '<button class="quiet">sign out</button></form>',
                 sanitize=False,
             )
-            ui.html('<button class="quiet" onclick="jauspy.clear(\'all\')">release</button>', sanitize=False)
-        with ui.element("main").classes("grid"):
-            with ui.element("section").classes("panel fleet"):
-                ui.label("Fleet").classes("heading")
-                self.fleet = ui.element("div").classes("list")
-            self._build_centre()
-            with ui.element("aside").classes("side"):
-                self._build_control()
-                self._build_drive()
-                self._build_arm()
-        ui.timer(REFRESH_INTERVAL, self._refresh)
-        ui.timer(POSE_INTERVAL, self._refresh_pose)
+        dark = ui.dark_mode(None)
+        ui.on("scheme", lambda event: dark.set_value(SCHEMES.get(str(event.args))))
+        for button in BUTTONS:
+            ui.html(button, sanitize=False)
 
-    def _build_centre(self) -> None:
-        with ui.element("section").classes("centre"):
-            with ui.element("nav").classes("tabs").props('role="tablist"'):
-                self._tabs = {name: self._tab(name) for name in TABS}
-            with ui.element("div").classes("videos") as videos:
-                self.videos = VideoPanel(self.console)
-            with ui.element("div").classes("panel plots") as plots:
-                self.plots = PlotsPanel(self.console.ocu)
-            with ui.element("div").classes("panel messages") as messages:
-                self.messages = LogPanel(self.console.traffic)
-            with ui.element("div").classes("panel log") as events:
-                ui.label("Events").classes("heading")
-                self.log = ui.log(max_lines=200).classes("lines")
-        self._parts = {"Video": (videos, events), "Plots": (plots, events), "Log": (messages,)}
-        self._show_tab(TABS[0])
+    def _build_centre(self, token: str, user: User) -> None:
+        with ui.element("nav").classes("tabs").props('role="tablist" aria-label="Views"'):
+            self._tabs = {name: self._tab(name) for name in TABS}
+        with ui.element("div").classes("panel empty") as self._empty:
+            ui.html(NO_ROBOTS, sanitize=False)
+        with ui.element("div").classes("videos") as videos:
+            self._videos = VideoPanel(self._console, token, user)
+        with ui.element("div").classes("panel plots") as world:
+            self._world = WorldPanel(self._console, token)
+        with ui.element("div").classes("panel trajectory") as trajectory:
+            self._trajectory = TrajectoryPanel(self._console, token)
+        with ui.element("div").classes("panel plots") as plots:
+            self._plots = PlotsPanel(self._console.ocu)
+        with ui.element("div").classes("panel messages") as messages:
+            self._messages = LogPanel(self._console.traffic)
+        with ui.element("div").classes("panel log") as events:
+            ui.label("Events").classes("heading")
+            self._log = ui.log(max_lines=200).classes("lines")
+        self._parts = {
+            "Video": (videos, events),
+            "World": (world,),
+            "Trajectory": (trajectory, events),
+            "Plots": (plots, events),
+            "Log": (messages,),
+        }
+        self._without_robots = (events, messages)
 
     def _tab(self, name: str) -> ui.button:
         return ui.button(name, on_click=lambda: self._show_tab(name), color=None).props('flat no-caps dense role="tab"')
 
     def _show_tab(self, name: str) -> None:
+        self._tab_shown = name
+        has_robots = self._robot is not None
         for part in {part for parts in self._parts.values() for part in parts}:
-            part.set_visibility(part in self._parts[name])
+            part.set_visibility(part in self._parts[name] and (has_robots or part in self._without_robots))
+        self._empty.set_visibility(not has_robots and name != "Log")
         for each, button in self._tabs.items():
             button.classes(add="chosen" if each == name else "", remove="" if each == name else "chosen")
-        self.messages.visible = name == "Log"
-
-    def _build_control(self) -> None:
-        with ui.element("section").classes("panel"):
-            with ui.element("div").classes("row"):
-                ui.label("Control").classes("heading")
-                self.state = ui.label("").classes("state")
-            with ui.element("div").classes("row"):
-                self.authority = ui.number("authority", value=DEFAULT_AUTHORITY, min=0, max=255, precision=0)
-                self.take = ui.button("take", on_click=self._take).props("unelevated no-caps")
-                self.release = ui.button("release", on_click=self._release).props("outline no-caps")
-            self.problem = ui.label("").classes("problem")
-
-    def _build_drive(self) -> None:
-        with ui.element("section").classes("panel") as self.drive_panel:
-            with ui.element("div").classes("row"):
-                ui.label("Drive").classes("heading")
-                ui.label("W A S D, arrows, stick, gamepad").classes("hint")
-            with ui.element("div").classes("row"):
-                ui.html(
-                    '<div id="stick" aria-label="drive"><div id="stick-knob"></div></div>',
-                    sanitize=False,
-                )
-                with ui.element("div").classes("facts"):
-                    self.pose = ui.html("", sanitize=False)
-                    self.limit = ui.slider(min=0.1, max=1.5, step=0.1, value=0.5, on_change=self._limit).props("label")
-                    self.limit_text = ui.label("limit 0.5 m/s").classes("hint")
-            ui.html('<span id="drive-answer" class="problem" role="status"></span>', sanitize=False)
-
-    def _build_arm(self) -> None:
-        with ui.element("section").classes("panel") as self.arm_panel:
-            with ui.element("div").classes("row"):
-                ui.label("Arm").classes("heading")
-                self.gripper_open = ui.button("open", on_click=lambda: self._grip(close=False)).props("flat no-caps")
-                self.gripper_close = ui.button("close", on_click=lambda: self._grip(close=True)).props("flat no-caps")
-            self.joints = ui.element("div").classes("joints")
-            self.move = ui.button("move", on_click=self._move_arm).props("unelevated no-caps")
-
-    # --- refreshing -----------------------------------------------------------------------------------------------
+            button.props(f'aria-selected="{str(each == name).lower()}"')
+        self._messages.visible = name == "Log"
+        self._world.visible = name == "World"
 
     def _refresh(self) -> None:
-        fleet = self.console.fleet
-        if self.robot is not None and self.robot.id not in fleet.robots:
-            self.robot = None
-        if self.robot is None and fleet.robots:
-            self._select(next(iter(fleet.robots)))
-        if not fleet.robots:
-            self.title.set_text("looking for robots \u2026")
-        shown = tuple(
-            (robot.id, robot.name, component.id, component.name, fleet.states.get(component.id, NOTHING).status,
-             fleet.states.get(component.id, NOTHING).controller, fleet.is_silent(component.id))
-            for robot in fleet.robots.values()
-            for component in robot.components
-        )  # fmt: skip
-        if shown != self._shown:
-            self._shown = shown
-            self._show_fleet()
-        self._show_control()
-        new = self.console.total_events - self._logged
-        self._logged = self.console.total_events
-        for event in list(self.console.events)[-new:] if new else ():
-            self.log.push(f"{event.time:%H:%M:%S}  {event.text}")
-
-    def _show_fleet(self) -> None:
-        fleet = self.console.fleet
-        self.fleet.clear()
-        with self.fleet:
-            for robot in fleet.robots.values():
-                chosen = " chosen" if self.robot is not None and self.robot.id == robot.id else ""
-                with (
-                    ui.element("div")
-                    .classes(f"robot{chosen}")
-                    .on("click", lambda subsystem=robot.id: self._select(subsystem))
-                ):
-                    ui.label(f"{robot.id}  {printable(robot.name)}").classes("name")
-                    for component in robot.components:
-                        state = fleet.states.get(component.id, NOTHING)
-                        silent = fleet.is_silent(component.id)
-                        status = "silent" if silent else state.status
-                        who = state.controller if not silent else ""
-                        with ui.element("div").classes("component"):
-                            ui.label(f"{component.id.node}.{component.id.component}").classes("id")
-                            ui.label(printable(component.name) or "component").classes("grow")
-                            ui.label(f"{SIGNS.get(status, '')} {status.lower()}").classes(
-                                f"chip {STATUS_COLOURS.get(status, 'other')}"
-                            )
-                            if who:
-                                ui.label(f"controlled by {self._who(who)}").classes("controller")
-
-    def _who(self, controller: str) -> str:
-        return "this console" if controller == str(self.console.ocu.id) else controller
+        robots = self._console.fleet.robots
+        if self._robot is not None and self._robot.id not in robots:
+            self._choose(None)
+        if self._robot is None and robots:
+            self._choose(next(iter(robots.values())))
+        new = self._console.total_events - self._logged
+        self._logged = self._console.total_events
+        for event in list(self._console.events)[-new:] if new else ():
+            self._log.push(f"{event.time:%H:%M:%S}  {event.text}")
 
     def _select(self, id: int) -> None:
-        robot = self.console.fleet.robots.get(id)
-        if robot is None or (self.robot is not None and self.robot.id == id):
-            return
-        self.robot = robot
-        self._shown = ()
-        self.plots.show(robot)
-        self.title.set_text(f"{robot.id}  {printable(robot.name)}")
-        ui.run_javascript(f"jauspy.selectRobot({robot.id})")
-        self.videos.show(robot)
-        drives = any(each.find("PrimitiveDriver") or each.find("VelocityStateDriver") for each in robot.components)
-        self.drive_panel.set_visibility(drives)
-        has_arm = any(each.find(POSITION_DRIVER) for each in robot.components)
-        self.arm_panel.set_visibility(has_arm)
-        if has_arm:
-            ui.timer(0.1, self._show_arm, once=True)
+        robot = self._console.fleet.robots.get(id)
+        if robot is not None and (self._robot is None or robot.id != self._robot.id):
+            self._choose(robot)
 
-    async def _show_arm(self) -> None:
-        robot = self.robot
-        if robot is None:
-            return
-        try:
-            limits, joints = await robot.arm.limits(), await robot.arm.joints()
-        except JausError as error:
-            self.joints.clear()
-            with self.joints:
-                ui.label(str(error)).classes("hint")
-            return
-        self._limits, self._sliders = limits, {}
-        self.joints.clear()
-        with self.joints:
-            for name, limit in limits.items():
-                low, high = (round(max(-math.pi, min(math.pi, value)), 3) for value in limit)
-                ui.label(printable(name)).classes("joint").tooltip(printable(name))
-                value = ui.label("").classes("joint-value")
-                slider = ui.slider(min=low, max=high, step=0.01, value=round(joints[name], 2))
-                self._sliders[name] = slider.props("label snap")
-                value.bind_text_from(slider, "value", lambda angle: f"{round(angle, 2) + 0.0:.2f} rad")
-
-    def _show_control(self) -> None:
-        operation = self.console.operation(self.robot.id) if self.robot is not None else None
-        if operation is None:
-            self.state.set_text("")
-            return
-        mine = operation.operator == self.token and operation.is_controlled
-        others = "another browser operates it" if operation.is_controlled else "observing"
-        self.state.set_text("you operate this robot" if mine else others)
-        self.take.set_text("take over" if operation.is_controlled and not mine else "take")
-        self.take.set_enabled(not mine)
-        self.release.set_enabled(mine)
-        self.move.set_enabled(mine and not self._arm_busy)
-        self.gripper_open.set_enabled(mine)
-        self.gripper_close.set_enabled(mine)
-        self.problem.set_text(operation.problem)
-
-    async def _refresh_pose(self) -> None:
-        if self.robot is None:
-            return
-        pose: RobotPose | None = None
-        with suppress(JausError):
-            pose = await self.robot.pose()
-        if pose is None:
-            self.pose.set_content("")
-            return
-        heading = round(math.degrees(-pose.yaw)) % 360
-        self.pose.set_content(
-            f"<b>x {round(pose.x, 2) + 0.0:.2f} m, y {round(pose.y, 2) + 0.0:.2f} m</b><br>heading {heading}\u00b0<br>"
-            f"pitch {round(math.degrees(pose.pitch))}\u00b0, roll {round(math.degrees(pose.roll))}\u00b0"
-        )
-
-    # --- commands -------------------------------------------------------------------------------------------------
-
-    async def _take(self) -> None:
-        if self.robot is None or (operation := self.console.operation(self.robot.id)) is None:
-            return
-        problem = await operation.take(self.token, int(self.authority.value or 0))
-        if problem:
-            self.problem.set_text(problem)
-
-    async def _release(self) -> None:
-        if self.robot is not None and (operation := self.console.operation(self.robot.id)) is not None:
-            await operation.release()
-
-    def _limit(self) -> None:
-        self.limit_text.set_text(f"limit {self.limit.value:.1f} m/s")
-        if self.robot is not None and (operation := self.console.operation(self.robot.id)) is not None:
-            operation.speed_limit = float(self.limit.value)
-
-    async def _move_arm(self) -> None:
-        if self.robot is None or self._arm_busy:
-            return
-        self._arm_busy = True
-        wanted = {name: float(slider.value) for name, slider in self._sliders.items()}
-        try:
-            await self.robot.arm.move(wanted)
-        except JausError as error:
-            self.console.note(f"the arm did not move as wanted: {error}")
-        finally:
-            self._arm_busy = False
-
-    async def _grip(self, *, close: bool) -> None:
-        if self.robot is None:
-            return
-        try:
-            await (self.robot.gripper.close() if close else self.robot.gripper.open())
-        except JausError as error:
-            self.console.note(f"the gripper did not {'close' if close else 'open'}: {error}")
+    def _choose(self, robot: Robot | None) -> None:
+        """Show this robot in all panels."""
+        self._robot = robot
+        self._title.set_text("" if robot is None else f"{robot.id}  {printable(robot.name)}")
+        ui.run_javascript(f"jauspy.selectRobot({0 if robot is None else robot.id})")
+        for each in self._of_robot:
+            each.show(robot)
+        self._show_tab(self._tab_shown)

@@ -7,15 +7,16 @@ import csv
 import io
 import time
 from collections import deque
-from collections.abc import AsyncGenerator, Callable
-from contextlib import aclosing, suppress
+from collections.abc import Callable
+from contextlib import aclosing
 from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.console.fields import numbers_of
-from jauspy.errors import ConfigError, EventRejected, JausError
+from jauspy.console.reports import reports_of
+from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.ocu import OCU
 from jauspy.ocu.subsystems import ComponentInfo
@@ -131,7 +132,7 @@ class Recorder:
     async def _record(self, source: Source, query: Message, rate: float, *, events: bool) -> None:
         while True:
             try:
-                async with aclosing(self._reports(source[0], query, rate, events=events)) as reports:
+                async with aclosing(reports_of(self._ocu, source[0], query, rate, events=events)) as reports:
                     async for report in reports:
                         self._take(source, report)
             except JausError as error:
@@ -146,18 +147,3 @@ class Recorder:
             trace.problem = "" if value is not None else "the last report has no such field"
             if value is not None:
                 trace.add(at, value)
-
-    async def _reports(
-        self, component: JausID, query: Message, rate: float, *, events: bool
-    ) -> AsyncGenerator[Message, None]:
-        """Events of the component; queries at this rate if it has none of this report."""
-        if events:
-            with suppress(EventRejected):
-                async with self._ocu.service(component, query.SERVICE).subscribe(query, rate=rate) as reports:
-                    async for report in reports:
-                        yield report
-        clock = asyncio.get_running_loop().time
-        while True:
-            began = clock()
-            yield await self._ocu.query(component, query)
-            await asyncio.sleep(max(0.0, began + 1.0 / rate - clock()))

@@ -12,30 +12,48 @@ from contextlib import asynccontextmanager, nullcontext
 from dataclasses import dataclass
 from datetime import datetime
 from importlib.resources import files
+from pathlib import Path
 from typing import Any, Final
-from urllib.parse import urlsplit
 
 import uvicorn
 from fastapi import FastAPI, WebSocket, WebSocketDisconnect
 from starlette.staticfiles import StaticFiles
 
-from jauspy.console.fleet import Fleet
+from jauspy.console.access import LOCAL_HOSTS, Gate
+from jauspy.console.attitude import AttitudeFeed
+from jauspy.console.certificates import check_certificate
+from jauspy.console.fleet import NOTHING, Fleet
+from jauspy.console.jogging import Jogging
 from jauspy.console.operation import Operation
+from jauspy.console.sessions import current_user
 from jauspy.console.traffic import Traffic
-from jauspy.console.video import SharedCamera
-from jauspy.errors import ConfigError, JausError
+from jauspy.console.users import LOCAL, User, Users
+from jauspy.console.video import SharedCamera, camera_state
+from jauspy.console.world import Worlds
+from jauspy.console.world_socket import add_world
+from jauspy.errors import CodecError, ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
+from jauspy.modules.audit import MAX_PAYLOAD, AuditLog
 from jauspy.ocu import OCU
+from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.emergency import obeys, set_emergency
 from jauspy.printable import printable
+from jauspy.services.core.command_seal import needs_seal
 
 MAX_EVENTS: Final = 500
 """Lines of the log that are kept."""
 MAX_MESSAGE: Final = 1000
 """Characters of a message of a browser."""
-LOCAL_HOSTS: Final = frozenset({"127.0.0.1", "localhost", "::1"})
-"""The console serves this machine only."""
+MAX_BROWSERS: Final = 64
+"""Pages that are open at the same time."""
+MAX_FRAME: Final = 1 << 16
+"""Bytes of a message of a browser."""
+MAX_CONNECTIONS: Final = 400
+"""Of all browsers; each page has up to 16."""
+GRACE: Final = 2
+"""Seconds that browsers have to leave when the console ends."""
+RECORDINGS: Final = Path.home() / "jauspy-recordings"
 STOP_TIME: Final = 1.0
 """Seconds in which an emergency stop is repeated until all obey."""
 
@@ -51,20 +69,29 @@ class Event:
 class Console:
     """The state that all browsers share: the fleet, operations, cameras and the log."""
 
-    def __init__(self, ocu: OCU, emergency_ocu: OCU) -> None:
+    def __init__(
+        self, ocu: OCU, emergency_ocu: OCU, audit: AuditLog | None = None, recordings: Path = RECORDINGS
+    ) -> None:
         self.ocu = ocu
+        self.recordings = recordings
+        """The folder of recorded video."""
         self.fleet = Fleet(ocu)
         self.fleet.on_event = self.note
         self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
         self.total_events = 0
         self.traffic = Traffic(registry)
         for each in (ocu, emergency_ocu):
-            each.trace(self.traffic.note)
+            each.trace(self._trace)
+        self._audit = audit
         self._emergency_ocu = emergency_ocu
         self._operations: dict[int, Operation] = {}
+        self._jogging: dict[JausID, Jogging] = {}
         self._cameras: dict[JausID, SharedCamera] = {}
-        self.tokens: set[str] = set()
-        """Of the pages that were served; sockets without one are refused."""
+        self.worlds = Worlds(ocu, lambda: self.fleet.robots)
+        self._attitudes: dict[int, AttitudeFeed] = {}
+        self._browsers: dict[str, User] = {}
+        """Whose page has this token; sockets without one are refused."""
+        self._leaving: set[asyncio.Task[None]] = set()
 
     def note(self, text: str) -> None:
         """Add a line to the log."""
@@ -72,19 +99,50 @@ class Console:
         self.traffic.event(printable(text))
         self.total_events += 1
 
-    def new_token(self) -> str:
-        """A token for one page."""
-        token = secrets.token_urlsafe(16)
-        self.tokens.add(token)
-        return token
+    def new_browser(self) -> tuple[str, User] | None:
+        """A token for one page, and whose it is; None when there are too many."""
+        if len(self._browsers) >= MAX_BROWSERS:
+            return None
+        token, user = secrets.token_urlsafe(16), current_user() or LOCAL
+        self._browsers[token] = user
+        return token, user
 
-    async def forget(self, token: str) -> None:
-        """The page has gone: robots that it operated are released."""
-        self.tokens.discard(token)
+    def is_of(self, token: str, user: User | None) -> bool:
+        """True for the token of a page of this user that is open."""
+        return user is not None and self._browsers.get(token) == user
+
+    def forget(self, token: str) -> None:
+        """The page has gone: robots that it operated are released soon."""
+        self._browsers.pop(token, None)
+        task = asyncio.create_task(self._release_all_of(token), name="console: a browser has left")
+        self._leaving.add(task)
+        task.add_done_callback(self._leaving.discard)
+
+    async def _release_all_of(self, token: str) -> None:
         for operation in self._operations.values():
             if operation.operator == token:
-                self.note(f"robot {operation.robot.id}: its operator's browser has left")
+                self.note(f"robot {operation.robot.id}: the browser of {operation.user.name} has left")
                 await operation.release()
+        await self.worlds.forget(token)
+
+    def _trace(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
+        """Keep a message for the log; a command that was sent goes into the audit log, with the user who gave it."""
+        self.traffic.note(source, destination, payload, sent=sent)
+        if self._audit is None or not sent or not _is_command(payload):
+            return
+        operation = self._operations.get(destination.subsystem)
+        user = current_user() or (operation.user if operation is not None and operation.operator else None)
+        self._audit.note(
+            {
+                "component": str(destination),
+                "source": str(source),
+                "operator": user.name if user else None,
+                "role": user.role if user else None,
+                "message": self.traffic.name(payload),
+                "outcome": "sent",
+                "payload": payload[:MAX_PAYLOAD].hex(),
+            }
+        )
 
     def operation(self, subsystem: int) -> Operation | None:
         """The operation of a robot; None when there is no such robot."""
@@ -96,6 +154,19 @@ class Console:
             operation.robot = robot
         return operation
 
+    def jogging(self, component: str) -> Jogging | None:
+        """What moves the tool of this arm; None when there is no such arm."""
+        try:
+            id = JausID.parse(component)
+        except ConfigError:
+            return None
+        operation = self.operation(id.subsystem)
+        if operation is None or not any(
+            each.id == id and each.find(POSITION_DRIVER) for each in operation.robot.components
+        ):
+            return None
+        return self._jogging.setdefault(id, Jogging(operation, id, self.note))
+
     def camera(self, id: JausID) -> SharedCamera | None:
         """The camera of a component; None when it is not there."""
         if id in self._cameras:
@@ -103,7 +174,14 @@ class Console:
         robot = self.fleet.robots.get(id.subsystem)
         if robot is None or not any(each.id == id and each.find("DigitalVideo") for each in robot.components):
             return None
-        self._cameras[id] = SharedCamera(robot.component(str(id)).camera, self.note)
+        if robot.id not in self._attitudes:
+            self._attitudes[robot.id] = AttitudeFeed(self.ocu, robot)
+
+        def state() -> str:
+            return camera_state(self.fleet.states.get(id, NOTHING).status, silent=self.fleet.is_silent(id))
+
+        camera = robot.component(str(id)).camera
+        self._cameras[id] = SharedCamera(camera, str(id), self.note, state, self._attitudes[robot.id])
         return self._cameras[id]
 
     async def stop(self, target: str, *, release: bool = False) -> str:
@@ -116,13 +194,20 @@ class Console:
         obeyed = sum(obeys(report, release=release) for report in found.values())
         what = "released from the emergency" if release else "stopped"
         text = f"{obeyed} of {len(found)} components {what}" if found else "no component answered"
-        self.note(f"emergency {'release' if release else 'stop'} of {target}: {text}")
+        who = current_user()
+        by = f" by {who.name}" if who is not None else ""
+        self.note(f"emergency {'release' if release else 'stop'} of {target}{by}: {text}")
         return text
 
     async def close(self) -> None:
         """Release all robots."""
+        if self._leaving:
+            await asyncio.wait(self._leaving)
         for operation in self._operations.values():
             await operation.release()
+        await self.worlds.close()
+        for camera in self._cameras.values():
+            await camera.close()
         await self.fleet.close()
         for each in (self.ocu, self._emergency_ocu):
             each.trace(None)
@@ -172,22 +257,57 @@ def make_app(console: Console) -> FastAPI:
             if verb not in ("stop", "release") or not (target == "all" or (target.isdecimal() and len(target) < 6)):
                 await page.send_text(f"not understood: {printable(text)}")
                 continue
+            user = current_user()
+            if verb == "release" and user is not None and not user.may_operate:
+                await page.send_text(f"{user.name} may stop robots, and not release them ({user.role})")
+                continue
             try:
                 await page.send_text(await console.stop(target, release=verb == "release"))
             except JausError as error:
                 await page.send_text(str(error))
 
+    add_world(
+        app,
+        console.worlds,
+        lambda page, token: _accepted(page, console, token),
+        lambda token: console.is_of(token, current_user()),
+    )
+    _add_jog(app, console)
     return app
 
 
+def _add_jog(app: FastAPI, console: Console) -> None:
+    @app.websocket("/ws/jog/{component}/{token}")
+    async def jog(page: WebSocket, component: str, token: str) -> None:
+        """Velocities of a tool as `jogging.velocity` reads them; the answer is why there is no effect, if so."""
+        if not await _accepted(page, console, token):
+            return
+        said = ""
+        async for text in _messages(page):
+            jogging = console.jogging(component)
+            problem = "the arm has gone" if jogging is None else jogging.move(token, text)
+            if problem != said:
+                await page.send_text(problem)
+                said = problem
+        if (jogging := console.jogging(component)) is not None:
+            jogging.leave(token)
+
+
 async def _accepted(page: WebSocket, console: Console, token: str) -> bool:
-    """Accept a page of this console; anything else, such as a page of another site, is closed."""
-    origin = urlsplit(page.headers.get("origin", ""))
-    if token not in console.tokens or origin.netloc != page.headers.get("host"):
+    """Accept a page of this console and of the user whose session it is; `access.Gate` has looked at its origin."""
+    if not console.is_of(token, current_user()):
         await page.close(4403)
         return False
     await page.accept()
     return True
+
+
+def _is_command(payload: bytes) -> bool:
+    """True for a message that changes something."""
+    try:
+        return needs_seal(registry.decode(payload))
+    except CodecError:
+        return True
 
 
 async def _messages(page: WebSocket) -> AsyncIterator[str]:
@@ -214,35 +334,81 @@ class _Server(uvicorn.Server):
         return nullcontext()
 
 
+@dataclass(frozen=True, slots=True)
+class Access:
+    """What a console needs that serves other machines than its own."""
+
+    users: Path | None = None
+    certificate: Path | None = None
+    key: Path | None = None
+
+
 @asynccontextmanager
-async def serving(ocu: OCU, emergency_ocu: OCU, host: str, port: int) -> AsyncIterator[str]:
+async def serving(
+    ocu: OCU,
+    emergency_ocu: OCU,
+    host: str,
+    port: int,
+    *,
+    access: Access | None = None,
+    audit: AuditLog | None = None,
+    recordings: Path = RECORDINGS,
+) -> AsyncIterator[str]:
     """Serve the console at this address while the context is open; the URL. Both OCUs must be open.
 
     NiceGUI has one application in a process: a process can serve once.
     """
-    if host not in LOCAL_HOSTS:
-        raise ConfigError(
-            f"--host {host}: the console has no login yet, so it serves this machine only; use an SSH tunnel, as in "
-            f"ssh -L {port}:localhost:{port} ROBOT-SIDE"
-        )
+    access = access or Access()
+    users = _users(access, host)
     listener = _listener(host, port)
     from jauspy.console.page import add_page  # noqa: PLC0415 - NiceGUI takes a second
 
-    console = Console(ocu, emergency_ocu)
+    console = Console(ocu, emergency_ocu, audit, recordings)
     app = make_app(console)
     add_page(app, console)
-    server = _Server(uvicorn.Config(app, log_level="warning", lifespan="on", ws_max_size=1 << 16))
+    config = uvicorn.Config(
+        Gate(app, users, console.note),
+        log_level="warning",
+        lifespan="on",
+        ws_max_size=MAX_FRAME,
+        ws_per_message_deflate=False,  # video is compressed
+        proxy_headers=False,
+        server_header=False,
+        limit_concurrency=MAX_CONNECTIONS,
+        timeout_graceful_shutdown=GRACE,
+        ssl_certfile=access.certificate,
+        ssl_keyfile=access.key,
+    )
+    server = _Server(config)
     console.fleet.start()
     task = asyncio.create_task(server.serve(sockets=[listener]), name="console: server")
     try:
         while not server.started and not task.done():  # noqa: ASYNC110 - uvicorn has no event for it
             await asyncio.sleep(0.05)
-        yield f"http://{host}:{listener.getsockname()[1]}"
+        shown = f"[{host}]" if ":" in host else host
+        yield f"{'http' if users is None else 'https'}://{shown}:{listener.getsockname()[1]}"
     finally:
         await console.close()
         server.should_exit = True
         await task
         listener.close()
+
+
+def _users(access: Access, host: str) -> Users | None:
+    """The users who may log in; None at a console without a login, which serves its own machine only."""
+    given = (access.users, access.certificate, access.key)
+    if given == (None, None, None) and host in LOCAL_HOSTS:
+        return None
+    if access.users is None or access.certificate is None or access.key is None:
+        raise ConfigError(
+            f"--host {host}: other machines reach the console only with TLS and a login; give --users, --certificate "
+            "and --key, whose files `jauspy console user add NAME` and `jauspy console certificate HOST` make"
+        )
+    check_certificate(access.certificate, access.key)
+    users = Users(access.users)
+    if not len(users):
+        raise ConfigError(f"{access.users}: has no users; add one: jauspy console user add NAME")
+    return users
 
 
 def _listener(host: str, port: int) -> socket.socket:

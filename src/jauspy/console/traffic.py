@@ -78,6 +78,10 @@ class Traffic:
             name = f"{name} {self._name(int.from_bytes(payload[_REPORT_AT : _REPORT_AT + 2], 'little'))}"
         self._keep(code, Line(self.total, self._now(), kind, str(source), str(destination), name, len(payload), kept))
 
+    def name(self, payload: bytes) -> str:
+        """The name of a message; its id in hex if it is not known."""
+        return self._name(int.from_bytes(payload[:2], "little") if len(payload) > 1 else OTHER)
+
     def event(self, text: str) -> None:
         """Keep a sentence of the console."""
         self._keep(EVENT, Line(self.total, self._now(), "event", "", "", text))

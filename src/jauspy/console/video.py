@@ -3,109 +3,284 @@
 from __future__ import annotations
 
 import asyncio
+import json
+import math
 import struct
+from collections import deque
 from collections.abc import Callable
 from contextlib import aclosing
-from typing import Final
+from pathlib import Path
+from typing import Any, Final
 
 from fastapi import WebSocket, WebSocketDisconnect
 
+from jauspy.console.attitude import Attitude, AttitudeFeed
+from jauspy.console.video_recording import VideoRecording
 from jauspy.errors import JausError
 from jauspy.ocu.camera import Camera
+from jauspy.printable import printable
 from jauspy.video.h264_payload import SPS, Picture, join_nals, nal_type
 from jauspy.video.rtp import CLOCK_RATE
 
 MAX_QUEUED: Final = 8
 """Pictures that wait for one browser; a slower one gets none until the next IDR picture."""
+MAX_BYTES: Final = 4 << 20
+"""Bytes of pictures that wait for one browser."""
 RETRY_INTERVAL: Final = 2.0
 """Seconds until a camera is asked again after its stream has ended."""
-_HEADER: Final = struct.Struct("<?xxxxxxxd")
-"""Whether a decoder can start with the picture, and its time in microseconds."""
+QUIET_TIME: Final = 2.0
+"""Seconds without a picture after which the browsers are told why."""
+KEY_INTERVAL: Final = 2.0
+"""Seconds after which the robot is asked for a key picture while a browser gets those alone: slow cameras make few."""
+CHOICES: Final = ("all", "keys", "nothing")
+"""Which pictures a browser may ask for: `keys` are those that can be decoded without others."""
+_HEADER: Final = struct.Struct("<?xxxxxxxdd")
+"""Whether it is a key picture, its time stamp in microseconds, and when it was taken, in milliseconds since 1970 by the
+robot's clock (NaN when unknown)."""
 
 
 class Watcher:
-    """One browser that watches."""
+    """What waits to be sent to one browser: pictures in order, and the newest of each kind of news."""
 
     def __init__(self) -> None:
-        self.queue: asyncio.Queue[bytes | str] = asyncio.Queue(MAX_QUEUED)
+        self.choice = "all"
+        self.left_out = 0
+        """Pictures that were left out because the browser or its connection is slow."""
+        self._pictures: deque[bytes] = deque()
+        self._size = 0
+        self._news: dict[str, Any] = {}
+        self._codec = ""
         self._waits_for_idr = True
+        self._ready = asyncio.Event()
+
+    def __len__(self) -> int:
+        return len(self._pictures)
+
+    def tell(self, **news: Any) -> None:
+        """Send news; those of the same name that wait are replaced."""
+        self._news.update(news)
+        self._ready.set()
+
+    def choose(self, choice: str) -> bool:
+        """Send these pictures from now on; returns True if a key picture is waited for."""
+        if choice not in CHOICES or choice == self.choice:
+            return False
+        self.choice = choice
+        self._waits_for_idr = True
+        return choice != "nothing"
 
     def put(self, picture: Picture, data: bytes, codec: str) -> None:
-        """Queue a picture; when the queue is full, all until the next IDR picture are left out."""
-        if self._waits_for_idr and not picture.is_idr:
+        """Queue a picture; when too much waits, all until the next IDR picture are left out."""
+        if self.choice == "nothing" or (self.choice == "keys" and not picture.is_idr):
             return
-        if self.queue.full():
+        is_full = len(self._pictures) >= MAX_QUEUED or self._size + len(data) > MAX_BYTES
+        if is_full or (self._waits_for_idr and not picture.is_idr):
+            if is_full or self.left_out:
+                self.left_out += 1
+                self.tell(left_out=self.left_out)
             self._waits_for_idr = True
             return
-        if self._waits_for_idr and codec:
-            self.queue.put_nowait(codec)
-            if self.queue.full():
-                return
+        if codec != self._codec:
+            if self._pictures:  # they are of the other coding
+                self.left_out += len(self._pictures)
+                self._pictures.clear()
+                self._size = 0
+            self._codec = codec
+            self.tell(codec=codec)
         self._waits_for_idr = False
-        self.queue.put_nowait(data)
+        self._pictures.append(data)
+        self._size += len(data)
+        self._ready.set()
+
+    async def next(self) -> str | bytes:
+        """The next message: news first."""
+        await self._ready.wait()
+        item: str | bytes
+        if self._news:
+            item, self._news = json.dumps(self._news), {}
+        else:
+            item = self._pictures.popleft()
+            self._size -= len(item)
+        if not self._news and not self._pictures:
+            self._ready.clear()
+        return item
 
 
 class SharedCamera:
-    """Receives a camera while somebody watches."""
+    """Receives a camera while somebody watches or records.
 
-    def __init__(self, camera: Camera, on_event: Callable[[str], None]) -> None:
-        self._camera = camera
+    `state` tells in words what is the matter with the component, if anything.
+    """
+
+    def __init__(
+        self,
+        camera: Camera,
+        name: str,
+        on_event: Callable[[str], None],
+        state: Callable[[], str] = lambda: "",
+        attitude: AttitudeFeed | None = None,
+    ) -> None:
+        self.recording: VideoRecording | None = None
+        """The present one; after its end, the last one."""
+        self.camera = camera
+        self.name = name
         self._on_event = on_event
+        self._state = state
+        self._attitude = attitude
         self._watchers: set[Watcher] = set()
-        self._task: asyncio.Task[None] | None = None
+        self._tasks: list[asyncio.Task[None]] = []
         self._codec = ""
+        self._problem = ""
+        self._picture_at = -math.inf
+        self._has_begun = False
+        self._key_at = -math.inf
 
     async def serve(self, socket: WebSocket) -> None:
-        """Send the pictures to one browser until it leaves: the codec as text, then each picture as bytes."""
+        """Send news as JSON and pictures as bytes to one browser until it leaves, as it asks for."""
         watcher = Watcher()
         self._watchers.add(watcher)
-        if self._task is None or self._task.done():
-            self._task = asyncio.create_task(self._receive(), name=f"console: {self._camera!r}")
-        leaving = asyncio.create_task(_until_closed(socket))
+        self._start()
+        self.camera.refresh()
+
+        def tell(attitude: Attitude) -> None:
+            watcher.tell(attitude=attitude.as_dict())
+
+        leaving = asyncio.create_task(self._listen(socket, watcher, tell))
+        sending = asyncio.create_task(_send(socket, watcher))
         try:
-            while not leaving.done():
-                getting = asyncio.create_task(watcher.queue.get())
-                await asyncio.wait({getting, leaving}, return_when=asyncio.FIRST_COMPLETED)
-                if not getting.done():
-                    getting.cancel()
-                    return
-                item = getting.result()
-                await (socket.send_text(item) if isinstance(item, str) else socket.send_bytes(item))
-        except (WebSocketDisconnect, RuntimeError):
-            return
+            await asyncio.wait({leaving, sending}, return_when=asyncio.FIRST_COMPLETED)
         finally:
             leaving.cancel()
+            sending.cancel()
+            if self._attitude is not None:
+                self._attitude.remove(tell)
             self._watchers.discard(watcher)
-            if not self._watchers and self._task is not None:
-                self._task.cancel()
-                self._task = None
+            self._stop_if_unused()
+
+    def record(self, folder: Path) -> VideoRecording:
+        """Record what arrives, until `stop_recording`, whoever watches; returns the present recording if there is one.
+
+        Raises `ConfigError` when nothing can be written there.
+        """
+        if self.recording is None or self.recording.ended:
+            self.recording = VideoRecording(folder, self.name)
+            self._on_event(f"video of {self.name}: recording to {self.recording.path} has begun")
+            self._start()
+            self.camera.refresh()
+        return self.recording
+
+    async def stop_recording(self) -> None:
+        """End the recording; without effect when there is none."""
+        if self.recording is not None:
+            await self.recording.close()
+            self._on_event(f"video of {self.name}: {self.recording.summary}")
+        self._stop_if_unused()
+
+    async def close(self) -> None:
+        """The console ends."""
+        if self.recording is not None:
+            await self.recording.close()
+        self._watchers.clear()
+        self._stop_if_unused()
+
+    def _start(self) -> None:
+        if not self._tasks:
+            self._picture_at = asyncio.get_running_loop().time()
+            self._problem, self._has_begun = "", False
+            self._tasks = [
+                asyncio.create_task(self._receive(), name=f"console: video of {self.name}"),
+                asyncio.create_task(self._explain(), name=f"console: why {self.name} is dark"),
+            ]
+
+    def _stop_if_unused(self) -> None:
+        if not self._watchers and (self.recording is None or self.recording.ended):
+            for task in self._tasks:
+                task.cancel()
+            self._tasks = []
 
     async def _receive(self) -> None:
         told = ""
         while True:
             try:
-                async with aclosing(self._camera.encoded()) as pictures:
+                async with aclosing(self.camera.encoded()) as pictures:
                     async for picture in pictures:
                         self._hand_out(picture)
-                        told = ""
+                        told = self._problem = ""
+                        self._has_begun = True
             except JausError as error:
-                if str(error) != told:
-                    self._on_event(f"no video: {error}")
-                told = str(error)
+                self._problem = printable(str(error))
+                if self._problem != told:
+                    self._on_event(f"no video of {self.name}: {error}")
+                told = self._problem
+                self._has_begun = False
             await asyncio.sleep(RETRY_INTERVAL)
 
+    async def _explain(self) -> None:
+        """Tell the browsers why there is no picture, while there is none; see that key pictures come."""
+        while True:
+            await asyncio.sleep(0.5)
+            reason = self.why_no_picture()
+            for watcher in self._watchers:
+                if reason:
+                    watcher.tell(reason=reason)
+            now = asyncio.get_running_loop().time()
+            if now - self._key_at >= KEY_INTERVAL and any(each.choice == "keys" for each in self._watchers):
+                self.camera.refresh()
+            if self.recording is not None and self.recording.ended:
+                self._stop_if_unused()
+
+    def why_no_picture(self) -> str:
+        """In words; empty when pictures arrive."""
+        if asyncio.get_running_loop().time() - self._picture_at < QUIET_TIME:
+            return ""
+        state = "" if self._has_begun else self._state()
+        return "; ".join(each for each in (self._problem or self.camera.waiting, state) if each)
+
     def _hand_out(self, picture: Picture) -> None:
+        self._picture_at = asyncio.get_running_loop().time()
         if picture.is_idr:
+            self._key_at = self._picture_at
             parameters = next((nal for nal in picture.nals if nal_type(nal) == SPS), b"")
             self._codec = f"avc1.{parameters[1:4].hex()}" if len(parameters) > 3 else self._codec
-        data = _HEADER.pack(picture.is_idr, picture.timestamp * 1e6 / CLOCK_RATE) + join_nals(picture.nals)
+        taken = self.camera.taken(picture)
+        at = math.nan if taken is None else 1e3 * taken.timestamp()
+        data = _HEADER.pack(picture.is_idr, picture.timestamp * 1e6 / CLOCK_RATE, at) + join_nals(picture.nals)
         for watcher in self._watchers:
             watcher.put(picture, data, self._codec)
+        if self.recording is not None:
+            self.recording.add(picture)
+
+    async def _listen(self, socket: WebSocket, watcher: Watcher, tell: Callable[[Attitude], None]) -> None:
+        """Take what the browser asks for, as in {"want": "keys", "attitude": true}, until it leaves."""
+        try:
+            while True:
+                try:
+                    asked = json.loads((await socket.receive_text())[:200])
+                except ValueError:
+                    continue
+                if not isinstance(asked, dict):
+                    continue
+                if watcher.choose(str(asked.get("want", ""))):
+                    self.camera.refresh()
+                if self._attitude is not None:
+                    self._attitude.remove(tell)
+                    if asked.get("attitude") is True:
+                        self._attitude.add(tell)
+        except (WebSocketDisconnect, RuntimeError, KeyError):  # KeyError: it sent bytes
+            return
 
 
-async def _until_closed(socket: WebSocket) -> None:
+async def _send(socket: WebSocket, watcher: Watcher) -> None:
     try:
         while True:
-            await socket.receive_text()
+            item = await watcher.next()
+            await (socket.send_text(item) if isinstance(item, str) else socket.send_bytes(item))
     except (WebSocketDisconnect, RuntimeError):
         return
+
+
+def camera_state(status: str, *, silent: bool) -> str:
+    """What the state of a camera's component has to do with a missing picture, in words."""
+    if silent:
+        return "the camera's component does not answer"
+    return f"the camera's component is in {status}" if status not in ("", "READY") else ""

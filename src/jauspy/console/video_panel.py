@@ -1,35 +1,264 @@
-"""The tab Video: the cameras of a robot, live."""
+"""The tab Video: the cameras of a robot, live, with still images, recordings and settings."""
 
 from __future__ import annotations
 
-from nicegui import ui
+import json
+from contextlib import suppress
+from datetime import datetime
+from typing import Any, Final
 
+from nicegui import events, ui
+
+from jauspy.console.camera_settings import LENS, LIGHTS, VIDEO, Setting, read_settings, sensor_name, write_setting
 from jauspy.console.server import Console
+from jauspy.console.users import User
+from jauspy.console.video import SharedCamera
+from jauspy.errors import JausError, RequestError
+from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import Robot
+from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.printable import printable
+
+UPDATE_INTERVAL: Final = 0.5
+"""Seconds between two looks at recordings."""
+HEADINGS: Final = {VIDEO: "Stream", LENS: "Lens", LIGHTS: "Lights"}
 
 
 class VideoPanel:
-    """The cameras of the chosen robot, for one page."""
+    """The cameras of the chosen robot, for the page of this token."""
 
-    def __init__(self, console: Console) -> None:
+    def __init__(self, console: Console, token: str, user: User) -> None:
         self._console = console
-        self._figures = ui.element("div").classes("figures")
+        self._token = token
+        self._user = user
+        self._robot: Robot | None = None
+        self._figures: dict[str, ui.element] = {}
+        self._captions: dict[str, ui.label] = {}
+        self._chosen = ""
+        self._filling = False
+        with ui.element("div").classes("video-bar"):
+            self._said = ui.label("").classes("video-said")
+            ui.html('<span id="video-load" role="status"></span>', sanitize=False).classes("grow")
+            self._recorded = ui.label("").classes("recording")
+            self._still = _button("still", self._take_still, "save a picture")
+            self._record = _button("record", self._toggle_recording, "record what arrives, on the console's machine")
+            self._overlay = _button("overlay", self._toggle_overlay, "heading, speed, pitch and roll")
+            self._open_settings = _button("settings", self._toggle_settings, "camera and lights")
+        with ui.element("div").classes("video-split"):
+            self._place = ui.element("div").classes("figures")
+            self._side = ui.element("div").classes("video-settings")
+        self._side.set_visibility(False)
+        with self._side:
+            self._refused = ui.label("")
+        ui.timer(UPDATE_INTERVAL, self._update)
 
     def show(self, robot: Robot | None) -> None:
         """Show the cameras of this robot."""
+        self._robot = robot
         components = robot.components if robot is not None else ()
-        cameras = [each for each in components if each.find("DigitalVideo")]
-        self._figures.clear()
-        with self._figures:
+        cameras = [each for each in components if each.find(VIDEO)]
+        self._place.clear()
+        self._figures, self._captions, self._chosen = {}, {}, ""
+        self._said.set_text("")
+        with self._place:
             for camera in cameras:
-                ui.html(
-                    f'<canvas data-component="{camera.id}" width="640" height="480"></canvas>'
-                    f'<span class="video-note"></span><figcaption>{camera.id}</figcaption>',
-                    tag="figure",
-                    sanitize=False,
-                ).props('onclick="jauspy.enlarge(this)"')
+                self._add_figure(camera)
             if robot is not None and not cameras:
                 ui.label("this robot has no camera").classes("hint")
+        for button in (self._still, self._record, self._overlay, self._open_settings):
+            button.set_visibility(bool(cameras))
+        self._record.set_enabled(self._user.may_operate)
+        if cameras:
+            self._choose(str(cameras[0].id))
+            ui.timer(0.1, self._name_cameras, once=True)
+        else:
+            self._side.set_visibility(False)
 
     def close(self) -> None:
-        """The page has gone."""
+        """The page has gone; recordings go on."""
+
+    # --- cameras ----------------------------------------------------------------------------------------------------
+
+    def _add_figure(self, camera: ComponentInfo) -> None:
+        id = str(camera.id)
+        with ui.element("figure").props(f'tabindex="0" role="button" aria-label="camera {id}"') as figure:
+            ui.html(
+                f'<canvas data-component="{id}" width="640" height="480"></canvas><div class="overlay"></div>'
+                '<span class="video-note" role="status"></span>',
+                sanitize=False,
+            ).style("display: contents")
+            with ui.element("figcaption"):
+                self._captions[id] = ui.label(f"{id}  {printable(camera.name)}")
+                ui.html('<span class="video-facts"></span>', sanitize=False)
+        figure.on("click", lambda: self._choose(id)).on("keydown.enter", lambda: self._choose(id))
+        self._figures[id] = figure
+
+    def _choose(self, id: str) -> None:
+        """Enlarge a camera; the buttons are for it."""
+        if id == self._chosen or id not in self._figures:
+            return
+        self._chosen = id
+        for each, figure in self._figures.items():
+            figure.classes(add="large" if each == id else "", remove="" if each == id else "large")
+        self._update()
+        if self._side.visible:
+            ui.timer(0.0, self._fill_settings, once=True)
+
+    async def _name_cameras(self) -> None:
+        robot = self._robot
+        for id, caption in list(self._captions.items()):
+            if robot is not None:
+                with suppress(JausError):
+                    name = await sensor_name(robot.component(id))
+                    if self._robot is robot:
+                        caption.set_text(f"{id}  {printable(name)}")
+
+    def _camera(self) -> SharedCamera | None:
+        component = self._component()
+        return None if component is None else self._console.camera(component.id)
+
+    def _component(self) -> ComponentInfo | None:
+        components = self._robot.components if self._robot is not None else ()
+        return next((each for each in components if str(each.id) == self._chosen), None)
+
+    def _toggle_overlay(self) -> None:
+        plain = "plain" not in self._place.classes
+        self._place.classes(add="plain" if plain else "", remove="" if plain else "plain")
+        self._overlay.classes(add="off" if plain else "", remove="" if plain else "off")
+
+    # --- still images and recordings ------------------------------------------------------------------------------
+
+    async def _take_still(self) -> None:
+        """From the robot's StillImage service; otherwise the picture that is shown."""
+        robot, component = self._robot, self._component()
+        if robot is None or component is None:
+            return
+        name = f"{component.id}-{datetime.now().astimezone():%Y%m%d-%H%M%S}"
+        if component.find("StillImage") is None:
+            ui.run_javascript(f"jauspy.video.save({json.dumps(str(component.id))}, {json.dumps(name + '.png')})")
+            self._said.set_text(f"saved the picture that is shown as {name}.png")
+            return
+        self._said.set_text("taking a picture …")
+        self._still.disable()
+        try:
+            photo = await robot.component(str(component.id)).camera.still()
+        except JausError as error:
+            self._said.set_text(printable(str(error)))
+        else:
+            suffix = {"JPEG": "jpg"}.get(photo.format, photo.format.lower())
+            suffix = suffix if suffix.isalnum() else "bin"
+            ui.download.content(photo.content, f"{name}.{suffix}")
+            self._said.set_text(f"saved {name}.{suffix}, {len(photo.content) // 1000} kB")
+        finally:
+            self._still.enable()
+
+    async def _toggle_recording(self) -> None:
+        camera = self._camera()
+        if camera is None:
+            return
+        if camera.recording is not None and not camera.recording.ended:
+            await camera.stop_recording()
+            self._said.set_text(camera.recording.summary)
+            return
+        try:
+            camera.record(self._console.recordings)
+        except JausError as error:
+            self._said.set_text(str(error))
+        else:
+            self._said.set_text("")
+        self._update()
+
+    def _update(self) -> None:
+        """What is recorded: all browsers see it, and each can end it."""
+        camera = self._camera()
+        recording = camera.recording if camera is not None else None
+        running = recording is not None and not recording.ended
+        self._record.set_text("stop recording" if running else "record")
+        text = ""
+        if recording is not None and running:
+            text = f"● {recording.seconds // 60}:{recording.seconds % 60:02} {recording.size / 1e6:.1f} MB"
+            if self._said.text == "":
+                self._said.set_text(f"recording to {recording.path}")
+        elif recording is not None and recording.problem and recording.summary != self._said.text:
+            self._said.set_text(recording.summary)
+        self._recorded.set_text(text)
+
+    # --- settings ---------------------------------------------------------------------------------------------------
+
+    async def _toggle_settings(self) -> None:
+        self._side.set_visibility(not self._side.visible)
+        if self._side.visible:
+            await self._fill_settings()
+
+    async def _fill_settings(self) -> None:
+        """Show what the camera and the lights offer."""
+        robot, chosen = self._robot, self._chosen
+        if robot is None or not chosen or self._filling:
+            return
+        self._filling = True
+        try:
+            ids = [chosen] + [str(each.id) for each in robot.components if each.find(LIGHTS) and str(each.id) != chosen]
+            found = [(id, *await read_settings(robot.component(id))) for id in ids]
+        finally:
+            self._filling = False
+        if (robot, chosen) != (self._robot, self._chosen):
+            return
+        self._side.clear()
+        heading = ""
+        with self._side:
+            for id, settings, problems in found:
+                for setting in settings:
+                    if HEADINGS.get(setting.service, heading) != heading:
+                        heading = HEADINGS[setting.service]
+                        ui.label(heading).classes("heading")
+                    self._add_setting(id, setting)
+                for problem in problems:
+                    ui.label(printable(problem)).classes("problem")
+            if not heading:
+                ui.label("this camera offers no settings").classes("hint")
+            self._refused = ui.label("").classes("problem")
+
+    def _add_setting(self, id: str, setting: Setting) -> None:
+        async def change(event: events.ValueChangeEventArguments[Any]) -> None:
+            await self._set(id, setting, event.value)
+
+        label = printable(setting.label)
+        if setting.choices is not None and set(setting.choices.values()) == {"off", "on"}:
+            ui.switch(label, value=bool(setting.value), on_change=change).props("dense left-label")
+        elif setting.choices is not None:
+            value = setting.value if setting.value in setting.choices else None
+            choice = ui.select(setting.choices, label=label, value=value, on_change=change)
+            choice.props("dense outlined options-dense")
+        else:
+            with ui.element("div").classes("setting-name"):
+                ui.label(label)
+                shown = ui.label()
+            slider = ui.slider(min=setting.low, max=setting.high, step=setting.step, value=setting.value or 0)
+            shown.bind_text_from(slider, "value", lambda value: f"{value:g} {setting.unit}".rstrip())
+            slider.props(f'aria-label="{label}"').on("change", lambda: self._set(id, setting, slider.value))
+
+    async def _set(self, id: str, setting: Setting, value: float | None) -> None:
+        robot = self._robot
+        if robot is None or value is None:
+            return
+        self._refused.set_text("")
+        operation = self._console.operation(robot.id)
+        try:
+            if not self._user.may_operate:
+                raise RequestError(f"your role is {self._user.role}: you may look, and save pictures")
+            if operation is not None and operation.operator not in ("", self._token):
+                raise RequestError("another browser operates this robot")
+            authority = min(DEFAULT_AUTHORITY, self._user.authority)
+            await write_setting(robot.component(id), setting, float(value), authority=authority)
+        except JausError as error:
+            said = f"{setting.label}: {printable(str(error))}"
+            await self._fill_settings()
+            self._refused.set_text(said)
+            return
+        self._console.note(f"{id}: {setting.label} was set to {(setting.choices or {}).get(int(value), f'{value:g}')}")
+        if setting.field.endswith("_mode") or setting.field == "frame_size":  # others appear, or go
+            await self._fill_settings()
+
+
+def _button(text: str, action: events.Handler[events.ClickEventArguments], tip: str) -> ui.button:
+    return ui.button(text, on_click=action, color=None).props("outline no-caps dense").tooltip(tip)

@@ -10,7 +10,7 @@ from typing import Final
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, inertials
-from jauspy.geometry.vectors import Vector, add, cross, rotation_about, scaled
+from jauspy.geometry.vectors import Vector, add, cross, difference, dot, rotation_about, scaled
 
 ZERO_POSITIONS: Final[Mapping[str, float]] = {}
 """All joints at zero."""
@@ -135,6 +135,40 @@ def gravity_wrench(
         return force, torque
 
     return weigh
+
+
+class HoldingEfforts:
+    """The efforts with which the joints of a robot carry its links, without those that they need to move."""
+
+    def __init__(self, description: RobotDescription) -> None:
+        self._tree = FrameTree(description)
+        self._bodies = [
+            (body.link, body.mass, (body.origin.x, body.origin.y, body.origin.z))
+            for body in inertials(description.urdf)
+        ]
+
+    def at(self, positions: Mapping[str, float]) -> dict[str, float]:
+        """N m or N of each joint that moves by itself and of those that mimic it, by name; the root link is level."""
+        frames = self._tree.poses(positions)
+        masses, moments = dict.fromkeys(frames, 0.0), dict.fromkeys(frames, (0.0, 0.0, 0.0))
+        for link, mass, middle in self._bodies:
+            masses[link] += mass
+            moments[link] = add(moments[link], scaled(frames[link].apply(middle), mass))
+        found: dict[str, float] = {}
+        for joint in reversed(self._tree.joints):  # children first
+            mass, moment, frame = masses[joint.child], moments[joint.child], frames[joint.child]
+            masses[joint.parent] += mass
+            moments[joint.parent] = add(moments[joint.parent], moment)
+            if joint.kind is JointKind.FIXED:
+                continue
+            axis = frame.rotate(joint.axis)
+            if joint.kind is JointKind.PRISMATIC:
+                effort = -mass * dot(axis, GRAVITY)
+            else:
+                effort = -dot(axis, cross(difference(moment, scaled(frame.position, mass)), GRAVITY))
+            mover, share = (joint.name, 1.0) if joint.mimics is None else (joint.mimics, joint.multiplier)
+            found[mover] = found.get(mover, 0.0) + share * effort
+        return found
 
 
 def _carried(tree: FrameTree, link: str) -> set[str]:

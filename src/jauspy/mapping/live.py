@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 from collections import Counter, deque
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Final
 
@@ -49,12 +49,27 @@ class LiveMapping:
     """Maps with sensor `sensor` of a robot's RangeSensor, by its LocalPoseSensor as odometry.
 
     A scan takes about 30 ms of CPU time; with `threaded` it is processed in a thread, so that the event loop runs on.
+    `rate` (Hz) is that of the scans, which otherwise come as they are measured. `on_scan` is called with each, used or
+    not: the lidar's pose on the robot, the angles of the rays, and their lengths, inf without an echo.
     """
 
-    def __init__(self, robot: Robot, mapper: Mapper, sensor: int = 1, *, threaded: bool = False) -> None:
+    def __init__(
+        self,
+        robot: Robot,
+        mapper: Mapper,
+        sensor: int = 1,
+        *,
+        threaded: bool = False,
+        rate: float | None = None,
+        on_scan: Callable[[PlanarPose, Sequence[float], Sequence[float]], None] | None = None,
+    ) -> None:
         self._robot = robot
         self._sensor = sensor
         self._threaded = threaded
+        self._rate = rate
+        self._on_scan = on_scan
+        self.lidar_height = 0.0
+        """Metres above the origin of the robot, once the robot has told."""
         self.mapper = mapper
         self.counters: Counter[str] = Counter()
         """`scans` used, and those skipped by reason: `tilted`, `no pose in time`, `sensor not active`.
@@ -78,7 +93,9 @@ class LiveMapping:
     async def _scan(self, ranging: ServiceClient, lidar: PlanarPose) -> None:
         record = QueryRangeSensorData.QueryRangeSensorDataRec(self._sensor, 0, VALIDITY_FIELD)
         query = QueryRangeSensorData([record])
-        async for report in ranging.subscribe(query, expects=ReportRangeSensorData, silence=SILENCE_TIMEOUT):
+        async for report in ranging.subscribe(
+            query, rate=self._rate, expects=ReportRangeSensorData, silence=SILENCE_TIMEOUT
+        ):
             await self._add_report(report, lidar)
 
     async def _lidar_pose(self, ranging: ServiceClient) -> PlanarPose:
@@ -87,7 +104,8 @@ class LiveMapping:
         for found in report.geometric_properties_list:
             place = found.geometric_properties_variant
             if isinstance(place, StaticGeometricPropertiesRec):
-                x, y, _ = place.sensor_position
+                x, y, down = place.sensor_position
+                self.lidar_height = -down
                 d, _, _, c = place.unit_quaternion
                 return PlanarPose(x, -y, -2.0 * math.atan2(c, d))
         raise ConfigError(
@@ -113,16 +131,19 @@ class LiveMapping:
             if not isinstance(found, ReportRangeSensorData.RangeSensorDataSeq):
                 self.counters["sensor not active"] += 1
                 continue
-            stamped = await self._at(_seconds(found.range_sensor_data_rec.time_stamp))
-            if stamped is None or not stamped.is_level:
-                self.counters["no pose in time" if stamped is None else "tilted"] += 1
-                continue
             points = found.range_sensor_data_point_list
+            angles = [-point.bearing for point in points]
             ranges = [
                 point.range * math.cos(point.inclination or 0.0) if point.range_validity else math.inf
                 for point in points
             ]
-            await self._add(stamped.pose, lidar, [-point.bearing for point in points], ranges)
+            if self._on_scan is not None:
+                self._on_scan(lidar, angles, ranges)
+            stamped = await self._at(_seconds(found.range_sensor_data_rec.time_stamp))
+            if stamped is None or not stamped.is_level:
+                self.counters["no pose in time" if stamped is None else "tilted"] += 1
+                continue
+            await self._add(stamped.pose, lidar, angles, ranges)
             self.counters["scans"] += 1
 
     async def _add(self, pose: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]) -> None:

@@ -55,6 +55,11 @@ class Mapper:
         self._max_range = max_range
         self._correction = PlanarPose()
 
+    @property
+    def correction(self) -> PlanarPose:
+        """The pose of the odometry's frame in the map, which differs from zero by the drift so far."""
+        return self._correction
+
     def add(
         self, odometry: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
     ) -> PlanarPose:

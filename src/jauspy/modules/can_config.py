@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Literal, Self, TypeAlias
 
-from pydantic import Field, model_validator
+from pydantic import Field, PrivateAttr, model_validator
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind, RobotDescription
@@ -60,6 +60,8 @@ class DriveConfig(StrictConfig):
     following_error: Positive = 0.1
     """Radians or metres between command and joint that are a fault after `following_time` seconds."""
     following_time: Annotated[float, Field(ge=0.0, le=10.0)] = 0.2
+    brake_release: Annotated[float, Field(ge=0.0, le=5.0)] = 0.0
+    """Seconds that its brake needs to release after it got power; it is not moved before."""
     homing: HomingConfig | None = None
     eds: Annotated[str, Field(min_length=1)] | None = None
     """Its EDS file; vendor and product of the drive must be those of the file. A relative path starts at this file."""
@@ -97,6 +99,17 @@ class CanConfig(StrictConfig):
     status_timeout: Annotated[float, Field(ge=0.01, le=5.0)] = 0.05
     """Seconds without a PDO after which a drive counts as silent."""
     drives: Annotated[Mapping[Name, DriveConfig], Field(min_length=1, max_length=64)]
+
+    _file: str = PrivateAttr(default="")
+
+    @property
+    def file(self) -> str:
+        """The robot's file, for error messages; empty if there is none."""
+        return self._file
+
+    def set_file(self, file: str) -> None:
+        """Set the robot's file."""
+        self._file = file
 
     @model_validator(mode="after")
     def _check_nodes(self) -> Self:
@@ -184,5 +197,6 @@ def _drive(name: str, drive: DriveConfig, moves: str, key: str) -> DriveSetup:
         identity,
         drive.eds,
         VelocityUnit(drive.velocity_unit),
+        drive.brake_release,
         drive.temperature,
     )

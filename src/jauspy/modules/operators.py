@@ -6,7 +6,7 @@ import secrets
 import stat
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import Annotated, Final
+from typing import Annotated
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
@@ -14,13 +14,10 @@ from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.config_base import Name
-from jauspy.protocol.seal import Operator, PublicKey
+from jauspy.protocol.seal import DEFAULT_ROLES, Operator, PublicKey
 from jauspy.services.core import CommandSeal
 from jauspy.services.core.command_seal import CommandRecord
 from jauspy.user_files import read_toml
-
-DEFAULT_ROLES: Final[Mapping[str, int]] = {"observer": 0, "operator": 127, "supervisor": 255}
-"""The highest authority that an operator of each role may use; 0 may not command."""
 
 
 class _OperatorConfig(BaseModel):

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
@@ -24,7 +24,8 @@ from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
-from jauspy.user_files import read_toml
+from jauspy.toml_lines import line_of
+from jauspy.user_files import read_file, read_toml
 
 SUFFIX: Final = ".toml"
 PARTS: Final = "_parts.toml"
@@ -53,10 +54,23 @@ def load(name_or_path: str | Path) -> RobotConfig:
     source = _find(name_or_path, Path())
     data = _read(source, MAX_EXTENSIONS)
     try:
-        return RobotConfig.model_validate(data)
+        config = RobotConfig.model_validate(data)
     except ValidationError as error:
-        problems = "\n".join(f"  {explain(each, RobotConfig)}" for each in _causes(error.errors(include_url=False)))
+        text = source.read_text()
+        problems = "\n".join(
+            f"  {_line(text, each['loc'])}{explain(each, RobotConfig)}"
+            for each in _causes(error.errors(include_url=False))
+        )
         raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
+    if config.can is not None:
+        config.can.set_file(str(source))
+    return config
+
+
+def _line(text: str, keys: Sequence[str | int]) -> str:
+    """`line 12: `, or nothing for a key that is not in the file but in one that it extends."""
+    number = line_of(text, keys)
+    return "" if number is None else f"line {number}: "
 
 
 def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
@@ -188,7 +202,9 @@ def _can_setup(
     try:
         return can_setup(config, description, tracks, groups)
     except ConfigError as error:
-        return str(error)
+        key = str(error).partition(":")[0].partition(" ")[0]
+        text = read_file(Path(config.file)).decode() if config.file else ""
+        return f"{config.file or 'the robot'}: {_line(text, key.split('.'))}{error}"
 
 
 def read_urdf(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None) -> RobotDescription:

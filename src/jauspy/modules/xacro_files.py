@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import math
 import operator
+import os
 from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from importlib.util import module_from_spec
@@ -94,6 +95,8 @@ _TEXT_METHODS: Final[Mapping[str, Callable[..., Any]]] = {
 }
 """Methods of texts that are called by name; what they return is not longer than the text."""
 
+_SWITCHES: Final = frozenset(("", "true", "false", "on", "off", "yes", "no"))
+
 _MATH: Final = {
     name: value
     for name, value in vars(math).items()
@@ -164,7 +167,23 @@ def _extension(resolve: Callable[[str], object], package: Callable[[str], Path],
         raise ExpressionError(f"{text}: write ${{...}}")
     if words[:1] == ["find"] and len(words) == 2:
         return str(package(words[1]))
+    if words[:1] in (["env"], ["optenv"]) and len(words) > 1:
+        _check_variable(words[1])
     return resolve(text)
+
+
+def _check_variable(name: str) -> None:
+    """Refuse an environment variable that may be a secret: what a robot's file has, the robot tells its clients."""
+    value = os.environ.get(name, "")
+    if value.lower() in _SWITCHES:
+        return
+    try:
+        float(value)
+    except ValueError:
+        raise ExpressionError(
+            f"the value of the environment variable {name} is not read, because it is neither a number nor one of "
+            "true, false, on, off, yes and no: write it into the file"
+        ) from None
 
 
 def _parse(parse: Callable[..., Any], text: Any, filename: str | None = None) -> Any:

@@ -21,7 +21,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.protocol.routing import Router
 from jauspy.transport import local
 from jauspy.transport.age import MAX_AGE
-from jauspy.transport.base import QueueMemory, SendQueue
+from jauspy.transport.send_queue import QueueMemory, SendQueue
 
 _LOGGER = get_logger(__name__)
 

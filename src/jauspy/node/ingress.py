@@ -5,9 +5,9 @@ from __future__ import annotations
 import asyncio
 import socket
 import time
-from collections import deque
+from collections import Counter, deque
 from collections.abc import Callable, Iterable
-from typing import Any, Final
+from typing import Any, Final, NamedTuple
 
 from jauspy.node import kernel_filter
 from jauspy.protocol import header, judp
@@ -44,12 +44,21 @@ Receive = Callable[[bytes, UdpPort], None]
 _Queue = deque[tuple[bytes, UdpPort, float]]
 
 
+class _Filter(NamedTuple):
+    """What a socket's filter drops: packets of these hosts, or of all if there are none."""
+
+    share: float
+    """Of safety-critical packets, those that are accepted."""
+    hosts: frozenset[str]
+
+
 class Ingress:
     """Calls `receive(datagram, port)` for the datagrams of all attached sockets, by priority, in order within each.
 
-    In a flood the kernel drops the priorities that most of it has; of safety-critical packets it drops some at random
-    when most are such packets. What exceeds the rate of its source by `sources` is not even queued. What has waited for
-    more than `max_age` seconds, in a socket or here, is dropped unless it is acknowledged.
+    In a flood the kernel drops packets of the few hosts that send most of it, if it is few: the priorities that most of
+    it has, and of safety-critical packets some at random when most are such. What exceeds the rate of its source by
+    `sources` is not even queued. What has waited for more than `max_age` seconds, in a socket or here, is dropped
+    unless it is acknowledged.
     """
 
     def __init__(
@@ -71,8 +80,7 @@ class Ingress:
         self._scheduled = False
         self._attached: list[socket.socket] = []
         self._skips: dict[str, int] = {}
-        self._filtered: dict[socket.socket, float] = {}
-        """Sockets with a filter, and the share of safety-critical packets that it accepts."""
+        self._filtered: dict[socket.socket, _Filter] = {}
 
     def __len__(self) -> int:
         return self._queued
@@ -130,6 +138,9 @@ class Ingress:
                 failed(error)
         except OSError as error:
             failed(error)
+        if not self._queued and count <= ROUTE_BURST and size <= MAX_QUEUED_BYTES:
+            self._route_all()
+            return
         self._queued += count - refused
         self._bytes += size
         if self._queued > FILTER_ABOVE and count == READ_BURST:
@@ -150,21 +161,41 @@ class Ingress:
         return True
 
     def _attach_filter(self, sock: socket.socket, skip: int) -> None:
-        share = self._filtered.get(sock, 1.0) / SAMPLING_STEP
+        hosts, old = self._flooding_hosts(), self._filtered.get(sock)
+        if old is not None:
+            hosts = hosts | old.hosts if hosts and old.hosts else frozenset()
+            hosts = hosts if len(hosts) <= kernel_filter.MAX_HOSTS else frozenset()
         if 2 * len(self._queues[Priority.SAFETY_CRITICAL]) > self._queued:
-            if share >= MIN_SAMPLING and kernel_filter.attach_sampling(sock, Priority.SAFETY_CRITICAL, share, skip):
-                self._filtered[sock] = share
-                self._counters["kernel_filter.attached"] += 1
+            share = max(MIN_SAMPLING, (1.0 if old is None else old.share) / SAMPLING_STEP)
+            if old != (new := _Filter(share, hosts)):
+                attached = kernel_filter.attach_sampling(sock, Priority.SAFETY_CRITICAL, share, skip, hosts)
+                self._note_filter(sock, new, attached=attached)
             return
-        if sock in self._filtered:
+        if old is not None and old.hosts == hosts:
             return
         below = 0
         for priority in (Priority.LOW, Priority.STANDARD, Priority.HIGH):
             below += len(self._queues[priority])
-            if 2 * below > self._queued and kernel_filter.attach(sock, priority, skip):
-                self._filtered[sock] = 1.0
-                self._counters["kernel_filter.attached"] += 1
+            if 2 * below > self._queued:
+                attached = kernel_filter.attach(sock, priority, skip, hosts)
+                self._note_filter(sock, _Filter(1.0, hosts), attached=attached)
                 return
+
+    def _note_filter(self, sock: socket.socket, new: _Filter, *, attached: bool) -> None:
+        if attached:
+            self._filtered[sock] = new
+            self._counters["kernel_filter.attached"] += 1
+
+    def _flooding_hosts(self) -> frozenset[str]:
+        """The fewest hosts that have more than half of what is queued; none if these are too many for a filter."""
+        counts = Counter(port.host for queue in self._queues for _, port, _ in queue)
+        found, sum_ = [], 0
+        for host, count in counts.most_common(kernel_filter.MAX_HOSTS):
+            found.append(host)
+            sum_ += count
+            if 2 * sum_ > self._queued:
+                return frozenset(found)
+        return frozenset()
 
     def _detach_filters(self) -> None:
         for sock in self._filtered:
@@ -174,9 +205,30 @@ class Ingress:
     def _drop_excess(self) -> None:
         for queue, share in [*((each, PRIORITY_SHARE) for each in self._queues), *((each, 0) for each in self._queues)]:
             while len(queue) > share and (self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES):
-                self._bytes -= len(queue.popleft()[0])
+                self._drop_oldest(queue, len(queue) - share)
+
+    def _drop_oldest(self, queue: _Queue, most: int) -> None:
+        """Drop up to so many of the oldest of the host that has most of a queue: a flood displaces itself."""
+        host = Counter(port.host for _, port, _ in queue).most_common(1)[0][0]
+        kept: _Queue = deque()
+        while queue and most and (self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES):
+            entry = queue.popleft()
+            if entry[1].host == host:
+                self._bytes -= len(entry[0])
                 self._queued -= 1
+                most -= 1
                 self._counters.drop("overload", "more arrives than can be routed")
+            else:
+                kept.append(entry)
+        queue.extendleft(reversed(kept))
+
+    def _route_all(self) -> None:
+        """Route what was just read, when nothing else is queued: as usual, and therefore with the least work."""
+        receive = self._receive
+        for queue in reversed(self._queues):
+            while queue:
+                data, port, _ = queue.popleft()
+                receive(data, port)
 
     def _route(self, now: float | None = None) -> None:
         self._scheduled = False

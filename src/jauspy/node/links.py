@@ -16,8 +16,8 @@ from jauspy.node.config import NodeConfig
 from jauspy.protocol.address_book import ADDRESS_LIFETIME
 from jauspy.protocol.addressing import NetworkPort, SerialPort, TcpPort
 from jauspy.protocol.counters import Counters
-from jauspy.transport.base import QueueMemory
 from jauspy.transport.listener import Listener
+from jauspy.transport.send_queue import QueueMemory
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
 

@@ -30,7 +30,7 @@ from jauspy.protocol.routing import Router
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, local, multicast
 from jauspy.transport.age import DatagramReader
-from jauspy.transport.base import QueueMemory
+from jauspy.transport.send_queue import QueueMemory
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror

@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import asyncio
 import math
-from collections.abc import AsyncIterator, Mapping, Sequence
+from collections.abc import AsyncIterator, Callable, Mapping, Sequence
 from contextlib import asynccontextmanager, suppress
 from datetime import UTC, datetime
 from typing import Any, Final
@@ -14,7 +14,16 @@ from typing import Any, Final
 from jauspy.arguments import check_number, described
 from jauspy.errors import ConfigError, EventRejected, JausError, RequestError
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Pose, Transform, rotation_vector
-from jauspy.geometry.vectors import Vector, quaternion, rotation_from_quaternion, transposed
+from jauspy.geometry.vectors import (
+    Rotation,
+    Vector,
+    add,
+    quaternion,
+    rotation_about,
+    rotation_from_quaternion,
+    scaled,
+    transposed,
+)
 from jauspy.messages.manipulator import (
     ManipulatorCoordinateSystemRec,
     QueryCommandedJointPositions,
@@ -26,19 +35,24 @@ from jauspy.messages.manipulator import (
     ReportJointMotionProfile,
     ReportManipulatorSpecifications,
     SetEndEffectorPose,
+    SetEndEffectorVelocityState,
     SetJointMotionProfile,
     SetJointPositions,
 )
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.explain import check_ready, explain
+from jauspy.ocu.joint_timing import MotionLimits
 from jauspy.ocu.joints import JointTable, joint_table, position_records, reported
+from jauspy.ocu.lists import Elements
 from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.subsystems import ComponentInfo
 
 POSITION_DRIVER: Final = "ManipulatorJointPositionDriver"
 POSE_DRIVER: Final = "ManipulatorEndEffectorPoseDriver"
 POSE_SENSOR: Final = "ManipulatorEndEffectorPoseSensor"
+VELOCITY_DRIVER: Final = "ManipulatorEndEffectorVelocityStateDriver"
+LIST_DRIVER: Final = "ManipulatorJointPositionListDriver"
 PROFILE: Final = "ManipulatorJointMotionProfile"
 SPECIFICATION: Final = "ManipulatorSpecificationService"
 BASE_ONLY: Final = 0b1
@@ -50,6 +64,10 @@ TOOL_TOLERANCE: Final = 0.01
 ATTITUDE_TOLERANCE: Final = math.radians(2.0)
 POLL_INTERVAL: Final = 0.1
 """Seconds between two looks at an arm that does not report the end of a command."""
+STEP_TIME: Final = 0.25
+"""Seconds ahead to which the tool of an arm without a velocity driver is sent."""
+MIN_SPEED: Final = 0.002
+"""rad/s or m/s that a motion profile has at least: zero would mean no limit."""
 
 
 class Arm:
@@ -65,6 +83,9 @@ class Arm:
         self._connection = connection
         self._table: JointTable | None = None
         self._base: Transform | None = None
+        self._step_goal: Transform | None = None
+        self._step_end = 0.0
+        """Where the steps of `move_tool_at` have sent the tool, and until when, by the event loop's clock."""
 
     def __repr__(self) -> str:
         return f"<arm {self.info.id}>"
@@ -78,20 +99,45 @@ class Arm:
         """The least and the greatest position of each joint."""
         return {joint.name: (joint.lower, joint.upper) for joint in (await self._joint_table()).joints}
 
+    async def motion_limits(self) -> dict[str, MotionLimits]:
+        """Speed and acceleration of each joint: its motion profile, or else what is known of its speed."""
+        names = [joint.name for joint in (await self._joint_table()).joints]
+        if self.info.find(PROFILE):
+            return dict(zip(names, map(_motion_limits, await self._profile()), strict=True))
+        speeds = [joint.max_speed for joint in (await self._joint_table()).joints]
+        return {name: MotionLimits(speed or math.inf) for name, speed in zip(names, speeds, strict=True)}
+
+    async def description(self) -> JointTable:
+        """Its joints, base to tip, with their kinds, limits and speeds."""
+        return await self._joint_table()
+
     async def joint_positions(self, **positions: float) -> SetJointPositions:
         """The message for these joints; the others stay where they are commanded to be. For lists, and `perform`."""
         return await self._command(positions)
 
-    async def move(self, joints: Mapping[str, float], *, speed: float | None = None, timeout: float = 60.0) -> Joints:
+    async def move(
+        self,
+        joints: Mapping[str, float],
+        *,
+        speed: float | Mapping[str, float] | None = None,
+        duration: float | None = None,
+        timeout: float = 60.0,
+    ) -> Joints:
         """Move joints, as in `{"elbow": 0.6}`, and wait until they are there; the others hold. Returns the positions.
 
-        `speed` limits every joint, in rad/s or m/s; without it the robot's motion profile applies. Raises `ConfigError`
-        for unknown joints and positions out of range, `RequestError` when the arm does not arrive within `timeout`
-        seconds. If the call is cancelled, the arm stops.
+        `speed` limits every joint, in rad/s or m/s, or those that it names; without it the robot's motion profile
+        applies. With `duration` all joints take that many seconds. Raises `ConfigError` for unknown joints, positions
+        out of range and a duration that is too short, `RequestError` when the arm does not arrive within `timeout`
+        seconds (after `duration`). If the call is cancelled, the arm stops.
         """
         check_number(timeout, "timeout")
         command = await self._command(joints)
         await check_ready(self._connection, self.info.id)
+        if duration is not None:
+            if speed is not None:
+                raise ConfigError("give `speed` or `duration`, not both")
+            check_number(duration, "duration")
+            speed, timeout = await self._speeds_for(command, duration), timeout + duration
         async with self._stopping(), self._limited(speed):
             try:
                 await perform(self._connection, self.info.id, command, timeout)
@@ -99,6 +145,80 @@ class Arm:
                 await self._arrive(command, timeout)
             except RequestError as error:
                 raise RequestError(await self._why(command, error)) from error
+        return await self.joints()
+
+    async def move_tool_at(
+        self,
+        linear: Sequence[float] = (0.0, 0.0, 0.0),
+        angular: Sequence[float] = (0.0, 0.0, 0.0),
+        *,
+        frame: str = "robot",
+    ) -> None:
+        """Move the tool at m/s along and rad/s about the axes of a frame; without velocities it stops.
+
+        `frame`: "robot" (x forward, y left, z up), or "tool", that of the tool link. Repeat the command: the arm stops
+        after the robot's `command_timeout`. Where it takes poses only, each command moves it for a quarter of a second.
+        """
+        velocity, turn = _vector(linear, "linear"), _vector(angular, "angular")
+        if frame not in ("robot", "tool"):
+            raise ConfigError(f'frame={frame!r} is unknown; there are "robot" and "tool"')
+        self._need(VELOCITY_DRIVER if self.info.find(VELOCITY_DRIVER) else POSE_DRIVER, "move its tool at a velocity")
+        if self.info.find(VELOCITY_DRIVER) is None and not any((*velocity, *turn)):
+            self._step_goal = None
+            await self.stop()
+            return
+        base = await self._base_frame()
+        if frame == "tool":
+            tool = (await self._tool()).rotation
+            velocity, turn = _rotated(tool, velocity), _rotated(tool, turn)
+        if self.info.find(VELOCITY_DRIVER) is None:
+            await self._step(velocity, turn)
+            return
+        inverse = transposed(base.rotation)
+        (vx, vy, vz), (wx, wy, wz) = _rotated(inverse, velocity), _rotated(inverse, turn)
+        command = SetEndEffectorVelocityState(
+            angular_velocity_component_x=wx,
+            angular_velocity_component_y=wy,
+            angular_velocity_component_z=wz,
+            linear_velocity_component_x=vx,
+            linear_velocity_component_y=vy,
+            linear_velocity_component_z=vz,
+        )
+        await self._connection.send_checked(self.info.id, command, ack=not any((*velocity, *turn)))
+
+    async def follow(
+        self,
+        rows: Sequence[tuple[float, Mapping[str, float]]],
+        *,
+        progress: Callable[[int], None] | None = None,
+        timeout: float = 60.0,
+    ) -> Joints:
+        """Move joints through several positions, and wait until they are at the last ones; returns the positions.
+
+        A row has the seconds that its way takes, and positions by name, as in `(2.0, {"elbow": 0.6})`; 0 seconds are
+        as fast as the robot's motion profile allows. All rows are checked before anything moves. The component gets
+        them as a list, if it takes lists and each row moves a joint; else one after another. `progress` is called with
+        the index of each row that begins. Raises `ConfigError` with the number of a row that cannot be, and
+        `RequestError` when the arm stops before the end. If the call is cancelled, the arm stops.
+        """
+        commands, speeds, moves = await self._planned(rows)
+        await check_ready(self._connection, self.info.id)
+        tell = progress or (lambda _: None)
+        end = timeout + sum(seconds for seconds, _ in rows)
+        async with self._stopping():
+            if self.info.find(LIST_DRIVER) and all(moves):
+                try:
+                    async with asyncio.timeout(end):
+                        await self._follow_list(commands, speeds, tell)
+                except TimeoutError:
+                    raise RequestError(f"{self.info.id} is not at the last row after {end:g} s") from None
+            else:
+                begun = asyncio.get_running_loop().time()
+                for number, (seconds, positions) in enumerate(rows):
+                    tell(number)
+                    await self.move(positions, speed=speeds[number] or None, timeout=end)
+                    begun += seconds
+                    await asyncio.sleep(max(0.0, begun - asyncio.get_running_loop().time()))
         return await self.joints()
 
     async def move_tool(
@@ -177,25 +297,92 @@ class Arm:
             raise
 
     @asynccontextmanager
-    async def _limited(self, speed: float | None) -> AsyncIterator[None]:
-        """The motion profile with this speed; the one before is restored."""
-        check_number(speed, "speed", optional=True)
+    async def _limited(self, speed: float | Mapping[str, float] | None) -> AsyncIterator[dict[str, Any]]:
+        """The motion profile with this speed; yields the one before, by joint, and restores it."""
         if speed is None:
-            yield
+            yield {}
             return
-        if not speed > 0:
-            raise ConfigError(f"speed {speed:g} must be above 0 rad/s or m/s")
+        names = [joint.name for joint in (await self._joint_table()).joints]
+        speeds = speed if isinstance(speed, Mapping) else dict.fromkeys(names, speed)
+        for value in speeds.values():
+            check_number(value, "speed")
+            if not value > 0:
+                raise ConfigError(f"speed {value:g} must be above 0 rad/s or m/s")
         self._need(PROFILE, "limit the speed of its joints")
-        report = await self._connection.query(self.info.id, QueryJointMotionProfile(), expects=ReportJointMotionProfile)
-        assert isinstance(report, ReportJointMotionProfile)
-        before = report.joint_motion_profile_list
-        await self._set_profile([_slower(each, speed) for each in before])
+        before = dict(zip(names, await self._profile(), strict=True))
+        await self._set_profile(_limited_by(before, speeds))
         try:
-            yield
+            yield before
         finally:
             if self.info.id in self._connection.controls:
                 with suppress(JausError):
-                    await self._set_profile([_slower(each, math.inf) for each in before])
+                    await self._set_profile(_limited_by(before, {}))
+
+    async def _profile(self) -> list[Any]:
+        report = await self._connection.query(self.info.id, QueryJointMotionProfile(), expects=ReportJointMotionProfile)
+        assert isinstance(report, ReportJointMotionProfile)
+        return list(report.joint_motion_profile_list)
+
+    async def _speeds_for(self, command: SetJointPositions, duration: float) -> dict[str, float]:
+        """The speed of each joint with which it takes `duration` seconds."""
+        return _speeds(
+            await self.motion_limits(), await reported(self._connection, self.info), _values(command), duration
+        )
+
+    async def _planned(
+        self, rows: Sequence[tuple[float, Mapping[str, float]]]
+    ) -> tuple[list[SetJointPositions], list[dict[str, float]], list[bool]]:
+        """The command and the speeds of each row, none for full speed, and whether it moves a joint."""
+        if not rows:
+            raise ConfigError("there are no rows to follow")
+        table, limits = await self._joint_table(), await self.motion_limits()
+        values = await reported(self._connection, self.info)
+        commands, speeds, moves = list[SetJointPositions](), list[dict[str, float]](), list[bool]()
+        for number, (seconds, positions) in enumerate(rows, 1):
+            check_number(seconds, f"the time of row {number}")
+            if seconds < 0:
+                raise ConfigError(f"row {number}: its time is {seconds:g} s; use 0 for as fast as possible")
+            try:
+                after = table.to_reported(table.from_reported(values) | table.check(positions))
+                speeds.append(_speeds(limits, values, after, seconds) if seconds else {})
+            except ConfigError as error:
+                raise ConfigError(f"row {number}: {error}") from None
+            moves.append(any(abs(a - b) > JOINT_TOLERANCE for a, b in zip(values, after, strict=True)))
+            commands.append(SetJointPositions(position_records(table, after)))
+            values = after
+        return commands, speeds, moves
+
+    async def _follow_list(
+        self, commands: list[SetJointPositions], speeds: list[dict[str, float]], tell: Callable[[int], None]
+    ) -> None:
+        """Have the component carry out its list; the motion profile of a row is set while the one before moves."""
+        info = self.info.find(LIST_DRIVER)
+        assert info is not None
+        elements = Elements(self._connection, self.info.id, info)
+        await elements.upload(commands)
+        async with self._limited(speeds[0] if any(speeds) else None) as before:
+            await elements.execute()
+            async for number in elements.progress():
+                tell(number)
+                if any(speeds) and number + 1 < len(commands):
+                    await self._set_profile(_limited_by(before, speeds[number + 1]))
+        now, wanted = await reported(self._connection, self.info), _values(commands[-1])
+        if any(abs(a - b) > JOINT_TOLERANCE for a, b in zip(now, wanted, strict=True)):
+            raise RequestError(await self._why(commands[-1], RequestError(f"{self.info.id} has not followed all rows")))
+
+    async def _step(self, velocity: Vector, turn: Vector) -> None:
+        """Send the tool to where these velocities, in the robot's frame, bring it until the next command."""
+        table, base, now = await self._joint_table(), await self._base_frame(), asyncio.get_running_loop().time()
+        if self._step_goal is None or now > self._step_end:
+            self._step_goal, self._step_end = await self._tool(), now
+        time = now + STEP_TIME - self._step_end
+        before, angle = self._step_goal, math.hypot(*turn)
+        turned = Transform(rotation_about(scaled(turn, 1.0 / angle), angle * time)) @ before if angle else before
+        self._step_goal = Transform(turned.rotation, add(before.position, scaled(velocity, time)))
+        self._step_end = now + STEP_TIME
+        local = base.inverse() @ self._step_goal @ Transform(transposed(table.tool))
+        command = SetEndEffectorPose(*local.position, *quaternion(local.rotation))
+        await self._connection.send_checked(self.info.id, command, ack=False)
 
     async def _set_profile(self, records: list[Any]) -> None:
         await self._connection.send_checked(self.info.id, SetJointMotionProfile(records), ack=True)
@@ -203,7 +390,7 @@ class Arm:
     async def _arrive(self, command: SetJointPositions, timeout: float) -> None:
         """Send a command to a component that does not report its end, and wait for the positions."""
         await self._connection.send_checked(self.info.id, command, ack=True)
-        wanted = [float(each.joint_position.value) for each in command.joint_position_list]
+        wanted = _values(command)
         clock = asyncio.get_running_loop().time
         end = clock() + timeout
         while True:
@@ -219,7 +406,7 @@ class Arm:
         if reason:
             return reason
         table = await self._joint_table()
-        wanted = table.from_reported([float(each.joint_position.value) for each in command.joint_position_list])
+        wanted = table.from_reported(_values(command))
         now = (await self.joints()).positions
         off = {name: now[name] - wanted[name] for name in wanted if abs(now[name] - wanted[name]) > JOINT_TOLERANCE}
         where = ", ".join(f"{name} is {value:+.3f} off" for name, value in off.items())
@@ -273,6 +460,16 @@ def _vector(values: Sequence[float], name: str) -> Vector:
     return x, y, z
 
 
+def _rotated(rotation: Rotation, vector: Vector) -> Vector:
+    return Transform(rotation).rotate(vector)
+
+
+def _motion_limits(record: Any) -> MotionLimits:
+    """Of one joint; a zero, with which the joint would not move, means no limit."""
+    values = record.joint_max_speed, record.joint_max_acceleration_rate, record.joint_max_deceleration_rate
+    return MotionLimits(*(value or math.inf for value in values))
+
+
 def _quaternion(record: Any) -> tuple[float, float, float, float]:
     return (
         record.d_component_of_unit_quaternion_q,
@@ -289,6 +486,29 @@ def _base_of(record: ManipulatorCoordinateSystemRec) -> Transform:
         record.manipulator_coordinate_sys_z,
     )
     return Transform(rotation_from_quaternion(*_quaternion(record)), point)
+
+
+def _values(command: SetJointPositions) -> list[float]:
+    return [float(each.joint_position.value) for each in command.joint_position_list]
+
+
+def _speeds(
+    limits: Mapping[str, MotionLimits], start: Sequence[float], end: Sequence[float], duration: float
+) -> dict[str, float]:
+    """The speed of each joint with which it takes `duration` seconds."""
+    speeds = dict[str, float]()
+    for (name, limit), here, there in zip(limits.items(), start, end, strict=True):
+        speed = limit.speed_for(there - here, duration)
+        if speed is None:
+            least = limit.least_duration(there - here)
+            raise ConfigError(f"{name} needs at least {least:.2f} s for its way, and not {duration:g} s")
+        speeds[name] = max(speed, MIN_SPEED)
+    return speeds
+
+
+def _limited_by(profile: Mapping[str, Any], speeds: Mapping[str, float]) -> list[Any]:
+    """The profile of each joint with at most its speed."""
+    return [_slower(each, speeds.get(name, math.inf)) for name, each in profile.items()]
 
 
 def _slower(record: Any, speed: float) -> Any:

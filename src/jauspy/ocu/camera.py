@@ -8,6 +8,7 @@ import asyncio
 from collections import deque
 from collections.abc import AsyncGenerator
 from contextlib import aclosing, asynccontextmanager, suppress
+from datetime import UTC, datetime
 from typing import TYPE_CHECKING, Any, Final, Protocol, TypeVar
 
 from jauspy.arguments import check_number
@@ -103,9 +104,34 @@ class Camera:
         self._connection = connection
         self._components = components
         self._found: tuple[ComponentInfo, int] | None = None
+        self._url = ""
+        self._receiver: RtpReceiver | None = None
 
     def __repr__(self) -> str:
         return f"<camera {self.name or ''}>"
+
+    @property
+    def waiting(self) -> str:
+        """What `frames` or `encoded` wait for until a picture arrives, in words, such as for a first packet."""
+        if self._receiver is None:
+            return "the robot has not yet agreed to send video"
+        counters = {name: count for name, count in self._receiver.counters.items() if count}
+        if not counters:
+            return f"the robot agreed to send to {self._url}, and no packet has arrived"
+        counted = ", ".join(f"{count} {name}" for name, count in counters.items())
+        if counters.get("pictures"):
+            return f"no further picture has arrived ({counted})"
+        return f"packets arrive, and no whole picture yet ({counted})"
+
+    def taken(self, picture: Picture) -> datetime | None:
+        """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
+        seconds = None if self._receiver is None else self._receiver.taken(picture)
+        return None if seconds is None else datetime.fromtimestamp(seconds, UTC)
+
+    def refresh(self) -> None:
+        """Ask for a picture that can be decoded without others; without effect when nothing is received."""
+        if self._receiver is not None:
+            self._receiver.ask_for_idr()
 
     async def frames(self, *, address: str | None = None, timeout: float = 20.0) -> AsyncGenerator[Frame, None]:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
@@ -234,11 +260,13 @@ class Camera:
                         await self._connection.query(component.id, Remove(endpoint, 2), expects=Confirm)
 
             with self._connection.on_close(end):
+                self._receiver, self._url = reader.receiver, url
                 try:
                     yield reader, url
                 finally:
                     await end()
         finally:
+            self._receiver = None
             reader.close()
 
     async def _renew(self, component: ComponentInfo, sensor: int, url: str) -> None:

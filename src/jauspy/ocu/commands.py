@@ -35,13 +35,19 @@ async def perform(connection: Connection, id: JausID, command: Message, within: 
     if not command.IS_COMMAND:
         raise ConfigError(f"{command.NAME} is no command; `query()` asks, `send()` sends anything")
     connection.controls.check(id, command)
+    begin = asyncio.get_running_loop().time()
     result = await _PendingCommand(connection, id, command, within).result()
     if result.command_result != CommandEvent.CommandResult.SUCCESSFUL:
         connection.controls.check(id, command)
         raise RequestError(
-            f"{id} did not carry out {command.NAME} within {within:g} s: it gave up, another command took its place, "
-            "or it does not take it now (see `control()` and `status()`)"
+            f"{id} did not carry out {command.NAME} {_after(begin, within)}: it gave up, another command took its "
+            "place, or it does not take it now (see `control()` and `status()`)"
         )
+
+
+def _after(begin: float, within: float) -> str:
+    elapsed = asyncio.get_running_loop().time() - begin
+    return f"(it said so after {elapsed:.1f} s)" if elapsed < within else f"within {within:g} s"
 
 
 class _PendingCommand:

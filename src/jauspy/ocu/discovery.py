@@ -47,6 +47,8 @@ ROUND_INTERVAL: Final = 0.5
 """Seconds between two rounds of queries of `discover`."""
 POLL_INTERVAL: Final = 0.05
 """Seconds after which `discover` checks the tree again."""
+OTHERS_TIME: Final = 0.6
+"""Seconds in which others are searched for when one does not answer: the error names them."""
 QUIET_TIME: Final = 0.15
 """Seconds without new facts after which a subsystem that is complete is returned."""
 MAX_SEARCH: Final = 2.0
@@ -105,9 +107,10 @@ async def discover(connection: Connection, subsystem: int, timeout: float) -> Su
     tree = await _search(connection, subsystem, timeout)
     found = next((each for each in tree.subsystems() if each.id == subsystem), None)
     if found is None:
+        others = await _search(connection, None, OTHERS_TIME)
         clash = await connection.id_clash()
         missing = f"subsystem {subsystem} did not answer for {timeout:g} s: {clash}" if clash else ""
-        raise ResponseTimeout(missing or _no_such_subsystem(subsystem, tree, timeout))
+        raise ResponseTimeout(missing or _no_such_subsystem(subsystem, others, timeout))
     return found
 
 
@@ -183,8 +186,8 @@ def _query_missing(connection: Connection, tree: SubsystemTree, subsystem: int |
 
 
 def _no_such_subsystem(subsystem: int, tree: SubsystemTree, timeout: float) -> str:
-    others = sorted({each.subsystem for each in tree})
-    answered = f"subsystems {', '.join(map(str, others))} did" if others else "no other subsystem did either"
+    others = ", ".join(map(str, sorted({each.subsystem for each in tree})))
+    answered = f"of the others, {others} did answer" if others else "no other one answers either"
     return (
         f"subsystem {subsystem} did not answer QueryIdentification and QueryServices, sent to "
         f"{subsystem}.255.255 for {timeout:g} s ({answered}); start the robot, check its number and its node manager, "

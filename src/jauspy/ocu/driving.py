@@ -27,7 +27,7 @@ from jauspy.messages.mobility import (
 from jauspy.messages.ugv import QueryPlatformSpecifications, ReportPlatformSpecifications
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.explain import check_ready
+from jauspy.ocu.explain import NOT_CONTROLLED, check_ready
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.state import RobotPose, pose_of
 from jauspy.ocu.streaming import CommandStream
@@ -56,6 +56,9 @@ class Progress:
     distance: float
     pose: RobotPose
     elapsed: float
+
+    def __str__(self) -> str:
+        return f"{self.distance:.2f} m left after {self.elapsed:.1f} s"
 
 
 @dataclass(frozen=True, slots=True)
@@ -197,7 +200,7 @@ class Driving:
 
     async def _opened(self, driver: ServiceClient) -> CommandStream:
         if driver.id not in self._connection.controls:
-            raise ControlRejected(f"{driver.id} is not controlled by this program; use `async with robot.control():`")
+            raise ControlRejected(NOT_CONTROLLED.format(driver.id))
         if self._stream is None:
             self._stream = await driver.streaming(RATE).__aenter__()
         return self._stream

@@ -29,6 +29,7 @@ _UNCONTROLLED_SERVICES: Final = frozenset(
 _TAKEN_IN_STANDBY: Final = ("SetLocalWaypoint", "SetGlobalWaypoint", "SetElement", "DeleteElement")
 """Beginnings of names of commands that need control, and not Ready."""
 TAKE_CONTROL: Final = "take control first"
+NOT_CONTROLLED: Final = f"{{}} is not controlled by this program; {TAKE_CONTROL}, with `robot.control()`"
 """What to do when another client, or none, is in control."""
 _STATES: Final[dict[int, str]] = {
     ReportStatus.Status.INITIALIZE: "still starting: wait until it is in Standby, then resume it",
@@ -83,11 +84,14 @@ async def explain(
 async def check_ready(connection: Connection, id: JausID) -> None:
     """Raise `ControlRejected` or `RequestError`, which say why, unless this client controls `id` and `id` is Ready."""
     if id not in connection.controls:
-        raise ControlRejected(f"{id} is not controlled by this program; use `async with robot.control():`")
+        raise ControlRejected(NOT_CONTROLLED.format(id))
     status = await connection.query(id, QueryStatus(), expects=ReportStatus)
     assert isinstance(status, ReportStatus)
     if status.status != ReportStatus.Status.READY:
-        raise RequestError(f"{id} is {_STATES.get(status.status, status_name(status))}")
+        how = (
+            ", with `resume()` of what `robot.control()` gives" if status.status == ReportStatus.Status.STANDBY else ""
+        )
+        raise RequestError(f"{id} is {_STATES.get(status.status, status_name(status))}{how}")
 
 
 def _is_taken(command: Message | None, status: ReportStatus) -> bool:

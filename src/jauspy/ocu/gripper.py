@@ -55,6 +55,45 @@ class Gripper:
         """Open until the fingers rest; returns where the fingers are."""
         return await self._squeeze(-await self._percent(None, effort), timeout)
 
+    async def open_to(self, opening: float, *, effort: float = 25.0, timeout: float = 10.0) -> Joints:
+        """Open or close until the first finger is at `opening` metres or radians, or rests; then hold it there.
+
+        JAUS has no command for it: the effort (percent) ends when a report says that the finger is there, so that it
+        may go some millimetres too far; less effort is more exact. Returns where the fingers are.
+        """
+        check_number(opening, "opening")
+        if self.info.find(POSITION_SENSOR) is None:
+            raise ConfigError(f"{self.info.id} does not report its fingers; use open() and close()")
+        finger = (await self._joint_table()).joints[0]
+        if not finger.lower <= opening <= finger.upper:
+            raise ConfigError(f"{finger.name} can be {finger.lower:g}..{finger.upper:g} {finger.unit}, not {opening:g}")
+        start = (await self.joints()).positions[finger.name]
+        closes = opening < start
+        percent = await self._percent(None, effort)
+        await check_ready(self._connection, self.info.id)
+        try:
+            await self._send(percent if closes else -percent)
+            await self._until(finger.name, opening, start, timeout, closes=closes)
+        finally:
+            await self._send(0.0)
+        return await self.joints()
+
+    async def stop(self) -> None:
+        """Hold the fingers where they are."""
+        await self._send(0.0)
+
+    async def max_force(self) -> float | None:
+        """The greatest force of a finger in newtons; None if the gripper does not tell."""
+        if self.info.find(POSITION_SENSOR) is None:
+            return None
+        return (await self._joint_table()).joints[0].max_effort or None
+
+    async def limits(self) -> dict[str, tuple[float, float]]:
+        """The least and the greatest position of each finger; empty when it does not report them."""
+        if self.info.find(POSITION_SENSOR) is None:
+            return {}
+        return {joint.name: (joint.lower, joint.upper) for joint in (await self._joint_table()).joints}
+
     async def joints(self) -> Joints:
         """Where the fingers are, in metres or radians by the name of the joint; empty when it does not report them."""
         if self.info.find(POSITION_SENSOR) is None:
@@ -65,7 +104,7 @@ class Gripper:
     async def _squeeze(self, effort: float, timeout: float) -> Joints:
         check_number(timeout, "timeout")
         await check_ready(self._connection, self.info.id)
-        await self._connection.send_checked(self.info.id, SetEndEffectorEffort(effort), ack=True)
+        await self._send(effort)
         if self.info.find(POSITION_SENSOR) is None:
             await asyncio.sleep(min(BLIND_TIME, timeout))
             return await self.joints()
@@ -80,6 +119,23 @@ class Gripper:
             rests = all(abs(a - b) <= MAX_STEP for a, b in zip(now, before, strict=True))
             still, before = still + 1 if rests else 0, now
         return await self.joints()
+
+    async def _send(self, effort: float) -> None:
+        await self._connection.send_checked(self.info.id, SetEndEffectorEffort(effort), ack=True)
+
+    async def _until(self, finger: str, opening: float, start: float, timeout: float, *, closes: bool) -> None:
+        """Wait until the finger has passed an opening, or rests."""
+        clock = asyncio.get_running_loop().time
+        begun, before, still = clock(), start, 0
+        while still < STILL_REPORTS:
+            if clock() > begun + timeout:
+                raise RequestError(f"{finger} is not at {opening:g} after {timeout:g} s")
+            await asyncio.sleep(POLL_INTERVAL / 2)
+            now = (await self.joints()).positions[finger]
+            if (now <= opening) if closes else (now >= opening):
+                return
+            rests = abs(now - before) <= MAX_STEP and clock() > begun + START_TIME
+            still, before = still + 1 if rests else 0, now
 
     async def _percent(self, force: float | None, effort: float | None) -> float:
         check_number(force, "force", optional=True)

@@ -45,6 +45,8 @@ class DescribedJoint:
     upper: float = math.inf
     max_effort: float | None = None
     """Newtons or newton metres; None when it is not known."""
+    max_speed: float | None = None
+    """rad/s or m/s; None when it is not known."""
 
     @property
     def unit(self) -> str:
@@ -97,7 +99,7 @@ async def joint_table(connection: Connection, component: ComponentInfo) -> Joint
     if component.find(DESCRIPTION):
         report = await connection.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
         assert isinstance(report, ReportJointDescription)
-        return _described(report)
+        return table_of(report)
     if component.find(SPECIFICATION):
         query = QueryManipulatorSpecifications(NAMES)
         specified = await connection.query(component.id, query, expects=ReportManipulatorSpecifications)
@@ -127,7 +129,8 @@ def position_records(table: JointTable, values: Sequence[float]) -> list[JointPo
     ]
 
 
-def _described(report: ReportJointDescription) -> JointTable:
+def table_of(report: ReportJointDescription) -> JointTable:
+    """The joints that a component describes."""
     group = report.group_rec
     types = ReportJointDescription.JointType
     joints = tuple(
@@ -139,6 +142,7 @@ def _described(report: ReportJointDescription) -> JointTable:
             -math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
             math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
             each.max_effort,
+            each.max_speed,
         )
         for each in report.joint_list
     )
@@ -150,18 +154,25 @@ def _described(report: ReportJointDescription) -> JointTable:
 def _specified(report: ReportManipulatorSpecifications) -> JointTable:
     names = [each.description for each in report.joint_names_list or ()]
     first = report.first_joint_parameters
-    limits: list[tuple[bool, float | None, float | None]]
-    limits = [(hasattr(first, "joint1_max_torque"), first.joint1_min_value, first.joint1_max_value)]
+    limits: list[tuple[bool, float | None, float | None, float | None]]
+    limits = [
+        (hasattr(first, "joint1_max_torque"), first.joint1_min_value, first.joint1_max_value, first.joint1_max_speed)
+    ]
     limits += [
-        (hasattr(each, "max_torque"), each.min_value, each.max_value) for each in report.joint_specification_list
+        (hasattr(each, "max_torque"), each.min_value, each.max_value, each.max_speed)
+        for each in report.joint_specification_list
     ]
     names += [f"joint{number}" for number in range(len(names) + 1, len(limits) + 1)]
     rows = zip(names, limits, strict=False)
     return JointTable(
         tuple(
             DescribedJoint(
-                name, turns, lower=-math.inf if low is None else low, upper=math.inf if high is None else high
+                name,
+                turns,
+                lower=-math.inf if low is None else low,
+                upper=math.inf if high is None else high,
+                max_speed=speed,
             )
-            for name, (turns, low, high) in rows
+            for name, (turns, low, high, speed) in rows
         )
     )

@@ -46,6 +46,11 @@ class ComponentClient:
         """Its id."""
         return self.info.id
 
+    @property
+    def is_controlled(self) -> bool:
+        """True while this OCU controls it, or asks for control."""
+        return self.id in self._connection.controls
+
     def service(self, name: str) -> ServiceClient:
         """The client of a service by its URN, or the end of it; `ConfigError` lists what the component offers."""
         check_text(name, "a service's name")

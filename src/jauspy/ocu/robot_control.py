@@ -55,6 +55,14 @@ class RobotControl:
         for each in self._controls:
             each.check()
 
+    async def resume(self) -> None:
+        """Resume the components again, as after the link was lost, an emergency, or a Standby from somewhere else.
+
+        They obey commands that come from now on; nothing that was under way goes on by itself.
+        """
+        self.check()
+        await _together(self._resume(each) for each in self._controls)
+
     async def until_lost(self) -> None:
         """Wait until control of a component is lost, or until the block is left."""
         waiting = [asyncio.ensure_future(each.until_lost()) for each in self._controls]
@@ -77,6 +85,9 @@ class RobotControl:
     async def _enter(self, control: Control) -> None:
         await control.__aenter__()
         self._controls.append(control)
+        await self._resume(control)
+
+    async def _resume(self, control: Control) -> None:
         await ServiceClient(self._connection, control.id, _MANAGEMENT).resume()
 
     async def __aexit__(

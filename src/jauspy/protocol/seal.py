@@ -8,6 +8,7 @@ from __future__ import annotations
 import base64
 import binascii
 import hashlib
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Final
 
@@ -20,6 +21,8 @@ if TYPE_CHECKING:
     from cryptography.hazmat.primitives.asymmetric.ed25519 import Ed25519PrivateKey, Ed25519PublicKey
 
 SIGNATURE_SIZE: Final = 64
+DEFAULT_ROLES: Final[Mapping[str, int]] = {"observer": 0, "operator": 127, "supervisor": 255}
+"""The highest authority that a person of each role may use; 0 may not command."""
 _CONTEXT: Final = b"jauspy SealedCommand 1"
 """Signed before the message, so that no other use of the key gives a valid seal."""
 _SIGNATURE_FIELD: Final = 1 + SIGNATURE_SIZE

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator, Iterable, Iterator, Mapping, MutableSequence, Sequence
+from datetime import datetime
 from jauspy.codec.message import Message, Query
 from jauspy.codec.registry import Registry
 from jauspy.ids import JausID
@@ -12,6 +13,8 @@ from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
 from jauspy.ocu.driving import Progress, TOLERANCE
+from jauspy.ocu.joint_timing import MotionLimits
+from jauspy.ocu.joints import JointTable
 from jauspy.ocu.lists import Element
 from jauspy.ocu.robot import DEFAULT_SPEED
 from jauspy.ocu.state import Joints, RobotPose
@@ -493,18 +496,65 @@ class Arm(Facade[_Arm]):
         """The least and the greatest position of each joint."""
         return self._portal.run(self._async.limits())
 
+    def motion_limits(self) -> dict[str, MotionLimits]:
+        """Speed and acceleration of each joint: its motion profile, or else what is known of its speed."""
+        return self._portal.run(self._async.motion_limits())
+
+    def description(self) -> JointTable:
+        """Its joints, base to tip, with their kinds, limits and speeds."""
+        return self._portal.run(self._async.description())
+
     def joint_positions(self, **positions: float) -> SetJointPositions:
         """The message for these joints; the others stay where they are commanded to be. For lists, and `perform`."""
         return self._portal.run(self._async.joint_positions(**positions))
 
-    def move(self, joints: Mapping[str, float], *, speed: float | None = None, timeout: float = 60.0) -> Joints:
+    def move(
+        self,
+        joints: Mapping[str, float],
+        *,
+        speed: float | Mapping[str, float] | None = None,
+        duration: float | None = None,
+        timeout: float = 60.0,
+    ) -> Joints:
         """Move joints, as in `{"elbow": 0.6}`, and wait until they are there; the others hold. Returns the positions.
 
-        `speed` limits every joint, in rad/s or m/s; without it the robot's motion profile applies. Raises `ConfigError`
-        for unknown joints and positions out of range, `RequestError` when the arm does not arrive within `timeout`
-        seconds. If the call is cancelled, the arm stops.
+        `speed` limits every joint, in rad/s or m/s, or those that it names; without it the robot's motion profile
+        applies. With `duration` all joints take that many seconds. Raises `ConfigError` for unknown joints, positions
+        out of range and a duration that is too short, `RequestError` when the arm does not arrive within `timeout`
+        seconds (after `duration`). If the call is cancelled, the arm stops.
         """
-        return self._portal.run(self._async.move(joints, speed=speed, timeout=timeout))
+        return self._portal.run(self._async.move(joints, speed=speed, duration=duration, timeout=timeout))
+
+    def move_tool_at(
+        self,
+        linear: Sequence[float] = (0.0, 0.0, 0.0),
+        angular: Sequence[float] = (0.0, 0.0, 0.0),
+        *,
+        frame: str = 'robot',
+    ) -> None:
+        """Move the tool at m/s along and rad/s about the axes of a frame; without velocities it stops.
+
+        `frame`: "robot" (x forward, y left, z up), or "tool", that of the tool link. Repeat the command: the arm stops
+        after the robot's `command_timeout`. Where it takes poses only, each command moves it for a quarter of a second.
+        """
+        self._portal.run(self._async.move_tool_at(linear, angular, frame=frame))
+
+    def follow(
+        self,
+        rows: Sequence[tuple[float, Mapping[str, float]]],
+        *,
+        progress: Callable[[int], None] | None = None,
+        timeout: float = 60.0,
+    ) -> Joints:
+        """Move joints through several positions, and wait until they are at the last ones; returns the positions.
+
+        A row has the seconds that its way takes, and positions by name, as in `(2.0, {"elbow": 0.6})`; 0 seconds are
+        as fast as the robot's motion profile allows. All rows are checked before anything moves. The component gets
+        them as a list, if it takes lists and each row moves a joint; else one after another. `progress` is called with
+        the index of each row that begins. Raises `ConfigError` with the number of a row that cannot be, and
+        `RequestError` when the arm stops before the end. If the call is cancelled, the arm stops.
+        """
+        return self._portal.run(self._async.follow(rows, progress=progress, timeout=timeout))
 
     def move_tool(
         self,
@@ -550,6 +600,26 @@ class Gripper(Facade[_Gripper]):
         """Open until the fingers rest; returns where the fingers are."""
         return self._portal.run(self._async.open(effort=effort, timeout=timeout))
 
+    def open_to(self, opening: float, *, effort: float = 25.0, timeout: float = 10.0) -> Joints:
+        """Open or close until the first finger is at `opening` metres or radians, or rests; then hold it there.
+
+        JAUS has no command for it: the effort (percent) ends when a report says that the finger is there, so that it
+        may go some millimetres too far; less effort is more exact. Returns where the fingers are.
+        """
+        return self._portal.run(self._async.open_to(opening, effort=effort, timeout=timeout))
+
+    def stop(self) -> None:
+        """Hold the fingers where they are."""
+        self._portal.run(self._async.stop())
+
+    def max_force(self) -> float | None:
+        """The greatest force of a finger in newtons; None if the gripper does not tell."""
+        return self._portal.run(self._async.max_force())
+
+    def limits(self) -> dict[str, tuple[float, float]]:
+        """The least and the greatest position of each finger; empty when it does not report them."""
+        return self._portal.run(self._async.limits())
+
     def joints(self) -> Joints:
         """Where the fingers are, in metres or radians by the name of the joint; empty when it does not report them."""
         return self._portal.run(self._async.joints())
@@ -562,6 +632,19 @@ class Camera(Facade[_Camera]):
     def name(self) -> str | None:
         """As it was asked for."""
         return self._async.name
+
+    @property
+    def waiting(self) -> str:
+        """What `frames` or `encoded` wait for until a picture arrives, in words, such as for a first packet."""
+        return self._async.waiting
+
+    def taken(self, picture: Picture) -> datetime | None:
+        """When a picture of `encoded` was taken, by the robot's clock; None before its first report of the time."""
+        return self._async.taken(picture)
+
+    def refresh(self) -> None:
+        """Ask for a picture that can be decoded without others; without effect when nothing is received."""
+        self._async.refresh()
 
     def frames(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Frame, None, None]:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
@@ -613,6 +696,13 @@ class RobotControl(Facade[_RobotControl]):
         """Raise `ControlRejected` when control of a component was lost."""
         self._async.check()
 
+    def resume(self) -> None:
+        """Resume the components again, as after the link was lost, an emergency, or a Standby from somewhere else.
+
+        They obey commands that come from now on; nothing that was under way goes on by itself.
+        """
+        self._portal.run(self._async.resume())
+
     def until_lost(self) -> None:
         """Wait until control of a component is lost, or until the block is left."""
         self._portal.run(self._async.until_lost())
@@ -641,6 +731,11 @@ class ComponentClient(Facade[_ComponentClient]):
     def id(self) -> JausID:
         """Its id."""
         return self._async.id
+
+    @property
+    def is_controlled(self) -> bool:
+        """True while this OCU controls it, or asks for control."""
+        return self._async.is_controlled
 
     def service(self, name: str) -> ServiceClient:
         """The client of a service by its URN, or the end of it; `ConfigError` lists what the component offers."""

@@ -23,8 +23,9 @@ from jauspy.protocol.addressing import Location
 from jauspy.protocol.counters import Counters
 from jauspy.transport import base, node_status
 from jauspy.transport.age import MAX_AGE, DatagramReader
-from jauspy.transport.base import Receiver, SendQueue, ignore
+from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.node_status import Locator
+from jauspy.transport.send_queue import SendQueue
 
 _LOGGER = get_logger(__name__)
 

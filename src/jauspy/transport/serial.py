@@ -14,7 +14,8 @@ from jauspy.logs import get_logger
 from jauspy.protocol import jserial, judp
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE, StallDetector
-from jauspy.transport.base import QueueMemory, Receiver, SendQueue, ignore
+from jauspy.transport.base import Receiver, ignore
+from jauspy.transport.send_queue import QueueMemory, SendQueue
 
 if TYPE_CHECKING:
     import serial

@@ -14,7 +14,8 @@ from jauspy.protocol import header, jtcp, judp
 from jauspy.protocol.address_book import Address
 from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE, StallDetector
-from jauspy.transport.base import QueueMemory, Receiver, SendQueue, ignore
+from jauspy.transport.base import Receiver, ignore
+from jauspy.transport.send_queue import QueueMemory, SendQueue
 
 _LOGGER = get_logger(__name__)
 

@@ -110,7 +110,7 @@ class RtpReceiver:
             pictures += self._feed(datagram, host, port)
         self._learn()
         if not all(picture.whole for picture in pictures):
-            self._ask()
+            self.ask_for_idr()
         return pictures
 
     def taken(self, picture: Picture) -> float | None:
@@ -192,7 +192,8 @@ class RtpReceiver:
                 continue
             self._reporter, self._clock = reporter, clock
 
-    def _ask(self) -> None:
+    def ask_for_idr(self) -> None:
+        """Ask the sender for a picture that can be decoded without others; without effect before its first report."""
         if self._reporter is None or self._source is None:
             return
         try:

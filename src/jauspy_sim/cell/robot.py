@@ -4,18 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from importlib.util import find_spec
 from typing import TYPE_CHECKING, Final
 
 import mujoco
 import numpy as np
 
-from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.modular.libraries import check_libraries
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, redirect_warnings
@@ -248,9 +247,7 @@ class SimulatedCell:
         """The controller of the modular arm, which needs the libraries of the extra `cell`."""
         if not setup.arm:
             return None
-        for library in ARM_LIBRARIES:
-            if find_spec(library) is None:
-                raise ConfigError(f"the modular arm {setup.arm!r} needs {library}: pip install 'jauspy[cell]'")
+        check_libraries(f"the modular arm {setup.arm!r}", *ARM_LIBRARIES)
         from jauspy.platform.modular.assembled_arm import AssembledArm  # noqa: PLC0415 - needs these libraries
 
         connectors = tuple(self._attachments.connectors.values())

@@ -54,7 +54,7 @@ async def test_lift_requires_height_width_and_weight(
 ) -> None:
     monkeypatch.setattr(plan, "HOLD_TIME", 0.0)
     camera = SimpleNamespace(service=lambda _: None)
-    grasp = Grasp(Arm(*felt), None, robot_model(load("inc1")), camera, (640, 480))
+    grasp = Grasp(Arm(*felt), None, robot_model(load("inc1")), camera, size=(640, 480), goals=plan.PLANS["yard"])
     assert (await grasp.reach()).reached
     assert (await grasp.close()).reached is grasped
     assert (await grasp.lift()).reached is lifted

@@ -9,10 +9,11 @@ from tests.helpers.robot import described
 from typer.testing import CliRunner
 
 from jauspy.cli import demo as processes
-from jauspy.cli.demo import RobotOutput, _whole_tour, true_place
+from jauspy.cli.demo import Place, RobotOutput, _whole_tour, plan, true_place
 from jauspy.cli.main import app
 from jauspy.cli.up import print_truth
 from jauspy.errors import ConfigError, RequestError
+from jauspy.geometry.poses import PlanarPose
 from jauspy.platform.contract import Snapshot
 from jauspy.platform.frame_sizes import FrameSize
 from jauspy.platform.kinematic import KinematicRobot
@@ -40,6 +41,19 @@ def test_unsupported_size_error_lists_the_sizes() -> None:
     assert "640x480" in done.stderr
 
 
+@pytest.mark.parametrize(
+    ("options", "says"),
+    [
+        (("--world", "house"), "'house' is not one of yard, street"),
+        (("--world", "street", "--backend", "kinematic"), "needs physics"),
+    ],
+)
+def test_world_without_a_plan_or_physics_is_an_error(options: tuple[str, ...], says: str, tmp_path: Path) -> None:
+    done = CliRunner().invoke(app, ["demo", *options, "--output", str(tmp_path)])
+    assert done.exit_code != 0
+    assert says in " ".join((done.stderr + str(done.exception)).replace("│", " ").split())
+
+
 async def test_robot_process_counters_are_read() -> None:
     output = RobotOutput()
     for line in ("counters of inc1:", "  101.1.102.endpoint.sent  7", "  realtime.late    3", "  realtime.steps  120"):
@@ -49,11 +63,20 @@ async def test_robot_process_counters_are_read() -> None:
 
 def test_drive_is_judged_by_the_true_pose() -> None:
     output = RobotOutput()
-    output.line("true pose of inc1: x +2.100 m  y -0.050 m  yaw +91.00°")
-    assert output.true_pose == pytest.approx((2.1, -0.05, math.radians(91.0)))
-    assert true_place(output.true_pose).reached
-    assert not true_place(output.true_pose._replace(x=2.4)).reached
-    assert not true_place(output.true_pose._replace(yaw=1.3)).reached
+    output.line("true pose of inc1: x +2.100 m  y -0.050 m  z +0.001 m  yaw +91.00°")
+    place, goals = output.true_place, plan.PLANS["yard"]
+    assert place is not None
+    assert place.pose == pytest.approx((2.1, -0.05, math.radians(91.0)))
+    assert true_place(place, goals).reached
+    assert not true_place(place._replace(pose=place.pose._replace(x=2.4)), goals).reached
+    assert not true_place(place._replace(pose=place.pose._replace(yaw=1.3)), goals).reached
+
+
+def test_robot_that_did_not_get_over_the_kerb_fails() -> None:
+    goals = plan.PLANS["street"]
+    there = PlanarPose(goals.goal.x, goals.goal.y, goals.goal.heading)
+    assert true_place(Place(there, 0.101), goals).reached
+    assert not true_place(Place(there, 0.0), goals).reached
 
 
 def test_true_pose_is_printed_where_the_robot_does_not_know_it(capsys: pytest.CaptureFixture[str]) -> None:
@@ -66,7 +89,7 @@ def test_true_pose_is_printed_where_the_robot_does_not_know_it(capsys: pytest.Ca
         assert len(lines) == printed
         for line in lines:
             output.line(line)
-        assert (output.true_pose is not None) == (not exact)
+        assert (output.true_place is not None) == (not exact)
 
 
 async def test_missing_counters_raise_an_error(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -6,6 +6,7 @@ import pytest
 
 from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import ArmKinematics
+from jauspy.cli.demo.plan import Plan
 from jauspy.errors import RequestError
 from jauspy.modules.robot_files import load, robot_model
 
@@ -24,8 +25,9 @@ def test_tool_reaches_the_pose_and_is_level(hand: ArmKinematics, target: tuple[f
     assert math.atan2(along[1], along[0]) == pytest.approx(math.atan2(target[1], target[0] - hand.axis))
 
 
-def test_gripper_points_down_in_the_view_pose(hand: ArmKinematics) -> None:
-    distance, height, pitch = plan.VIEW_POSE
+@pytest.mark.parametrize("goals", plan.PLANS.values(), ids=plan.PLANS)
+def test_gripper_points_down_in_the_view_pose(hand: ArmKinematics, goals: Plan) -> None:
+    distance, height, pitch = goals.view
     last = hand.geometry.forward(hand.joints(0.3, distance, height, pitch))
     x, y, z = last.apply(hand.geometry.tool)
     assert (math.hypot(x - hand.axis, y), z) == pytest.approx((distance, height))
@@ -33,17 +35,20 @@ def test_gripper_points_down_in_the_view_pose(hand: ArmKinematics) -> None:
     assert math.atan2(along[2], math.hypot(along[0], along[1])) == pytest.approx(pitch)
 
 
-def test_all_poses_of_the_plan_are_reachable(hand: ArmKinematics) -> None:
-    x, y, height = plan.CAN_POSITION
-    standing = (
-        y - plan.TABLE_POSITION[1] + plan.DRIVE_TOLERANCE[0],
-        x - plan.TABLE_POSITION[0] + plan.DRIVE_TOLERANCE[0],
-        height,
-    )
-    turn, distance, _ = hand.around(standing)
-    for farther, higher in (plan.HIGH_OFFSET, plan.OVER_OFFSET, *plan.APPROACH_OFFSETS):
-        hand.joints(turn, distance + farther, height + higher)
-    hand.joints(0.0, *plan.VIEW_POSE)
+@pytest.mark.parametrize("goals", plan.PLANS.values(), ids=plan.PLANS)
+def test_all_poses_of_the_plan_are_reachable(hand: ArmKinematics, goals: Plan) -> None:
+    thing, goal = goals.thing, goals.goal
+    ahead, aside = rotated(goal.heading, thing.x - goal.x, thing.y - goal.y)
+    for error in (-0.1, 0.1):
+        turn, distance, height = hand.around((ahead + error, aside + plan.DRIVE_TOLERANCE[0], thing.height))
+        for farther, higher in (goals.high, goals.over, *goals.approach):
+            hand.joints(turn, distance + farther, height + higher, goals.pitch)
+    hand.joints(0.0, *goals.view)
+
+
+def rotated(yaw: float, x: float, y: float) -> tuple[float, float]:
+    """A direction of the local frame in that of a robot with this heading."""
+    return math.cos(yaw) * x + math.sin(yaw) * y, math.cos(yaw) * y - math.sin(yaw) * x
 
 
 def test_unreachable_pose_raises_an_error(hand: ArmKinematics) -> None:

@@ -28,6 +28,11 @@ def test_largest_red_region_is_used() -> None:
     assert (column, row) == (pytest.approx((210 - 160) / 320), pytest.approx((170 - 120) / 320))
 
 
+def test_parts_of_one_thing_are_one_region() -> None:
+    column, row = grasp.red_region(scene((100, 100, 20, 20), (130, 100, 20, 20), (300, 10, 18, 22)))
+    assert (column, row) == (pytest.approx((125 - 160) / 320), pytest.approx((110 - 120) / 320))
+
+
 def test_bricks_and_specks_are_ignored() -> None:
     assert grasp.red_region(scene()) is None
     assert grasp.red_region(scene((5, 5, 3, 3))) is None

@@ -16,10 +16,12 @@ from jauspy.modules.robot_files import load
 from jauspy.ocu import OCU
 from jauspy.testing import TestEnvironment
 
+YARD = plan.PLANS["yard"]
+
 
 @pytest.fixture
 def tour(ocu: OCU, tmp_path: Path) -> Tour:
-    return Tour(ocu, load("inc1"), View(), Report(), tmp_path)
+    return Tour(ocu, load("inc1"), View(), Report(), tmp_path, goals=YARD)
 
 
 def holders(robot: RobotRunner) -> set[object]:
@@ -31,7 +33,7 @@ async def test_tour_drives_moves_the_arm_and_releases_control(robot: RobotRunner
     assert [(each.stage, each.reached) for each in tour._report.results] == [("drive", True), ("arm", True)]
     assert robot.snapshot is not None
     where = robot.snapshot.pose
-    assert (where.x, where.y, where.yaw) == pytest.approx((*plan.TABLE_POSITION, plan.TABLE_HEADING), abs=0.15)
+    assert (where.x, where.y, where.yaw) == pytest.approx((YARD.goal.x, YARD.goal.y, YARD.goal.heading), abs=0.15)
     assert holders(robot) == {None}
 
 

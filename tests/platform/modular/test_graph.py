@@ -5,7 +5,7 @@ from itertools import pairwise
 
 import pytest
 
-pytest.importorskip("pinocchio", reason="the extra 'cell' is not installed")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
 from tests.helpers.servo_plant import FIVE, cell_of, many
 

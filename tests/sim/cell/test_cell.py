@@ -7,7 +7,7 @@ import math
 import pytest
 
 pytest.importorskip("mujoco")
-pytest.importorskip("pinocchio")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
 from tests.helpers.cells import ARM, build_arm, open_cell, put_on, small_cell
 

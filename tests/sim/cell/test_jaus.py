@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import pytest
 
 pytest.importorskip("mujoco", reason="the simulated cell needs the extra 'sim'")
-pytest.importorskip("pinocchio", reason="models of arms need the extra 'cell'")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
 from tests.helpers.cells import ARM, build_arm, put_on
 

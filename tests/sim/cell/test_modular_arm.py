@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
-pytest.importorskip("pinocchio", reason="the extra 'cell' is not installed")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("ruckig", reason="the extra 'cell' is not installed")
 
 from tests.helpers.cells import ARM, build_arm, put_on, small_cell

@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 import math
-from importlib.util import find_spec
 from pathlib import Path
 from typing import Annotated, Final
 
 import typer
 
-from jauspy.errors import ConfigError
+from jauspy.platform.modular.libraries import check_libraries
 
 MODULES: Final = ("pinocchio", "coal", "ruckig", "numpy")
 OUTPUT: Final = Path("cell_out")
@@ -31,10 +30,8 @@ Exact = Annotated[
 
 
 def check_extra() -> None:
-    """Raise `ConfigError` when the packages of the extra `cell` are missing."""
-    missing = [name for name in MODULES if find_spec(name) is None]
-    if missing:
-        raise ConfigError(f"`jauspy cell` needs {', '.join(missing)}; run: pip install 'jauspy[cell,sim]'")
+    """Raise `ConfigError` when a package of the extra `cell` cannot be imported."""
+    check_libraries("`jauspy cell`", *MODULES)
 
 
 def degrees(angle: float) -> str:

@@ -12,12 +12,13 @@ from contextlib import AsyncExitStack
 from functools import partial
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated, Any, Final
+from typing import Annotated, Any, Final, NamedTuple
 
 import typer
 
 from jauspy.cli import console
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.plan import Plan
 from jauspy.cli.demo.report import LiveView, Report, StageResult, View, time_limit
 from jauspy.cli.demo.tour import Tour
 from jauspy.cli.options import DEFAULT_PORT, Port
@@ -27,6 +28,8 @@ from jauspy.geometry.poses import PlanarPose
 from jauspy.modules import robot_files
 from jauspy.ocu import OCU
 from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, FrameSize
+
+DEFAULT_WORLD: Final = "yard"
 
 
 def demo(
@@ -41,6 +44,9 @@ def demo(
             "drives. Other backends, such as kinematic, only drive and move the arm.",
         ),
     ] = "sim",
+    world: Annotated[
+        str, typer.Option("--world", metavar="NAME", help=f"{' or '.join(plan.PLANS)}: where, and what is grasped.")
+    ] = DEFAULT_WORLD,
     output: Annotated[
         Path, typer.Option("--output", metavar="DIR", help="Directory for videos, still, map, plot and summary.")
     ] = Path("demo_out"),
@@ -51,19 +57,24 @@ def demo(
 ) -> None:
     """Run the whole system: a simulated robot drives to a table, finds a can, grasps and lifts it.
 
+    In the world street it drives over a kerb and lifts a pipe with wires from the pavement.
+
     The node manager and the robot run as child processes; this process is the operator control unit (OCU). It
     discovers the robot over UDP, takes control, records its cameras and one outside of it, maps with the lidar,
-    drives by waypoint, finds the can in a still, moves the arm and the gripper, and releases control. Videos, map
-    and measurements are written to DIR, and a summary is printed. The exit status is 0 if every goal was reached.
+    drives by waypoints, finds what to grasp in a still, moves the arm and the gripper, and releases control. Videos,
+    map and measurements are written to DIR, and a summary is printed. The exit status is 0 if every goal was reached.
     The demo takes less than 90 s.
 
     Example:
       jauspy demo --port 3795 --output /tmp/demo
+      jauspy demo --world street
     """
     pixels = _size(size)
+    if world not in plan.PLANS:
+        raise typer.BadParameter(f"{world!r} is not one of {', '.join(plan.PLANS)}", param_hint="--world")
     view = View() if plain or not console.is_terminal() else LiveView()
     try:
-        report = run(play(port, backend, view, output, pixels))
+        report = run(play(port, backend, view, output, size=pixels, world=world))
     except KeyboardInterrupt:
         console.note(view.end_message())
         raise typer.Exit(130) from None
@@ -71,7 +82,7 @@ def demo(
         console.note(view.end_message())
         raise typer.Exit(1)
     console.stdout().print(report.panel(str(output)))
-    console.stdout().print("operate it yourself, in the browser: jauspy up inc1 --console")
+    console.stdout().print(f"operate it yourself, in the browser: jauspy up inc1 --world {world} --console")
     if not report.reached:
         raise typer.Exit(1)
 
@@ -98,30 +109,31 @@ REQUIRED_PACKAGES: Final = {
 COUNTERS_TIMEOUT: Final = 5.0  # seconds from SIGUSR1 to the robot's counters
 
 
-async def play(port: int, backend: str, view: View, folder: Path, size: FrameSize) -> Report:
+async def play(port: int, backend: str, view: View, folder: Path, *, size: FrameSize, world: str) -> Report:
     """Start node manager and robot, run the tour, stop them.
 
     Local sockets are in a temporary directory and UDP uses the loopback address, so that other JAUS systems on this
     machine and network are not affected.
     """
     whole = backend in PHYSICS
+    if not whole and world != DEFAULT_WORLD:
+        raise ConfigError(f"--world {world} needs physics: leave out --backend {backend}, or the world")
     make: Callable[..., Tour] = _whole_tour(folder, size) if whole else Tour
-    report, output = Report(), RobotOutput()
+    report, output, goals = Report(), RobotOutput(), plan.PLANS[world]
     async with AsyncExitStack() as stack:
         root = Path(stack.enter_context(tempfile.TemporaryDirectory(prefix="jauspy-")))
         stack.enter_context(view)
         view.step(f"Start a node manager on UDP 127.0.0.1:{port}")
         manager = await _node_manager(stack, port, root)
-        view.step(f"Start the robot {plan.ROBOT} ({backend})")
+        view.step(f"Start the robot {plan.ROBOT} ({backend}) in the world {world}")
         arguments = ["up", plan.ROBOT, "--no-node-manager", "--local-root", str(root), "--own-root"]
-        robot = await stack.enter_async_context(
-            ChildProcess(
-                "robot", [*arguments, "--backend", backend, *PHYSICS.get(backend, ())], on_error_line=output.line
-            )
-        )
+        arguments += ["--backend", backend, *PHYSICS.get(backend, ())]
+        if whole:
+            arguments += ["--world", world]
+        robot = await stack.enter_async_context(ChildProcess("robot", arguments, on_error_line=output.line))
         ocu = await stack.enter_async_context(OCU(connect=f"udp://127.0.0.1:{port}"))
         view.ocu = ocu
-        tour = make(ocu, robot_files.load(plan.ROBOT), view, report, folder)
+        tour = make(ocu, robot_files.load(plan.ROBOT), view, report, folder, goals=goals)
         try:
             await _unless_ended(tour.run(), manager, robot)
         except RequestError as error:
@@ -129,12 +141,20 @@ async def play(port: int, backend: str, view: View, folder: Path, size: FrameSiz
             report.results.append(StageResult(stage, str(error), reached=False))
         robot.signal(signal.SIGUSR1)
         report.results += [_time(await output.counters()), _messages(ocu)]
-        if output.true_pose is not None and any(result.stage == "drive" for result in report.results):
-            report.results.append(true_place(output.true_pose))
+        if output.true_place is not None and any(result.stage == "drive" for result in report.results):
+            report.results.append(true_place(output.true_place, goals))
     if whole:
         report.files.append("summary.json")
         report.save(folder)
     return report
+
+
+class Place(NamedTuple):
+    """Where the robot is, as the simulation knows it."""
+
+    pose: PlanarPose
+    height: float
+    """Metres above the world's origin."""
 
 
 class RobotOutput:
@@ -142,14 +162,15 @@ class RobotOutput:
 
     def __init__(self) -> None:
         self._counters: dict[str, int] = {}
-        self.true_pose: PlanarPose | None = None
+        self.true_place: Place | None = None
 
     def line(self, text: str) -> None:
         """Read one line."""
         if found := re.fullmatch(r"\s+(realtime\.\w+)\s+(\d+)", text):
             self._counters[found[1]] = int(found[2])
-        elif found := re.match(r"true pose of .*: x (\S+) m  y (\S+) m  yaw (\S+)°", text):
-            self.true_pose = PlanarPose(float(found[1]), float(found[2]), math.radians(float(found[3])))
+        elif found := re.match(r"true pose of .*: x (\S+) m  y (\S+) m  z (\S+) m  yaw (\S+)°", text):
+            x, y, z, yaw = map(float, found.groups())
+            self.true_place = Place(PlanarPose(x, y, math.radians(yaw)), z)
 
     async def counters(self) -> dict[str, int]:
         """The real-time counters, once they are printed; counters of zero are missing."""
@@ -159,15 +180,18 @@ class RobotOutput:
         return self._counters
 
 
-def true_place(pose: PlanarPose) -> StageResult:
+def true_place(place: Place, goals: Plan) -> StageResult:
     """Judge by the simulation, not by the robot's own pose, whether it stands where it was to drive."""
-    off = math.dist(pose[:2], plan.TABLE_POSITION)
-    turn = math.remainder(pose.yaw - plan.TABLE_HEADING, math.tau)
+    goal = goals.goal
+    off = math.dist(place.pose[:2], (goal.x, goal.y))
+    turn = math.remainder(place.pose.yaw - goal.heading, math.tau)
+    rise = place.height - goals.ground
+    level = f", {100 * place.height:.1f} cm above the start" if goals.ground else ""
     return StageResult(
         "truth",
-        f"{100 * off:.1f} cm and {math.degrees(turn):+.1f}° off in the simulation, by which the drive is judged",
-        off <= plan.TRUE_TOLERANCE[0] and abs(turn) <= plan.TRUE_TOLERANCE[1],
-        {"true_distance_error": off, "true_heading_error": turn},
+        f"{100 * off:.1f} cm and {math.degrees(turn):+.1f}° off in the simulation{level}, by which the drive is judged",
+        off <= plan.TRUE_TOLERANCE[0] and abs(turn) <= plan.TRUE_TOLERANCE[1] and abs(rise) <= plan.GROUND_TOLERANCE,
+        {"true_distance_error": off, "true_heading_error": turn, "true_height": place.height},
     )
 
 

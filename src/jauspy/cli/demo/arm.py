@@ -79,6 +79,8 @@ FINGER_REST_REPORTS: Final = 8
 """Consecutive reports in which the fingers are at rest."""
 MAX_FINGER_STEP: Final = 2e-4
 """Metres between two reports up to which a finger is at rest."""
+FLIPPER_TOLERANCE: Final = 0.05
+"""Radians."""
 FORCE_Z: Final = 0b100
 GRAVITY: Final = 9.81
 WEIGHT_SAMPLES: Final = 25
@@ -183,6 +185,30 @@ class Arm:
 
     def _off(self, wanted: Sequence[float]) -> float:
         return max_difference(self._state.joints, wanted) if self._state.joints else math.inf
+
+
+class Flippers:
+    """The flippers of a robot whose CM-MAN for them this client controls."""
+
+    def __init__(self, module: ComponentClient, model: RobotModel) -> None:
+        group = model.groups["flippers"]
+        self._geometry = manipulator_geometry(model.description.chain(group.base, group.tip))
+        self._driver = module.service("ManipulatorJointPositionDriver")
+        self._sensor = module.service("ManipulatorJointPositionSensor")
+
+    async def go(self, angle: float) -> None:
+        """Turn the flippers; radians as in the URDF, upward from the front."""
+        wanted = self._geometry.from_urdf((angle,))
+        await self._driver.send(SetJointPositions(position_records(wanted, self._geometry.links)), ack=True)
+        async with time_limit(
+            plan.MOVE_TIMEOUT, lambda: f"the flippers do not reach {angle:g} rad; they may be blocked"
+        ):
+            while True:
+                report = await self._sensor.query(QueryJointPositions(), expects=ReportJointPositions)
+                at = [float(each.joint_position.value) for each in report.joint_position_list]
+                if max_difference(at, wanted) <= FLIPPER_TOLERANCE:
+                    return
+                await asyncio.sleep(1.0 / JOINT_RATE)
 
 
 def max_difference(these: Sequence[float], those: Sequence[float]) -> float:

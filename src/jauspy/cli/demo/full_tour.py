@@ -18,9 +18,11 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 from jauspy.cli.demo import plan
+from jauspy.cli.demo.arm import Flippers
 from jauspy.cli.demo.grasp import ARM_CAMERA, STILL_FILE, Grasp, aim
+from jauspy.cli.demo.plan import Plan
 from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
-from jauspy.cli.demo.tour import Tour, to_the_table
+from jauspy.cli.demo.tour import Tour
 from jauspy.cli.stream_settings import StreamSettings, change_stream
 from jauspy.cli.video import registered, url_of
 from jauspy.geometry.poses import PlanarPose
@@ -236,32 +238,33 @@ CHASSIS_CAMERA: Final = "chassis"
 
 
 class FullTour(Tour):
-    """The tour in the world `yard`, which has a table and a can."""
+    """The tour in a world with something to grasp."""
 
     def __init__(
-        self, ocu: OCU, config: RobotConfig, view: View, report: Report, folder: Path, *, size: FrameSize
+        self, ocu: OCU, config: RobotConfig, view: View, report: Report, folder: Path, *, goals: Plan, size: FrameSize
     ) -> None:
         """`size` is that of the videos."""
-        super().__init__(ocu, config, view, report, folder)
+        super().__init__(ocu, config, view, report, folder, goals=goals)
         self._size = size
 
     async def run(self) -> None:
         """As `Tour.run`."""
         robot = await self._discover()
         async with AsyncExitStack() as stack:
-            driving, arm = await self._begin(stack, robot)
+            driving, flippers, arm = await self._begin(stack, robot)
             recordings = await self._record(stack, robot)
-            await self._drive(robot, driving)
+            await self._drive(robot, driving, flippers)
             await self._aim(stack, robot)
             frames, camera = RobotFrames(robot, self._model, self._config.movers), self._camera(robot, ARM_CAMERA)
-            grasp = Grasp(arm, frames, self._model, camera, FRAME_SIZES[self._size])
-            self._step("look", "Look for the can with the arm's camera")
+            grasp = Grasp(arm, frames, self._model, camera, size=FRAME_SIZES[self._size], goals=self._plan)
+            thing = self._plan.thing.name
+            self._step("look", f"Look for the {thing} with the arm's camera")
             self._add(await grasp.look(self._folder))
-            self._step("reach", "Reach for the can")
+            self._step("reach", f"Reach for the {thing}")
             self._add(await grasp.reach())
             self._step("grasp", "Close the gripper")
             self._add(await grasp.close())
-            self._step("lift", "Lift the can")
+            self._step("lift", f"Lift the {thing}")
             self._add(await grasp.lift())
             self._step("", "Standby, release control")
         for recording in recordings.values():
@@ -284,18 +287,18 @@ class FullTour(Tour):
         await asyncio.gather(*(recording.begins() for recording in recordings.values()))
         return recordings
 
-    async def _drive(self, robot: Robot, driving: Control) -> None:
+    async def _drive(self, robot: Robot, driving: Control, flippers: Flippers) -> None:
         mapping = MapRecording(robot, self._state)
         async with mapping.made():
-            self._step("drive", f"Drive {plan.TABLE_POSITION[0]:g} m to the table and turn to it, mapping on the way")
-            self._add(await to_the_table(robot, driving, self._state))
+            self._step("drive", f"Drive {self._plan.drive}, mapping on the way")
+            self._add(await self._drive_there(robot, driving, flippers))
             found, files = await mapping.finish(self._folder)
         self._add(found)
         self._report.files += files
 
     async def _aim(self, stack: AsyncExitStack, robot: Robot) -> None:
-        self._step("aim", "Point the camera on the chassis up")
-        self._add(await aim(stack, self._camera(robot, CHASSIS_CAMERA)))
+        self._step("aim", "Point the camera on the chassis to it")
+        self._add(await aim(stack, self._camera(robot, CHASSIS_CAMERA), self._plan.aim))
 
     def _camera(self, robot: Robot, name: str) -> ComponentClient:
         return robot.component(next(each.component for each in self._config.modules if each.camera == name))

@@ -1,4 +1,4 @@
-"""Looking for the can, reaching for it, grasping and lifting it."""
+"""Looking for the thing, reaching for it, grasping and lifting it."""
 
 from __future__ import annotations
 
@@ -13,6 +13,7 @@ import numpy as np
 
 from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import Arm
+from jauspy.cli.demo.plan import Plan
 from jauspy.cli.demo.report import StageResult, time_limit
 from jauspy.errors import RequestError
 from jauspy.geometry.poses import Transform
@@ -36,13 +37,20 @@ MAX_SINK: Final = 0.005
 
 
 class Grasp:
-    """Finds the can with the arm's camera, grasps it and lifts it."""
+    """Finds the thing of the plan with the arm's camera, grasps it and lifts it."""
 
     def __init__(
-        self, arm: Arm, frames: RobotFrames, model: RobotModel, camera: ComponentClient, size: tuple[int, int]
+        self,
+        arm: Arm,
+        frames: RobotFrames,
+        model: RobotModel,
+        camera: ComponentClient,
+        *,
+        size: tuple[int, int],
+        goals: Plan,
     ) -> None:
         """`camera` is the component of the arm's camera, `size` that of its stills."""
-        self._arm, self._frames = arm, frames
+        self._arm, self._frames, self._plan = arm, frames, goals
         self._camera, self._size = camera.service("StillImage"), size
         self._setup = next(camera for camera in model.cameras if camera.name == ARM_CAMERA)
         self._around = (0.0, 0.0, 0.0)
@@ -50,8 +58,9 @@ class Grasp:
         self._grasped: Vector = (0.0, 0.0, 0.0)
 
     async def look(self, folder: Path) -> StageResult:
-        """Find the can in a still of the arm's camera, and compute its position from the camera's pose."""
-        await self._arm.go(0.0, *plan.VIEW_POSE)
+        """Find the thing in a still of the arm's camera, and compute its position from the camera's pose."""
+        thing = self._plan.thing
+        await self._arm.go(0.0, *self._plan.view)
         await asyncio.sleep(plan.SETTLING_TIME)
         photo = await self._camera.still(size=self._size, format="jpeg", timeout=plan.CAMERA_TIMEOUT)
         (folder / STILL_FILE).write_bytes(photo.content)
@@ -60,55 +69,58 @@ class Grasp:
         base = frames.pose("base_link", LOCAL)
         # From the base, which stands on the floor: a drift of the pose, its height too, does not matter for the grasp.
         camera = base.inverse() @ frames.pose(self._setup.link, LOCAL)
-        near = region and at_height(camera, ray(region, self._setup.fov), plan.CAN_POSITION[2])
+        near = region and at_height(camera, ray(region, self._setup.fov), thing.height)
         if near is None:
-            raise RequestError(f"no red can is in the picture of the camera {ARM_CAMERA!r}; see {folder / STILL_FILE}")
+            raise RequestError(
+                f"no red {thing.name} is in the picture of the camera {ARM_CAMERA!r}; see {folder / STILL_FILE}"
+            )
         self._around = self._arm.kinematics.around(near)
         seen = base.apply(near)
         x, y, _ = near
-        off = math.dist(seen[:2], plan.CAN_POSITION[:2])
+        off = math.dist(seen[:2], (thing.x + self._plan.goal.slip, thing.y))
         return StageResult(
             "look",
-            f"the can is seen {math.hypot(x, y):.2f} m away, {_bearing(math.atan2(y, x))}, "
+            f"the {thing.name} is seen {math.hypot(x, y):.2f} m away, {_bearing(math.atan2(y, x))}, "
             f"{100 * off:.1f} cm from its nominal position",
-            off <= plan.MAX_CAN_OFFSET,
+            off <= plan.MAX_OFFSET,
             {"x": seen[0], "y": seen[1], "from_plan": off},
         )
 
     async def reach(self) -> StageResult:
-        """Weigh the empty gripper above the can, then move the open gripper around the can."""
+        """Weigh the empty gripper above the thing, then move the open gripper around it."""
         opened = await self._arm.open_gripper()
-        errors = [await self._go(*plan.HIGH_OFFSET), await self._go(*plan.OVER_OFFSET)]
+        errors = [await self._go(*self._plan.high), await self._go(*self._plan.over)]
         self._empty = await self._arm.weight()
-        errors += [await self._go(*step) for step in plan.APPROACH_OFFSETS]
+        errors += [await self._go(*step) for step in self._plan.approach]
         return StageResult(
             "reach",
             f"{len(errors)} poses of five joints, each at most {math.degrees(max(errors)):.2f}° off; "
             f"the fingers are {100 * opened:.1f} cm apart",
-            opened > plan.CAN_WIDTH,
+            opened > self._plan.thing.width,
             {"joint_error": max(errors), "opened": opened},
         )
 
     async def close(self) -> StageResult:
-        """Close the gripper around the can."""
-        width = await self._arm.close_gripper()
+        """Close the gripper around it."""
+        thing, width = self._plan.thing, await self._arm.close_gripper()
         self._grasped = await self._arm.tool()
         return StageResult(
             "grasp",
-            f"the fingers stop {100 * width:.2f} cm apart, at a can of {100 * plan.CAN_WIDTH:g} cm",
-            abs(width - plan.CAN_WIDTH) <= WIDTH_TOLERANCE,
+            f"the fingers stop {100 * width:.2f} cm apart, at a {thing.name} of {100 * thing.width:g} cm",
+            abs(width - thing.width) <= WIDTH_TOLERANCE,
             {"width": width},
         )
 
     async def lift(self) -> StageResult:
-        """Lift and hold the can; check its weight at the wrist and the distance of the fingers."""
-        await self._go(*plan.OVER_OFFSET)
+        """Lift and hold it; check its weight at the wrist and the distance of the fingers."""
+        await self._go(*self._plan.over)
         weight = await self._arm.weight() - self._empty
         top = await self._arm.tool()
         await asyncio.sleep(plan.HOLD_TIME)
         end, width = await self._arm.tool(), await self._arm.width()
         lifted = min(top[2], end[2]) - self._grasped[2]
-        held = abs(width - plan.CAN_WIDTH) <= WIDTH_TOLERANCE and abs(weight - plan.CAN_WEIGHT) <= WEIGHT_TOLERANCE
+        thing = self._plan.thing
+        held = abs(width - thing.width) <= WIDTH_TOLERANCE and abs(weight - thing.weight) <= WEIGHT_TOLERANCE
         return StageResult(
             "lift",
             f"{100 * lifted:.1f} cm by the arm's pose, held {plan.HOLD_TIME:g} s; the wrist measures {weight:.2f} kg, "
@@ -119,7 +131,7 @@ class Grasp:
 
     async def _go(self, farther: float, higher: float) -> float:
         turn, distance, height = self._around
-        return await self._arm.go(turn, distance + farther, height + higher)
+        return await self._arm.go(turn, distance + farther, height + higher, self._plan.pitch)
 
 
 def _bearing(bearing: float) -> str:
@@ -130,6 +142,8 @@ REDS: Final = (((0, 140, 40), (8, 255, 255)), ((172, 140, 40), (180, 255, 255)))
 """Lower and upper hue (0..180), saturation and value of red, at both ends of the hues; bricks are less saturated."""
 MIN_RED_SHARE: Final = 2e-4
 """Minimal share of the picture."""
+GAP: Final = 25
+"""Pixels between parts of one region."""
 
 
 def decode_image(file: bytes) -> Image:
@@ -146,15 +160,15 @@ def red_region(image: Image) -> tuple[float, float] | None:
     red = np.zeros(image.shape[:2], np.uint8)
     for low, high in REDS:
         red |= cv2.inRange(colours, np.array(low), np.array(high)).astype(np.uint8)
-    _, labels, sizes, middles = cv2.connectedComponentsWithStats(red)
-    if len(sizes) < 2:
+    near = cv2.dilate(red, np.ones((GAP, GAP), np.uint8))  # what covers parts of the thing divides it
+    _, labels = cv2.connectedComponents(near)
+    sizes = np.bincount(labels[red > 0], minlength=2)
+    largest = 1 + int(np.argmax(sizes[1:]))
+    if sizes[largest] < MIN_RED_SHARE * red.size:
         return None
-    largest = 1 + int(np.argmax(sizes[1:, cv2.CC_STAT_AREA]))
-    if sizes[largest, cv2.CC_STAT_AREA] < MIN_RED_SHARE * red.size:
-        return None
-    height, width = labels.shape[:2]
-    column, row = (float(value) for value in middles[largest])
-    return (column + 0.5 - width / 2.0) / width, (row + 0.5 - height / 2.0) / width
+    height, width = labels.shape
+    rows, columns = np.nonzero((labels == largest) & (red > 0))
+    return (float(columns.mean()) + 0.5 - width / 2.0) / width, (float(rows.mean()) + 0.5 - height / 2.0) / width
 
 
 def ray(region: tuple[float, float], fov: float) -> Vector:
@@ -176,20 +190,20 @@ AIM_TOLERANCE: Final = 0.01
 """Radians."""
 
 
-async def aim(stack: AsyncExitStack, mount: ComponentClient) -> StageResult:
-    """Move pan and tilt to `plan.CAMERA_AIM`; the mount stays controlled until `stack` closes."""
+async def aim(stack: AsyncExitStack, mount: ComponentClient, at: tuple[float, float]) -> StageResult:
+    """Move pan and tilt to these angles, rad right and up; the mount stays controlled until `stack` closes."""
     driver, sensor = mount.service("PanTiltJointPositionDriver"), mount.service("PanTiltJointPositionSensor")
     await stack.enter_async_context(driver.control(plan.AUTHORITY))
     await driver.resume()
-    await driver.send(SetPanTiltJointPositions(*plan.CAMERA_AIM), ack=True)
-    async with time_limit(plan.MOVE_TIMEOUT, lambda: f"the mount of {mount.id} does not reach {plan.CAMERA_AIM} rad"):
+    await driver.send(SetPanTiltJointPositions(*at), ack=True)
+    async with time_limit(plan.MOVE_TIMEOUT, lambda: f"the mount of {mount.id} does not reach {at} rad"):
         while True:
             report = await sensor.query(QueryPanTiltJointPositions())
-            off = max(
-                abs(report.joint1_position - plan.CAMERA_AIM[0]), abs(report.joint2_position - plan.CAMERA_AIM[1])
-            )
+            off = max(abs(report.joint1_position - at[0]), abs(report.joint2_position - at[1]))
             if off <= AIM_TOLERANCE:
                 break
             await asyncio.sleep(0.05)
     up = math.degrees(report.joint2_position)
-    return StageResult("aim", f"the chassis' camera looks {up:.1f}° up", True, {"off": off})
+    return StageResult(
+        "aim", f"the chassis' camera looks {abs(up):.1f}° {'up' if up > 0.0 else 'down'}", True, {"off": off}
+    )

@@ -1,50 +1,134 @@
-"""The goals of the demo with robot inc1 in the world `yard`. Axes of REP-103: x forward, y left, z up."""
+"""The goals of the demo with robot inc1, a table for each world. Axes of REP-103: x forward, y left, z up."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Final
 
 ROBOT: Final = "inc1"
 SUBSYSTEM: Final = 101
 AUTHORITY: Final = 200
 
-# --- driving, in the local frame, whose origin is where the robot starts
-TABLE_POSITION: Final = (2.0, 0.0)
-"""Goal of the drive, in front of the table, m."""
-TABLE_HEADING: Final = math.pi / 2
-"""Heading towards the table, rad."""
-DRIVE_SPEED: Final = 0.6
-"""m/s."""
+
+@dataclass(frozen=True, slots=True)
+class Waypoint:
+    """Where to drive, in the local frame, whose origin is where the robot starts."""
+
+    x: float
+    """Metres."""
+    y: float
+    """Metres."""
+    heading: float
+    """Radians."""
+    speed: float = 0.6
+    """m/s, on the way there."""
+    flippers: float | None = None
+    """Radians; where the flippers are before the robot drives there, or None where they are."""
+    effort: float | None = None
+    """Percent; drives straight on with this effort as far as the point is away, and does not steer, as an operator
+    does at a kerb: who steers takes force from one track. None follows the way and turns to the heading."""
+    slip: float = 0.0
+    """Metres by which the robot's own pose is ahead along x when it is there: belts slip at a kerb, by 0.1 to 0.3 m."""
+
+    @property
+    def reported(self) -> tuple[float, float]:
+        """Where the robot believes to be when it is there, m."""
+        return self.x + self.slip, self.y
+
+
+@dataclass(frozen=True, slots=True)
+class Thing:
+    """What is grasped. Its position is measured with the camera; the nominal one is only compared."""
+
+    name: str
+    x: float
+    """Metres in the local frame, of the middle of what is grasped."""
+    y: float
+    """Metres."""
+    height: float
+    """Metres above the ground on which the robot stands."""
+    width: float
+    """Metres, between the fingers."""
+    weight: float
+    """Kilograms."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """What the robot does in a world. Offsets of the gripper are metres farther out and higher than in the grasp."""
+
+    waypoints: tuple[Waypoint, ...]
+    """The last one is the goal."""
+    drive: str
+    """What the drive is, as in "Drive to the table"."""
+    thing: Thing
+    view: tuple[float, float, float]
+    """Distance from the arm's first axis, height above the ground, m, and pitch, rad: from here the camera sees all of
+    the thing above the gripper, wherever it may stand."""
+    pitch: float
+    """Of the gripper in the grasp, rad."""
+    high: tuple[float, float]
+    """Offset of a way point from the view to the thing."""
+    over: tuple[float, float]
+    """Offset above the thing, to which it is lifted."""
+    approach: tuple[tuple[float, float], ...]
+    """Offsets from there to around the thing."""
+    aim: tuple[float, float]
+    """Pan and tilt of the camera on the chassis, rad right and up: it sees the gripper lift the thing."""
+    ground: float = 0.0
+    """Metres; height of the ground at the goal above that at the start."""
+
+    @property
+    def goal(self) -> Waypoint:
+        """Where the drive ends."""
+        return self.waypoints[-1]
+
+
+PLANS: Final[Mapping[str, Plan]] = {
+    "yard": Plan(
+        waypoints=(Waypoint(2.0, 0.0, math.pi / 2),),
+        drive="2 m to the table and turn to it",
+        thing=Thing("can", 2.0, 0.9, 0.41, width=0.05, weight=1.0),
+        view=(0.43, 0.62, -0.5),
+        pitch=0.0,
+        high=(-0.25, 0.28),
+        over=(-0.05, 0.13),
+        approach=((-0.18, 0.09), (-0.12, 0.01), (0.0, 0.0)),
+        aim=(0.0, 0.2),
+    ),
+    "street": Plan(
+        waypoints=(
+            Waypoint(1.0, -0.62, 0.0),
+            Waypoint(2.45, -0.62, 0.0, flippers=0.12, effort=20.0),
+            Waypoint(2.665, -0.70, math.radians(12.0), speed=0.4, flippers=2.2, slip=0.2),
+        ),
+        drive="over the kerb to the pipe",
+        thing=Thing("pipe", 3.35, -0.55, 0.031, width=0.048, weight=1.05),
+        view=(0.36, 0.52, -1.1),
+        pitch=-1.2,
+        high=(-0.08, 0.25),
+        over=(0.0, 0.14),
+        approach=((0.0, 0.06), (0.0, 0.0)),
+        aim=(0.0, -0.35),
+        ground=0.10,
+    ),
+}
+"""By the names of worlds."""
+
+WAYPOINT_TOLERANCE: Final = 0.05
+"""Metres; what the robot is asked for."""
 DRIVE_TOLERANCE: Final = (0.15, math.radians(3.0))
-"""Tolerance in m and rad."""
+"""Tolerance in m and rad, by the robot's own pose."""
 
 TRUE_TOLERANCE: Final = (0.25, math.radians(5.0))
 """As the simulation knows it, m and rad: the robot stands where its drifting pose is at the goal."""
+GROUND_TOLERANCE: Final = 0.02
+"""Metres; tolerance of the height on which it stands, as the simulation knows it."""
 
-CAMERA_AIM: Final = (0.0, 0.2)
-"""Pan and tilt of the camera on the chassis, rad right and up: it sees the gripper lift the can."""
-
-# --- what stands on the table, in the local frame
-CAN_POSITION: Final = (2.0, 0.9, 0.41)
-"""Nominal centre of the can, m; its position is measured with the camera."""
-MAX_CAN_OFFSET: Final = 0.20
+MAX_OFFSET: Final = 0.20
 """Metres between nominal and measured position: the pose has drifted, and the attitude is off by 0.3 degrees."""
-CAN_WIDTH: Final = 0.05
-"""Metres, between the fingers."""
-CAN_WEIGHT: Final = 1.0
-"""Kilograms."""
-
-# --- the gripper: metres farther out and higher than in the grasp, where it is level
-VIEW_POSE: Final = (0.43, 0.62, -0.5)
-"""Distance from the arm's first axis, height above the ground, m, and pitch, rad: from here the camera sees the
-whole can above the gripper, wherever it may stand."""
-HIGH_OFFSET: Final = (-0.25, 0.28)
-"""Way point from the view pose to the can."""
-OVER_OFFSET: Final = (-0.05, 0.13)
-"""Above the can, and where the can is lifted to."""
-APPROACH_OFFSETS: Final = ((-0.18, 0.09), (-0.12, 0.01), (0.0, 0.0))
-"""From in front of the can to around it."""
 MIN_LIFT: Final = 0.10
 """Metres."""
 HOLD_TIME: Final = 2.0

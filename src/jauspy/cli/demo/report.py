@@ -21,6 +21,7 @@ from rich.text import Text
 
 from jauspy.cli import console
 from jauspy.errors import RequestError
+from jauspy.messages.mobility import ReportLocalPose
 from jauspy.ocu import OCU, SubsystemInfo
 
 if TYPE_CHECKING:
@@ -102,6 +103,13 @@ class DemoState:
     def elapsed(self) -> float:
         """Seconds since the demo began."""
         return time.monotonic() - self.began
+
+    def read(self, report: ReportLocalPose, rate: float) -> tuple[float, float, float]:
+        """Take the pose of a report, of which `rate` come in a second, and the speed since the last one."""
+        before = self.pose
+        self.pose = now = (report.x or 0.0, -(report.y or 0.0), -(report.yaw or 0.0))
+        self.speed = 0.0 if before is None else rate * math.dist(now[:2], before[:2])
+        return now
 
     def moved(self, positions: Sequence[float]) -> None:
         """Record measured joint positions, rad."""

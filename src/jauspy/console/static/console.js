@@ -98,6 +98,7 @@ const jauspy = {
     const typing = (event) => event.target.closest?.("input, textarea, select, [contenteditable]");
     addEventListener("keydown", (event) => {
       if (event.code === "Escape") { jauspy.stop("all"); event.preventDefault(); return; }
+      if (event.key.startsWith("Arrow") && event.target.closest?.("[role=slider]")) return;
       if (typing(event) || event.ctrlKey || event.altKey || event.metaKey) return;
       if (event.code in jauspy.bindings) { jauspy.keys.add(event.code); event.preventDefault(); jauspy.tick(); }
     });
@@ -130,9 +131,32 @@ const jauspy = {
     jauspy.tick();
   },
 
+  // --- colours: as the system has them, or as chosen; this browser remembers --------------------------------------
+  scheme() {
+    const chosen = localStorage.getItem("jauspy-scheme");
+    return chosen === "light" || chosen === "dark" ? chosen : "system";
+  },
+  showScheme() {
+    const button = document.getElementById("scheme");
+    button.textContent = { system: "◐ system", light: "☀ light", dark: "☾ dark" }[jauspy.scheme()];
+    button.setAttribute("aria-label", `colours: ${jauspy.scheme()}`);
+  },
+  nextScheme() {
+    const names = ["system", "light", "dark"];
+    localStorage.setItem("jauspy-scheme", names[(names.indexOf(jauspy.scheme()) + 1) % names.length]);
+    emitEvent("scheme", jauspy.scheme());
+    jauspy.showScheme();
+  },
+  restoreScheme() {
+    if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restoreScheme, 100); return; }
+    jauspy.showScheme();
+    if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
+  },
+
   start(token) {
     jauspy.token = token;
     jauspy.connectStop();
     jauspy.listenToKeys();
+    jauspy.restoreScheme();
   },
 };

@@ -1,59 +1,276 @@
-// Video: encoded pictures by WebSocket, decoded by WebCodecs, drawn on a canvas.
+// Video: encoded pictures by WebSocket, decoded by WebCodecs, drawn on a canvas, with an overlay of the robot's attitude.
 "use strict";
 
-jauspy.watch = (canvas, component) => {
-  if (canvas.jauspySocket) return;
-  const context = canvas.getContext("2d");
-  const note = canvas.parentElement.querySelector(".video-note");
-  const tell = (text) => { if (note) note.textContent = text; };
-  if (!("VideoDecoder" in window)) { tell("this browser has no WebCodecs"); return; }
-  let decoder = null;
-  let shown = 0;
-  const socket = new WebSocket(jauspy.url(`video/${component}`));
-  socket.binaryType = "arraybuffer";
-  canvas.jauspySocket = socket;
-  tell("waiting for the camera …");
-  const open = (codec) => {
-    if (decoder && decoder.state !== "closed") decoder.close();
-    decoder = new VideoDecoder({
-      output(frame) {
-        if (canvas.width !== frame.displayWidth || canvas.height !== frame.displayHeight) {
-          canvas.width = frame.displayWidth;
-          canvas.height = frame.displayHeight;
-        }
-        context.drawImage(frame, 0, 0);
-        frame.close();
-        shown += 1;
-        canvas.dataset.pictures = shown;
-        tell("");
-      },
-      error(problem) { tell(`the video cannot be decoded: ${problem.message}`); },
+jauspy.video = {
+  QUIET_TIME: 3000, // ms without a picture after which the page says why
+  STALE_TIME: 1500, // ms after which a picture that is shown is marked as old
+  MAX_DECODING: 6, // pictures in the decoder; more are left out until the next key picture
+  MIN_FRAME_RATE: 30, // frames/s of the page below which it asks for fewer pictures
+  views: new Map(),
+  level: 0, // 0: all pictures, 1: key pictures only of small cameras, 2: of all cameras
+  frameRate: 60,
+  onShown: null, // called with canvas and time stamp (us) when a picture was drawn
+
+  watchAll() {
+    const { views } = jauspy.video;
+    for (const [canvas, view] of views) {
+      if (!canvas.isConnected) { view.close(); views.delete(canvas); }
+    }
+    for (const canvas of document.querySelectorAll("canvas[data-component]")) {
+      if (!views.has(canvas)) views.set(canvas, new jauspy.View(canvas));
+      views.get(canvas).update();
+    }
+  },
+
+  // Why this browser decodes nothing at all, or an empty string.
+  missingDecoder() {
+    if ("VideoDecoder" in window) return "";
+    return window.isSecureContext
+      ? "no picture: this browser has no WebCodecs; Chromium 94, Firefox 130 and Safari 16.4 have it"
+      : `no picture: browsers decode video only on pages from localhost or by TLS, and this one came from http://${location.host}; use an SSH tunnel or TLS`;
+  },
+
+  // How many frames a second the page holds decides how many pictures it asks for.
+  frames: 0,
+  slow: 0,
+  fine: 0,
+  patience: 5,
+  countFrame() {
+    jauspy.video.frames += 1;
+    if (jauspy.video.watching().length) requestAnimationFrame(jauspy.video.countFrame);
+    else setTimeout(jauspy.video.countFrame, 500);
+  },
+  watching: () => [...jauspy.video.views.values()].filter((view) => view.wanted !== "nothing"),
+  judge(seconds) {
+    const video = jauspy.video;
+    video.frameRate = video.frames / seconds;
+    video.frames = 0;
+    const watching = video.watching();
+    if (document.hidden || !watching.length) { video.slow = video.fine = 0; return; }
+    const leftOut = watching.some((view) => view.leftOutNow > 0);
+    for (const view of watching) view.leftOutNow = 0;
+    const tooSlow = leftOut || video.frameRate < video.MIN_FRAME_RATE;
+    video.slow = tooSlow ? video.slow + 1 : 0;
+    video.fine = tooSlow ? 0 : video.fine + 1;
+    if (video.slow >= 3 && video.level < 2) {
+      video.level += 1;
+      video.slow = 0;
+      video.patience = Math.min(30, 2 * video.patience);
+    } else if (video.fine >= video.patience && video.level > 0) {
+      video.level -= 1;
+      video.fine = 0;
+    }
+    const rate = `this page holds ${Math.round(video.frameRate)} frames/s`;
+    const words = ["", `${rate}: small cameras show key pictures only`, `${rate}: all cameras show key pictures only`][video.level];
+    const line = document.getElementById("video-load");
+    if (line && line.textContent !== words) line.textContent = words;
+  },
+
+  save(component, name) {
+    const canvas = document.querySelector(`canvas[data-component="${component}"]`);
+    canvas?.toBlob((content) => {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(content);
+      link.download = name;
+      link.click();
+      setTimeout(() => URL.revokeObjectURL(link.href), 1000);
+    }, "image/png");
+  },
+};
+
+// One camera on the page.
+jauspy.View = class {
+  constructor(canvas) {
+    this.canvas = canvas;
+    this.context = canvas.getContext("2d");
+    this.figure = canvas.closest("figure");
+    this.note = this.figure.querySelector(".video-note");
+    this.facts = this.figure.querySelector(".video-facts");
+    this.overlay = new jauspy.Overlay(this.figure.querySelector(".overlay"));
+    this.shown = this.leftOut = this.leftOutByServer = 0;
+    this.leftOutNow = 0; // since the page was last judged
+    this.times = [];
+    this.reason = "";
+    this.began = performance.now();
+    this.wanted = "all";
+    this.skipping = false;
+    this.problem = jauspy.video.missingDecoder();
+    if (!this.problem) this.connect();
+  }
+
+  connect() {
+    const socket = new WebSocket(jauspy.url(`video/${this.canvas.dataset.component}`));
+    socket.binaryType = "arraybuffer";
+    this.socket = socket;
+    this.told = "";
+    this.leftOutByServer = 0;
+    socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
+    socket.onclose = (event) => {
+      this.stopDecoding();
+      this.reason = event.reason || "no connection to the console";
+      if (!this.closed) this.retry = setTimeout(() => this.connect(), 1000);
+    };
+  }
+
+  close() {
+    this.closed = true;
+    clearTimeout(this.retry);
+    this.socket?.close();
+    this.stopDecoding();
+  }
+
+  stopDecoding() {
+    if (this.decoder && this.decoder.state !== "closed") this.decoder.close();
+    this.decoder = null;
+  }
+
+  news(news) {
+    if ("reason" in news) this.reason = news.reason;
+    if ("left_out" in news) {
+      this.leftOutNow += news.left_out - this.leftOutByServer;
+      this.leftOutByServer = news.left_out;
+    }
+    if (news.attitude) this.overlay.show(news.attitude);
+    if (news.codec) this.configure(news.codec);
+  }
+
+  configure(codec) {
+    this.stopDecoding();
+    this.problem = "";
+    this.decoder = new VideoDecoder({
+      output: (frame) => this.draw(frame),
+      error: (error) => { this.problem = `no picture: this browser cannot decode the video (${codec}): ${error.message}`; },
     });
-    decoder.configure({ codec, optimizeForLatency: true });
-  };
-  socket.onmessage = (event) => {
-    if (typeof event.data === "string") { open(event.data); return; }
-    if (!decoder || decoder.state !== "configured") return;
-    const header = new DataView(event.data, 0, 16);
-    decoder.decode(new EncodedVideoChunk({
-      type: header.getUint8(0) ? "key" : "delta",
-      timestamp: header.getFloat64(8, true),
-      data: new Uint8Array(event.data, 16),
-    }));
-  };
-  socket.onclose = () => {
-    canvas.jauspySocket = null;
-    if (decoder && decoder.state !== "closed") decoder.close();
-    if (canvas.isConnected) { tell("no connection"); setTimeout(() => jauspy.watch(canvas, component), 1000); }
-  };
+    try {
+      this.decoder.configure({ codec, optimizeForLatency: true });
+    } catch (error) {
+      this.problem = `no picture: this browser does not know the coding ${codec}: ${error.message}`;
+    }
+    this.skipping = false;
+  }
+
+  // A picture: whether it is a key picture, its time stamp, when it was taken (ms since 1970 of the robot), and its bytes.
+  decode(data) {
+    if (this.decoder?.state !== "configured") return;
+    const header = new DataView(data, 0, 24);
+    const key = header.getUint8(0) === 1;
+    if (key) this.skipping = false;
+    else if (this.decoder.decodeQueueSize > jauspy.video.MAX_DECODING) this.skipping = true;
+    if (this.skipping) {
+      this.leftOut += 1;
+      this.leftOutNow += 1;
+      return;
+    }
+    const timestamp = header.getFloat64(8, true);
+    this.taken ??= new Map();
+    this.taken.set(Math.round(timestamp), header.getFloat64(16, true));
+    if (this.taken.size > 64) this.taken.delete(this.taken.keys().next().value);
+    this.decoder.decode(new EncodedVideoChunk({ type: key ? "key" : "delta", timestamp, data: new Uint8Array(data, 24) }));
+  }
+
+  draw(frame) {
+    const { canvas } = this;
+    if (canvas.width !== frame.displayWidth || canvas.height !== frame.displayHeight) {
+      canvas.width = frame.displayWidth;
+      canvas.height = frame.displayHeight;
+    }
+    this.context.drawImage(frame, 0, 0);
+    const { timestamp } = frame;
+    frame.close();
+    this.shown += 1;
+    this.takenAt = this.taken.get(Math.round(timestamp));
+    this.taken.delete(Math.round(timestamp));
+    this.drawnAt = performance.now();
+    this.times.push(this.drawnAt);
+    if (this.times.length > 200) this.times.shift();
+    canvas.dataset.pictures = this.shown;
+    this.reason = "";
+    jauspy.video.onShown?.(canvas, this.takenAt);
+  }
+
+  // Twice a second: what is wanted of the server, and what is said about the picture.
+  update() {
+    const video = jauspy.video;
+    const large = jauspy.isLarge(this.figure);
+    const visible = !document.hidden && this.canvas.offsetParent !== null;
+    const few = video.level > (large ? 1 : 0);
+    this.wanted = visible ? (few ? "keys" : "all") : "nothing";
+    if (!visible) this.began = performance.now();
+    const ask = JSON.stringify({ want: this.wanted, attitude: visible && large && !this.figure.closest(".plain") });
+    if (this.socket?.readyState === WebSocket.OPEN && ask !== this.told) {
+      this.socket.send(ask);
+      this.told = ask;
+    }
+    if (visible) this.say();
+  }
+
+  say() {
+    const now = performance.now();
+    while (this.times.length && this.times[0] < now - 2000) this.times.shift();
+    const age = now - (this.drawnAt ?? this.began);
+    const stale = this.drawnAt !== undefined && age > (this.wanted === "keys" ? 5000 : jauspy.video.STALE_TIME);
+    let words = this.problem;
+    if (!words && this.drawnAt === undefined) {
+      words = age < jauspy.video.QUIET_TIME ? "waiting for the camera …" : `no picture: ${this.reason || "pictures arrive, and none could be decoded yet"}`;
+    } else if (!words && stale) {
+      words = `this picture is ${Math.round(age / 1000)} s old${this.reason ? `: ${this.reason}` : ""}`;
+    }
+    if (this.note.textContent !== words) this.note.textContent = words;
+    this.figure.classList.toggle("stale", stale);
+    const facts = [];
+    if (this.takenAt > 0 && jauspy.isLarge(this.figure)) facts.push(new Date(this.takenAt).toTimeString().slice(0, 8));
+    if (this.drawnAt !== undefined) facts.push(`${Math.round(this.times.length / 2)}/s`);
+    const leftOut = this.leftOut + this.leftOutByServer;
+    if (leftOut) facts.push(`${leftOut} left out`);
+    this.facts.textContent = facts.join("  ·  ");
+  }
 };
 
-jauspy.enlarge = (figure) => {
-  for (const each of figure.parentElement.children) each.classList.toggle("large", each === figure);
+jauspy.isLarge = (figure) => figure.classList.contains("large") || (!figure.parentElement.querySelector(".large") && figure === figure.parentElement.querySelector("figure"));
+
+// Heading as a tape, pitch and roll as an artificial horizon, speed as a number.
+jauspy.Overlay = class {
+  constructor(element) {
+    const ticks = [];
+    for (let angle = -60; angle <= 420; angle += 5) {
+      const x = 4 * angle;
+      const long = angle % 10 === 0;
+      ticks.push(`<path d="M${x} 0v${long ? 9 : 5}"/>`);
+      if (angle % 30 === 0) ticks.push(`<text x="${x}" y="22">${(angle + 360) % 360}</text>`);
+    }
+    const ladder = [-20, -10, 10, 20].map((angle) => `<path d="M${angle % 20 ? -9 : -14} ${-1.4 * angle}h${angle % 20 ? 18 : 28}"/>`).join("");
+    element.innerHTML = `
+      <svg class="tape" viewBox="-160 0 320 46"><g class="scale">${ticks.join("")}</g>
+        <path class="mark" d="M0 24l-5 6h10z"/><text class="number" x="0" y="45"></text></svg>
+      <svg class="dial" viewBox="-46 -46 92 92"><g class="turn"><g class="lift">
+        <rect class="sky" x="-90" y="-160" width="180" height="160"/><rect class="ground" x="-90" y="0" width="180" height="160"/>
+        <path d="M-90 0h180"/>${ladder}</g></g><path class="wings" d="M-26 0h14l5 5M26 0h-14l-5 5"/><circle r="44"/></svg>
+      <div class="numbers"><b></b><span></span></div>`;
+    this.parts = Object.fromEntries(["scale", "number", "turn", "lift", "tape", "dial"].map((name) => [name, element.querySelector(`.${name}`)]));
+    this.speed = element.querySelector("b");
+    this.angles = element.querySelector("span");
+    this.element = element;
+  }
+
+  // Degrees: heading clockwise, pitch up, roll to the right; speed in m/s. What the robot does not report is null.
+  show({ heading, pitch, roll, speed }) {
+    const { scale, number, turn, lift, tape, dial } = this.parts;
+    const known = (value) => value !== null && value !== undefined;
+    tape.style.display = known(heading) ? "" : "none";
+    dial.style.display = known(pitch) && known(roll) ? "" : "none";
+    if (known(heading)) {
+      scale.setAttribute("transform", `translate(${-4 * heading})`);
+      number.textContent = `${Math.round(heading) % 360}°`;
+    }
+    turn.setAttribute("transform", `rotate(${-(roll ?? 0)})`);
+    lift.setAttribute("transform", `translate(0 ${1.4 * Math.max(-30, Math.min(30, pitch ?? 0))})`);
+    const degrees = (value) => `${Math.round(value) || 0}°`.replace("-", "−");
+    this.speed.textContent = known(speed) ? `${speed.toFixed(1).replace("-0.0", "0.0").replace("-", "−")} m/s` : "";
+    this.angles.textContent = known(pitch) && known(roll) ? `pitch ${degrees(pitch)}, roll ${degrees(roll)}` : "";
+    this.element.dataset.known = "yes";
+  }
 };
 
-jauspy.watchAll = () => {
-  for (const canvas of document.querySelectorAll("canvas[data-component]")) jauspy.watch(canvas, canvas.dataset.component);
-};
-
-setInterval(jauspy.watchAll, 500);
+setInterval(jauspy.video.watchAll, 500);
+setInterval(() => jauspy.video.judge(2), 2000);
+requestAnimationFrame(jauspy.video.countFrame);

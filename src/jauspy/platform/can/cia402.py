@@ -44,10 +44,15 @@ STATUS_OF: Final = {
 }
 """A statusword of each state, as simulated drives send it."""
 
+TARGET_REACHED: Final = 0x0400
+LIMIT_ACTIVE: Final = 0x0800
 HOMING_ATTAINED: Final = 0x1000
 HOMING_ERROR: Final = 0x2000
-LIMIT_ACTIVE: Final = 0x0800
-"""Bits of the statusword; the first two in the mode `HOMING`."""
+"""Bits of the statusword; the last two in the mode `HOMING`."""
+
+NEW_SETPOINT: Final = 0x10
+CHANGE_IMMEDIATELY: Final = 0x20
+"""Bits of the controlword in the mode `PROFILE_POSITION`; the first one's rising edge makes the drive take it."""
 
 
 def state_of(statusword: int) -> DriveState:

@@ -13,9 +13,10 @@ from canopen.sdo.exceptions import SdoAbortedError, SdoCommunicationError, SdoEr
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
 from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import Control
+from jauspy.platform.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Control, Mode
 from jauspy.platform.can.drive import LIMIT_MARGIN, Drive
 from jauspy.platform.can.setup import CanSetup, DriveFault
+from jauspy.platform.setpoint import ACCELERATION_TIME
 
 _LOG: Final = get_logger("jauspy.can")
 
@@ -25,13 +26,20 @@ PROFILE: Final = 402
 SDO_TIMEOUT: Final = 0.3
 SDO_TRIES: Final = 4
 
+MODE_READS: Final = 20
+"""Reads of the mode until the drive shows the one that was written."""
+
 PRODUCED: Final = 0.2
 """Time between two heartbeats of a drive, as a fraction of the time after which it counts as lost."""
 
 CYCLIC_MODES: Final = 0b111 << 7
-"""Cyclic synchronous position, velocity and torque in the supported modes (6502h)."""
+CYCLIC_VELOCITY: Final = 0b1 << 8
+PROFILE_POSITION: Final = 0b1
+"""Bits of the supported modes (6502h)."""
 
-SIZES: Final = {0x1017: 2, 0x605A: 2, 0x605E: 2, 0x6007: 2, 0x6040: 2, 0x6066: 2, 0x6072: 2, 0x60C2: 1}
+SIZES: Final = {
+    0x1017: 2, 0x605A: 2, 0x605E: 2, 0x6007: 2, 0x6040: 2, 0x6060: 1, 0x6066: 2, 0x6072: 2, 0x6098: 1, 0x60C2: 1
+}  # fmt: skip
 """Bytes of objects; others have 4."""
 
 
@@ -65,6 +73,7 @@ class Configurator:
                 _set(sdo, setting, drive)
             for wanted in pdo.ALL:
                 _map(sdo, wanted, drive)
+            drive.homed = drive.setup.homing is None or is_homed(sdo)
         except SdoCommunicationError:
             raise DriveFault(
                 f"{drive.name} does not answer on {self._setup.bus}: check its supply, node id, bit rate "
@@ -100,6 +109,18 @@ class Configurator:
                 ends = sorted((units.counts(joint.lower - margin), units.counts(joint.upper + margin)))
                 yield Setting(0x607D, 1, ends[0], "its own position limits")
                 yield Setting(0x607D, 2, ends[1], "its own position limits")
+        if drive.by_profile:
+            acceleration = abs(units.velocity_counts(joint.velocity / ACCELERATION_TIME))
+            yield Setting(0x6081, 0, abs(units.velocity_counts(joint.velocity)))
+            yield Setting(0x6083, 0, acceleration)
+            yield Setting(0x6084, 0, acceleration)
+        if (homing := drive.setup.homing) is not None:
+            speed = abs(units.velocity_counts(homing.speed))
+            yield Setting(0x6098, 0, homing.method)
+            yield Setting(0x6099, 1, speed)
+            yield Setting(0x6099, 2, max(1, speed // 4))
+            yield Setting(0x609A, 0, abs(units.velocity_counts(joint.velocity / ACCELERATION_TIME)))
+            yield Setting(0x607C, 0, 0, "an offset of the home position")
         yield Setting(0x6072, 0, abs(units.torque(joint.effort)), "its own limit of the torque")
 
 
@@ -113,8 +134,15 @@ def check_identity(sdo: Any, drive: Drive) -> None:
             f"check can.drives.{setup.name}.node"
         )
     modes = _read(sdo, 0x6502, 0)
-    if modes & CYCLIC_MODES != CYCLIC_MODES:
-        raise DriveFault(f"{drive.name} lacks a cyclic synchronous mode (6502h is {modes:08X}h): update its firmware")
+    drive.by_profile = setup.track is None and modes & CYCLIC_MODES != CYCLIC_MODES
+    if (drive.by_profile and not modes & PROFILE_POSITION) or (setup.track and not modes & CYCLIC_VELOCITY):
+        raise DriveFault(
+            f"{drive.name} has neither the cyclic synchronous modes nor profile position (6502h is {modes:08X}h): "
+            "update its firmware"
+            if setup.track is None
+            else f"{drive.name} lacks cyclic synchronous velocity (6502h is {modes:08X}h), which a track needs: update "
+            "its firmware"
+        )
     identity = setup.identity
     for sub, what, wanted in ((1, "vendor", identity.vendor), (2, "product", identity.product)):
         if wanted is not None and (found := _read(sdo, 0x1018, sub)) != wanted:
@@ -128,6 +156,15 @@ def check_identity(sdo: Any, drive: Drive) -> None:
             f"{drive.name} has the serial number {found}, and the robot's file says {identity.serial}: "
             "node ids are swapped, or the drive was replaced"
         )
+
+
+def is_homed(sdo: Any) -> bool:
+    """True if the drive has found its home position since it got power. It tells so in the mode for homing only."""
+    _write(sdo, 0x6060, 0, Mode.HOMING, 1)
+    for _ in range(MODE_READS):
+        if _read(sdo, 0x6061, 0) == Mode.HOMING:
+            return _read(sdo, 0x6041, 0) & (HOMING_ATTAINED | HOMING_ERROR) == HOMING_ATTAINED
+    return False
 
 
 def _set(sdo: Any, setting: Setting, drive: Drive) -> None:

@@ -7,6 +7,12 @@ from typing import Final, Protocol
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.can import pdo
 from jauspy.platform.can.cia402 import (
+    CHANGE_IMMEDIATELY,
+    HOMING_ATTAINED,
+    HOMING_ERROR,
+    LIMIT_ACTIVE,
+    NEW_SETPOINT,
+    TARGET_REACHED,
     Control,
     DriveState,
     Mode,
@@ -56,6 +62,12 @@ class Drive:
         self._silent_after = status_timeout
         self.configured = False
         """True when it was configured since it last started."""
+        self.homed = True
+        """False if it has a homing and did not find its home position since it got power."""
+        self.by_profile = False
+        """True if it lacks cyclic synchronous modes: it gets positions in the mode `PROFILE_POSITION`."""
+        self.ready = False
+        """True while it moves on command: in Operation Enabled, with its brake released."""
         self.statusword = 0
         self.state = DriveState.NOT_READY
         self.counts: int | None = None
@@ -72,6 +84,8 @@ class Drive:
         """PDOs with its status."""
         self._restarted = False
         self._enabled_at: float | None = None
+        self._powered_at: float | None = None
+        self._new_setpoint = False
         self._target: tuple[Mode, float] | None = None
         self._following_since: float | None = None
         self._idle_value = 0.0
@@ -137,6 +151,7 @@ class Drive:
 
     def run(self, now: float, dt: float) -> tuple[int, bytes]:
         """COB-ID and bytes of the next command while the robot works."""
+        self._watch_brake(now)
         wanted = self.motion.advance(self, dt)
         self._target = wanted
         if wanted is None:
@@ -144,7 +159,36 @@ class Drive:
             return self.stop()
         if self._enabled_at is None:
             self._enabled_at = now
-        return self.command(towards_operation(self.state), *wanted)
+        control = int(towards_operation(self.state))
+        if wanted[0] is Mode.PROFILE_POSITION and self.state is DriveState.OPERATION_ENABLED:
+            self._new_setpoint = not self._new_setpoint
+            control |= CHANGE_IMMEDIATELY | (NEW_SETPOINT if self._new_setpoint else 0)
+        return self.command(control, *wanted)
+
+    def _watch_brake(self, now: float) -> None:
+        powered = self.state in {DriveState.OPERATION_ENABLED, DriveState.QUICK_STOP_ACTIVE}
+        if not powered:
+            self._powered_at = None
+        elif self._powered_at is None:
+            self._powered_at = now
+        self.ready = (
+            self.state is DriveState.OPERATION_ENABLED
+            and self._powered_at is not None
+            and now - self._powered_at >= self.setup.brake_release
+        )
+
+    def home(self) -> tuple[int, bytes]:
+        """COB-ID and bytes of the next command while it searches its home position."""
+        is_ready = self.state is DriveState.OPERATION_ENABLED and self.mode_display == Mode.HOMING
+        return self.command(Control.START_HOMING if is_ready else towards_operation(self.state), Mode.HOMING, 0.0)
+
+    def homing(self) -> bool | None:
+        """True when it has found its home position, False if it failed, None before."""
+        if self.mode_display != Mode.HOMING or self.state is not DriveState.OPERATION_ENABLED:
+            return None
+        if self.statusword & HOMING_ERROR:
+            return False
+        return True if self.statusword & HOMING_ATTAINED and self.statusword & TARGET_REACHED else None
 
     def stop(self) -> tuple[int, bytes]:
         """COB-ID and bytes of a quick stop; a drive without power stays without."""
@@ -167,7 +211,8 @@ class Drive:
                 raw = units.torque(value)
             case _:
                 raw = units.counts(value)
-        return pdo.COMMANDS[mode].cob_id + self.setup.node, pdo.COMMAND_LAYOUTS[mode].pack(control, mode, raw)
+        carrier = mode if mode in pdo.COMMANDS else Mode.CYCLIC_POSITION
+        return pdo.COMMANDS[carrier].cob_id + self.setup.node, pdo.COMMAND_LAYOUTS[carrier].pack(control, mode, raw)
 
     # --- supervised -------------------------------------------------------------------------------------------------
 
@@ -206,15 +251,16 @@ class Drive:
             margin = LIMIT_MARGIN * (self.joint.upper - self.joint.lower)
             if not self.joint.lower - margin <= self.position <= self.joint.upper + margin:
                 return f"has moved {self.joint.name!r} to {self.position:.3f}, beyond its limits ({self.limits()})"
-        error = abs(value - self.position) if mode is Mode.CYCLIC_POSITION else 0.0
+        error = abs(value - self.position) if mode in {Mode.CYCLIC_POSITION, Mode.PROFILE_POSITION} else 0.0
         if error <= self.setup.following_error:
             self._following_since = None
         elif self._following_since is None:
             self._following_since = now
         elif now - self._following_since > self.setup.following_time:
+            limited = " (it says that an internal limit is active)" if self.statusword & LIMIT_ACTIVE else ""
             return (
-                f"does not follow: {self.joint.name!r} is {error:.3f} from its command; it is blocked or too weak, or "
-                "node ids, sign or gear_ratio are wrong"
+                f"does not follow: {self.joint.name!r} is {error:.3f} from its command{limited}; it is blocked or too "
+                "weak, or node ids, sign or gear_ratio are wrong"
             )
         return ""
 

@@ -54,6 +54,7 @@ class Phase(Enum):
     LISTENING = "nothing at all"
     IDLE = "SYNC, and nothing that moves"
     RESETTING = "fault reset"
+    HOMING = "the search of one drive for its home position"
     ENABLING = "steps to Operation Enabled"
     RUNNING = "setpoints"
     STOPPED = "quick stop, after a failure"
@@ -96,6 +97,7 @@ class Master:
         self._send_errors = 0
         self._foreign = 0
         self._reset = False
+        self._homing: Drive | None = None
         self._bus_error = ""
         self._by_node = {drive.setup.node: drive for drive in drives.values()}
         for drive in drives.values():
@@ -168,7 +170,7 @@ class Master:
                 self._send_errors += 1
                 if self._send_errors >= MAX_SEND_ERRORS:
                     self._fail(None, self._bus_sentence(str(error)), now)
-            if self._phase in {Phase.RUNNING, Phase.ENABLING}:
+            if self._phase in {Phase.RUNNING, Phase.ENABLING, Phase.HOMING}:
                 self._supervise(now)
 
     def _command(self, drive: Drive, now: float) -> tuple[int, bytes]:
@@ -182,6 +184,8 @@ class Master:
                 if not faulty:
                     return drive.stop()
                 return drive.idle(Control.FAULT_RESET if self._reset else Control.DISABLE_VOLTAGE)
+            case Phase.HOMING if drive is self._homing:
+                return drive.home()
             case Phase.CLOSING:
                 return drive.idle(Control.SHUTDOWN)
             case _:
@@ -259,6 +263,22 @@ class Master:
 
     def start(self) -> None:
         """Configure the drives, wait until all agree, enable them. Blocks; raises `DriveFault`."""
+        self._open()
+        self._bring_up()
+
+    def home(self, tell: Callable[[str], None]) -> None:
+        """Have all drives that need it search their home positions, one after the other; `tell` gets what moves.
+
+        Blocks; raises `DriveFault`.
+        """
+        self._open()
+        self._prepare()
+        for drive in self.drives.values():
+            if not drive.homed:
+                self._home(drive, tell)
+        self._agree()
+
+    def _open(self) -> None:
         load = pdo.bus_load(len(self.drives), self.setup.sync_rate, self.setup.bit_rate)
         if load > MAX_BUS_LOAD:
             raise DriveFault(
@@ -267,7 +287,6 @@ class Master:
             )
         self._listen()
         self._set_phase(Phase.IDLE)
-        self._bring_up()
 
     def recover(self) -> None:
         """Try again after a failure: reset faults, configure drives that restarted. Blocks; raises `DriveFault`."""
@@ -292,7 +311,8 @@ class Master:
                 f"another master sends SYNC on {self.setup.bus} already: end it; two that command drives are dangerous"
             )
 
-    def _bring_up(self) -> None:
+    def _prepare(self) -> None:
+        """Configure drives that are new, and reset faults."""
         new = [drive for drive in self.drives.values() if not drive.configured]
         for drive in new:
             self._configurator.configure(drive)
@@ -305,6 +325,14 @@ class Master:
             self._wait_cycle()
         self._wait("leave Fault", lambda drive: drive.state is not DriveState.FAULT, START_TIMEOUT)
         self._set_phase(Phase.IDLE)
+
+    def _bring_up(self) -> None:
+        self._prepare()
+        if lost := [drive.name for drive in self.drives.values() if not drive.homed]:
+            raise DriveFault(
+                f"{' and '.join(lost)}: position unknown since power-on: `jauspy can home ROBOT --bus "
+                f"{self.setup.bus}` moves to the home position"
+            )
         self._agree()
         for drive in self.drives.values():
             drive.start()
@@ -316,6 +344,30 @@ class Master:
             self._failure = ""
             self._phase = Phase.RUNNING
             self._last_cycle = None
+
+    def _home(self, drive: Drive, tell: Callable[[str], None]) -> None:
+        homing = drive.setup.homing
+        if homing is None:
+            return
+        tell(f"{drive.name} moves {drive.joint.name!r} by homing method {homing.method}, {homing.timeout:g} s at most")
+        with self.lock:
+            self._homing = drive
+            drive.start()
+            self._phase = Phase.HOMING
+        found = None
+        for _ in range(round(homing.timeout / self.period)):
+            self._wait_cycle()
+            if self._phase is Phase.STOPPED:
+                raise DriveFault(self.reason())
+            if (found := drive.homing()) is not None:
+                break
+        self._set_phase(Phase.IDLE)  # quick stop
+        drive.homed = found is True
+        if not drive.homed:
+            why = "the drive reports an error" if found is False else f"it took more than {homing.timeout:g} s"
+            raise DriveFault(f"{drive.name} did not find its home position: {why}; check switch, method and speed")
+        for _ in range(STILL_SYNCS):
+            self._wait_cycle()
 
     def _operational(self, drive: Drive) -> bool:
         if drive.nmt_state == OPERATIONAL and drive.received > 2:

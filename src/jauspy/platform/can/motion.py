@@ -3,13 +3,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from typing import Final
 
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.can.cia402 import DriveState, Mode
+from jauspy.logs import get_logger
+from jauspy.platform.can.cia402 import Mode
 from jauspy.platform.can.drive import Drive
+from jauspy.platform.description import JointGains
+from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.setpoint import SetpointGenerator
+
+_LOG: Final = get_logger("jauspy.can")
 
 TRACK_ACCELERATION: Final = 4.0
 """m/s^2, unless the drive has an `acceleration`."""
@@ -18,9 +24,13 @@ TRACK_ACCELERATION: Final = 4.0
 class JointMotion:
     """The setpoint of one joint. JAUS's position, velocity and effort are the three cyclic synchronous modes."""
 
-    def __init__(self, joint: Joint, start: float) -> None:
+    def __init__(self, joint: Joint, gains: JointGains, weight: Callable[[Joint], float]) -> None:
         self._joint = joint
-        self._setpoint = SetpointGenerator(joint, start)
+        self._setpoint = SetpointGenerator(joint, 0.0)
+        self._efforts = JointController(joint, gains, 0.0)
+        """As in the simulation; only of commands by effort."""
+        self._weight = weight
+        """The effort that the joint needs against gravity."""
         self._holding = True
 
     def start(self, drive: Drive) -> None:
@@ -33,14 +43,23 @@ class JointMotion:
         if target.compensated and not target.value:
             self.hold()
             return
+        if drive.by_profile and target.mode is ControlMode.EFFORT and not target.compensated:
+            _LOG.warning("%s has no mode for efforts: the command is not followed", drive.name)
+            self.hold()
+            return
         if self._holding or target.mode is not self._setpoint.target.mode:
             self._setpoint.start(drive.position, 0.0 if self._holding else drive.velocity)
         self._setpoint.target = target
+        if target.mode is ControlMode.EFFORT:
+            self._efforts.follow(target, drive.position, 0.0 if self._holding else drive.velocity)
+        else:
+            self._efforts.hold(drive.position)
         self._holding = False
 
     def hold(self) -> None:
         """Quick stop; the drive holds the position that it reaches."""
         self._holding = True
+        self._efforts.hold(self._setpoint.position)
 
     def advance(self, drive: Drive, dt: float) -> tuple[Mode, float] | None:
         """Mode and value for the next `dt` seconds; None to stop."""
@@ -48,11 +67,16 @@ class JointMotion:
             return None
         setpoint = self._setpoint
         mode = setpoint.target.mode
-        if drive.state is not DriveState.OPERATION_ENABLED:  # it does not move yet
+        if not drive.ready:  # it does not move yet
             setpoint.start(drive.position, 0.0)
+            if drive.by_profile:
+                return Mode.PROFILE_POSITION, drive.position
             return (Mode.CYCLIC_POSITION, drive.position) if mode is ControlMode.POSITION else _still(mode)
+        if drive.by_profile:
+            setpoint.advance(dt)
+            return Mode.PROFILE_POSITION, setpoint.position
         if mode is ControlMode.EFFORT:
-            return self._by_effort(setpoint.target.value, drive)
+            return self._by_effort(setpoint.target.value, drive, dt)
         if mode is ControlMode.VELOCITY:
             setpoint.position = drive.position  # the limits apply to the present position
             setpoint.advance(dt)
@@ -60,14 +84,14 @@ class JointMotion:
         setpoint.advance(dt)
         return Mode.CYCLIC_POSITION, setpoint.position
 
-    def _by_effort(self, value: float, drive: Drive) -> tuple[Mode, float]:
+    def _by_effort(self, value: float, drive: Drive, dt: float) -> tuple[Mode, float]:
         """The effort within its limits; towards an end that it could pass, a velocity that ends there."""
         joint, velocity, deceleration = self._joint, drive.velocity, drive.units.stop_deceleration
         way = math.copysign(1.0, value or velocity)
         room = way * ((joint.upper if way > 0.0 else joint.lower) - drive.position)
         if room <= 0.0 or (way * velocity > 0.0 and velocity * velocity >= 2.0 * deceleration * room):
             return Mode.CYCLIC_VELOCITY, way * math.sqrt(2.0 * deceleration * max(0.0, room))
-        return Mode.CYCLIC_TORQUE, min(joint.effort, max(-joint.effort, value))
+        return Mode.CYCLIC_TORQUE, self._efforts.effort(drive.position, velocity, dt, self._weight(joint))
 
 
 def _still(mode: ControlMode) -> tuple[Mode, float]:
@@ -99,7 +123,7 @@ class TrackMotion:
         if self._wanted is None:
             self._velocity = drive.velocity
             return None
-        if drive.state is DriveState.OPERATION_ENABLED:
+        if drive.ready:
             change = self._acceleration * dt
             self._velocity += min(change, max(-change, self._wanted - self._velocity))
         else:

@@ -12,6 +12,7 @@ import can
 import canopen
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
@@ -148,9 +149,18 @@ class LockedJoints(CanJoints):
 class CanRobot:
     """A `Robot`. With simulated drives in this process its time is that of `advance`; on a bus it is the clock's."""
 
-    def __init__(self, model: RobotModel, setup: CanSetup, bus: str, world: str) -> None:
+    def __init__(
+        self,
+        model: RobotModel,
+        setup: CanSetup,
+        bus: str,
+        world: str,
+        begin: Callable[[Master], None] = Master.start,
+    ) -> None:
         self._model, self._setup = model, setup
         interface, channel, _ = buses.split(bus)
+        self._holding = HoldingEfforts(model.description)
+        self._weights: Mapping[str, float] | None = None
         self._motions: dict[str, JointMotion | TrackMotion] = {}
         self._drives = {name: self._drive(name) for name in setup.drives}
         self._time = 0.0
@@ -180,7 +190,7 @@ class CanRobot:
         self._lidars = {each.name: Scanner(each) for each in model.lidars}
         try:
             self._ticker.start(self.master, self._tick)
-            self.master.start()
+            begin(self.master)
         except BaseException:
             self.close()
             raise
@@ -195,9 +205,17 @@ class CanRobot:
         if setup.track is not None:
             motion = TrackMotion(setup.acceleration or TRACK_ACCELERATION)
         else:
-            motion = JointMotion(joint, 0.0)
+            gains = next(group.gains[joint.name] for group in self._model.groups.values() if joint.name in group.gains)
+            motion = JointMotion(joint, gains, self._weight)
         self._motions[name] = motion
         return Drive(setup, joint, motion, self._setup.status_timeout)
+
+    def _weight(self, joint: Joint) -> float:
+        """What gravity needs of a joint where the joints were at the last cycle."""
+        if self._weights is None:
+            drives = self._drives.values()
+            self._weights = self._holding.at({each.joint.name: each.position for each in drives})
+        return self._weights.get(joint.name, 0.0)
 
     def _tracks(self) -> CanTracks | None:
         tracks = self._model.tracks
@@ -317,6 +335,7 @@ class CanRobot:
 
     def _tick(self) -> None:
         """After each cycle."""
+        self._weights = None
         if self._tracked is not None:
             self._tracked.update()
 
@@ -349,6 +368,8 @@ class _Simulated:
         self.wire: buses.Wire | None = (wire := buses.Wire())
         self.network = wire.near.network()
         self.fleet: Fleet | None = Fleet(model, setup, plant_of(plant, model, setup, world), wire.far)
+        for each in self.fleet.drives.values():
+            each.know_home()  # no other program could have them search for it
         self.plant_robot = self.fleet.plant.robot
         self._fleet = self.fleet
         self._period = 1.0 / setup.sync_rate

@@ -76,6 +76,8 @@ class DriveSetup:
     eds: str | None = None
     """The drive's EDS file, which its identity must match."""
     velocity_unit: VelocityUnit = VelocityUnit.COUNTS_PER_SECOND
+    brake_release: float = 0.0
+    """Seconds that its brake needs to release after it got power, in which it is not moved."""
     temperature: int | None = None
     """Index of the object with the temperature in 0.1 degrees Celsius; it is not standardised."""
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Callable
 from datetime import datetime
 from typing import Final
@@ -14,20 +13,23 @@ from jauspy.services.service import Service
 from jauspy.services.state_machine import STAY, ActionResult
 from jauspy.services.units import date_stamp, time_stamp
 
-MAX_EMERGENCY_CLIENTS: Final = 64
-"""Clients whose emergency is remembered. One more displaces the oldest of the subsystem that has most of them, but none
-with a seal, nor that of the client in control; without such, it sets the emergency, and need not clear it."""
+MAX_EMERGENCY_CLIENTS: Final = 512
+"""Clients whose emergency is remembered."""
 
 
 class Management(Service, urn="urn:jaus:jss:core:Management"):
     """The status of the component. An emergency lasts until every client that set it has cleared it.
 
-    An operator's client (see `CommandSeal`) also clears those that were set without a seal, which anybody can.
+    An operator's client (see `CommandSeal`) also clears those that were set without a seal, which anybody can. With
+    more clients than are remembered, it lasts until an operator's client clears it, or the component is started again:
+    whoever makes up many ids cannot end the emergency of somebody else.
     """
 
     def __init__(self) -> None:
         self._emergency_clients: dict[JausID, bool] = {}
         """Those that set it, and whether with a seal."""
+        self._is_any_forgotten = False
+        """True after the emergency of a client that is not remembered."""
 
     @property
     def status(self) -> ReportStatus.Status:
@@ -40,33 +42,31 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
 
     def store_id(self, source: JausID) -> None:
         """`source` has set the emergency."""
-        sealed = self.host.operator is not None
-        counts = sealed or source == self.host.controller
-        if source in self._emergency_clients or self._make_room(source, counts=counts):
-            self._emergency_clients[source] = sealed or self._emergency_clients.get(source, False)
-
-    def _make_room(self, source: JausID, *, counts: bool) -> bool:
-        """True if the emergency of one more client can be remembered; one that `counts` displaces any other one."""
-        if len(self._emergency_clients) < MAX_EMERGENCY_CLIENTS:
-            return True
-        others = [id for id in self._unsealed() if id != self.host.controller]
-        of = Counter(id.subsystem for id in others)
-        most = max(of.values(), default=0)
-        if not others or (of[source.subsystem] >= most and not counts) or (most == 1 and not counts):
-            return False
-        self.host.count("emergency_displaced", f"by that of {source}")
-        del self._emergency_clients[next(id for id in others if of[id.subsystem] == most)]
-        return True
+        clients, sealed = self._emergency_clients, self.host.operator is not None
+        if source not in clients and len(clients) >= MAX_EMERGENCY_CLIENTS:
+            unsealed = self._unsealed()
+            forgotten = unsealed[0] if sealed and unsealed else source
+            clients.pop(forgotten, None)
+            self._is_any_forgotten = True
+            self.host.count("emergency_not_remembered", f"that of {forgotten}")
+            if forgotten == source:
+                return
+        clients[source] = sealed or clients.get(source, False)
 
     def is_id_stored(self, source: JausID) -> bool:
         """`source` may clear the emergency, since it has set it."""
-        return source in self._emergency_clients or (self.host.operator is not None and bool(self._unsealed()))
+        if source in self._emergency_clients:
+            return True
+        return self.host.operator is not None and (self._is_any_forgotten or bool(self._unsealed()))
 
     def delete_id(self, source: JausID) -> ActionResult | None:
         """`source` clears its emergency; the component stays in Emergency while another client's is set."""
-        cleared = {source, *(self._unsealed() if self.host.operator is not None else ())}
+        cleared = {source}
+        if self.host.operator is not None:
+            cleared.update(self._unsealed())
+            self._is_any_forgotten = False
         self._emergency_clients = {id: sealed for id, sealed in self._emergency_clients.items() if id not in cleared}
-        return STAY if self._emergency_clients else None
+        return STAY if self._emergency_clients or self._is_any_forgotten else None
 
     def _unsealed(self) -> list[JausID]:
         return [id for id, sealed in self._emergency_clients.items() if not sealed]

@@ -6,9 +6,10 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Final, Protocol
 
+from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.can.setup import DriveSetup
-from jauspy.platform.chassis import SLIP_FACTOR
+from jauspy.platform.can.setup import CanSetup, DriveSetup
+from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, Target
@@ -17,6 +18,9 @@ DAMPING: Final = 0.5
 """Effort of friction at full speed, as a fraction of the full effort."""
 SPIN_UP: Final = 0.05
 """Seconds from standstill to full speed with full effort, without friction."""
+
+STEPS_PER_WEIGHING: Final = 8
+"""Steps after which the weights that joints carry are computed again."""
 
 
 class Axis(Protocol):
@@ -70,7 +74,7 @@ class MotorAxis:
         self.velocity = 0.0
         self.effort = 0.0
         self.load = 0.0
-        """Effort that pushes the joint, as a weight does."""
+        """Effort that the joint needs to stand still: that of the weight which it carries."""
         self.blocked = False
         self._limit = joint.effort
         self._inertia = joint.effort * SPIN_UP / joint.velocity
@@ -126,7 +130,7 @@ class MotorAxis:
 
 
 class MotorPlant:
-    """A `Plant` of motors, each with a load of its own."""
+    """A `Plant` of motors, each with the weight of the links that it carries."""
 
     robot: Robot | None = None
 
@@ -143,10 +147,22 @@ class MotorPlant:
             for name, drive in drives.items()
         }
 
+        self._holding = HoldingEfforts(model.description)
+        self._joints = {drive.moves: self.axes[name] for name, drive in drives.items() if drive.track is None}
+        self._until_weighed = 0
+
     def advance(self, dt: float) -> None:
         """Move for `dt` seconds."""
+        if not self._until_weighed:
+            self._weigh()
+        self._until_weighed = (self._until_weighed + 1) % STEPS_PER_WEIGHING
         for axis in self.axes.values():
             axis.advance(dt)
+
+    def _weigh(self) -> None:
+        weights = self._holding.at({joint: axis.position for joint, axis in self._joints.items()})
+        for joint, axis in self._joints.items():
+            axis.load = weights.get(joint, 0.0)
 
     def close(self) -> None:
         """There is nothing to release."""
@@ -155,26 +171,45 @@ class MotorPlant:
 QUICK: Final = 1000.0
 """Acceleration in rad/s^2 or m/s^2 with which the other backend's controllers follow: the master has ramped it."""
 
+POSITION_GAIN: Final = 12.0
+"""1/s: rad/s or m/s for each radian or metre that a position is off."""
+
 TRACK_GAIN: Final = 2.0
 """Effort of a track, as a fraction of the full one, for a velocity that is wrong by the full speed."""
 
 
 class RobotJoint:
-    """An `Axis`: a joint of another backend's robot."""
+    """An `Axis`: a joint of another backend's robot, with a position loop around that of the velocity."""
 
-    def __init__(self) -> None:
+    def __init__(self, period: float) -> None:
         self.position = self.velocity = self.effort = 0.0
         self.target: Target | None = None
         self.stopped = True
+        self._period = period
+        """Seconds from one position to the next (60C2h)."""
+        self._goal: float | None = None
+        self._speed = 0.0
 
     def drive(self, mode: ControlMode, value: float) -> None:
-        """Follow a value."""
-        self.target, self.stopped = Target(mode, value, acceleration=QUICK, deceleration=QUICK), False
+        """Follow a value; positions are interpolated."""
+        self.stopped = False
+        if mode is not ControlMode.POSITION:
+            self._goal = None
+            self.target = Target(mode, value, acceleration=QUICK, deceleration=QUICK)
+            return
+        self._speed = 0.0 if self._goal is None else (value - self._goal) / self._period
+        self._goal = value
+
+    def control(self) -> None:
+        """Set the target for the next step."""
+        if self._goal is not None and not self.stopped:
+            wanted = self._speed + POSITION_GAIN * (self._goal - self.position)
+            self.target = Target(ControlMode.VELOCITY, wanted, acceleration=QUICK, deceleration=QUICK)
 
     def stop(self, deceleration: float) -> None:  # noqa: ARG002 - the backend has its own
         """Hold."""
         if not self.stopped:
-            self.target, self.stopped = Target(ControlMode.POSITION, self.position), True
+            self.target, self.stopped, self._goal = Target(ControlMode.POSITION, self.position), True, None
 
     def release(self) -> None:
         """Hold: the brake."""
@@ -212,24 +247,21 @@ class RobotTrack:
 class RobotPlant:
     """A `Plant`: the robot of another backend, as of the simulator. Commands go to its joints and tracks."""
 
-    def __init__(self, robot: Robot, model: RobotModel, drives: Mapping[str, DriveSetup]) -> None:
+    def __init__(self, robot: Robot, model: RobotModel, setup: CanSetup) -> None:
         self.robot: Robot = robot
+        drives = setup.drives
         self.axes: dict[str, RobotJoint | RobotTrack] = {}
         self._groups: list[tuple[str, list[RobotJoint]]] = []
         self._tracks: dict[str, RobotTrack] = {}
         by_joint = {drive.moves: name for name, drive in drives.items() if drive.track is None}
         for name, group in model.groups.items():
-            joints = [RobotJoint() for _ in group.joints]
+            joints = [RobotJoint(1.0 / setup.sync_rate) for _ in group.joints]
             self._groups.append((name, joints))
             self.axes |= {by_joint[each]: axis for each, axis in zip(group.joints, joints, strict=True)}
         for name, drive in drives.items():
             if drive.track is not None:
                 joint = model.description.joint(drive.moves)
                 self.axes[name] = self._tracks[drive.track] = RobotTrack(joint.velocity)
-        self._half_width = 0.0
-        if model.tracks is not None:
-            left, right = (model.description.joint(names[0]) for names in (model.tracks.left, model.tracks.right))
-            self._half_width = SLIP_FACTOR * abs(left.origin.y - right.origin.y) / 2.0
         self._measure(0.0)
 
     def advance(self, dt: float) -> None:
@@ -243,6 +275,8 @@ class RobotPlant:
         self._measure(dt)
 
     def _command(self, name: str, joints: Sequence[RobotJoint]) -> None:
+        for joint in joints:
+            joint.control()
         if all(joint.stopped for joint in joints):
             self.robot.groups[name].hold()
         else:
@@ -253,11 +287,12 @@ class RobotPlant:
             state = self.robot.groups[name].state()
             for joint, *values in zip(joints, state.positions, state.velocities, state.efforts, strict=True):
                 joint.position, joint.velocity, joint.effort = values
-        twist = self.robot.drive.twist()
-        for side, sign in (("left", -1.0), ("right", 1.0)):
-            if (track := self._tracks.get(side)) is not None:
-                track.velocity = twist.vx + sign * self._half_width * twist.wz
-                track.position += track.velocity * dt
+        drive = self.robot.drive
+        if isinstance(drive, SkidSteerDrive):  # what encoders count, slip included
+            for side, speed in zip(("left", "right"), drive.track_speeds(), strict=True):
+                if (track := self._tracks.get(side)) is not None:
+                    track.velocity = speed
+                    track.position += speed * dt
 
     def close(self) -> None:
         """Close the robot."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import struct
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -10,7 +11,16 @@ from typing import Any, Final
 import canopen
 
 from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import STATUS_OF, DriveState, Mode, next_state
+from jauspy.platform.can.cia402 import (
+    HOMING_ATTAINED,
+    LIMIT_ACTIVE,
+    NEW_SETPOINT,
+    STATUS_OF,
+    TARGET_REACHED,
+    DriveState,
+    Mode,
+    next_state,
+)
 from jauspy.platform.can.setup import DriveSetup
 from jauspy.platform.can.simulated.axes import Axis
 from jauspy.platform.can.units import DriveUnits
@@ -37,7 +47,11 @@ TEMPERATURE_OBJECT: Final = 0x2F10
 COMMAND_TIMEOUT: Final = 0.1
 """Seconds without SYNC, or without a command, after which an enabled drive stops."""
 
+START_HOMING: Final = 0x10
+"""Bit of the controlword."""
+
 MODES: Final = {
+    Mode.PROFILE_POSITION: (0x607A, ControlMode.POSITION),
     Mode.CYCLIC_POSITION: (0x607A, ControlMode.POSITION),
     Mode.CYCLIC_VELOCITY: (0x60FF, ControlMode.VELOCITY),
     Mode.CYCLIC_TORQUE: (0x6071, ControlMode.EFFORT),
@@ -73,6 +87,11 @@ class SimulatedDrive:
         self.node = canopen.LocalNode(setup.node, dictionary)
         self.state = DriveState.SWITCH_ON_DISABLED
         self.mode = 0
+        self.homed = setup.homing is None
+        self._home_counts = 0
+        """What the encoder counts beside what is told, before the home position is found."""
+        self._homing_way = 0.0
+        self._brake_releases_at = 0.0
         self.silent = self.deaf = False
         self.serial = 1000 + setup.node if setup.identity.serial is None else setup.identity.serial
         self._units = units
@@ -92,7 +111,7 @@ class SimulatedDrive:
         self._values: dict[int, Callable[[], int]] = {
             0x1001: lambda: self._register,
             0x603F: lambda: self._code,
-            0x6041: lambda: STATUS_OF[self.state],
+            0x6041: self._statusword,
             0x6061: lambda: self.mode,
             0x6064: self._counts,
             0x606C: lambda: self._units.velocity_counts(self.axis.velocity),
@@ -110,8 +129,17 @@ class SimulatedDrive:
     # --- the object dictionary --------------------------------------------------------------------------------------
 
     def _counts(self) -> int:
-        counts = self._units.position_counts(self.axis.position)
+        counts = self._units.position_counts(self.axis.position) - self._home_counts
         return (counts + 2**31) % 2**32 - 2**31
+
+    def _statusword(self) -> int:
+        word = STATUS_OF[self.state]
+        if self.mode == Mode.HOMING and self.homed and self.setup.homing is not None and not self._homing_way:
+            word |= HOMING_ATTAINED | TARGET_REACHED
+        torque = abs(self._units.torque(self.axis.effort))
+        if self.state is DriveState.OPERATION_ENABLED and torque >= self.value_of(0x6072, 0):
+            word |= LIMIT_ACTIVE
+        return word
 
     def _read(self, *, index: int, subindex: int, **_: Any) -> int | None:
         if index == 0x1018 and subindex == 4:
@@ -125,6 +153,8 @@ class SimulatedDrive:
             self._layouts.clear()
         elif index == 0x1016 and subindex == 1:
             self._consume(value >> 16 & 0x7F, (value & 0xFFFF) / 1e3)
+        elif index == 0x6060:
+            self.mode = value
         elif index == 0x6040:
             self._apply_control(value)
         elif index == FAULT_OBJECT:
@@ -150,6 +180,9 @@ class SimulatedDrive:
     def boot(self) -> None:
         """Start, as after power-on: nothing is configured."""
         self.node.data_store.clear()
+        if self.setup.homing is not None:
+            self.homed, self._homing_way = False, 0.0
+            self._home_counts = self._units.position_counts(self.axis.position)
         self._layouts.clear()
         self._pending.clear()
         self._consume(0, 0.0)
@@ -198,11 +231,13 @@ class SimulatedDrive:
             return
         values = dict(zip(objects, layout.unpack(data), strict=True))
         mode = values.get(0x6060, self.mode)
-        self._targets |= {index: value for index, value in values.items() if index in self._targets}
-        if mode in MODES:
+        control = values.get(0x6040, self._control)
+        if mode in MODES or mode in {Mode.HOMING, Mode.PROFILE_POSITION}:
             self.mode = mode
+        if mode != Mode.PROFILE_POSITION or (control & NEW_SETPOINT and not self._control & NEW_SETPOINT):
+            self._targets |= {index: value for index, value in values.items() if index in self._targets}
         if 0x6040 in values:
-            self._apply_control(values[0x6040])
+            self._apply_control(control)
         self._move()
 
     def _send(self, wanted: pdo.Pdo) -> None:
@@ -230,6 +265,8 @@ class SimulatedDrive:
             self._emergency()
         if state is DriveState.OPERATION_ENABLED and self.state is not state:
             self._last_sync = self._last_command = self._now
+            if self.state is not DriveState.QUICK_STOP_ACTIVE:
+                self._brake_releases_at = self._now + self.setup.brake_release
         self._control = control
         self._set_state(state)
 
@@ -243,7 +280,11 @@ class SimulatedDrive:
             self.axis.release()
 
     def _move(self) -> None:
-        if self.state is DriveState.OPERATION_ENABLED and self.mode in MODES:
+        if self.state is DriveState.OPERATION_ENABLED and self._now < self._brake_releases_at:
+            self.axis.release()
+        elif self.state is DriveState.OPERATION_ENABLED and self.mode == Mode.HOMING:
+            self._search_home()
+        elif self.state is DriveState.OPERATION_ENABLED and self.mode in MODES:
             index, mode = MODES[Mode(self.mode)]
             raw, units = self._targets[index], self._units
             if mode is ControlMode.POSITION:
@@ -254,6 +295,29 @@ class SimulatedDrive:
                 self.axis.drive(mode, units.effort(raw))
         elif self.state in {DriveState.QUICK_STOP_ACTIVE, DriveState.FAULT_REACTION_ACTIVE}:
             self.axis.stop(units_deceleration(self._units, self.value_of(0x6085, 0)))
+
+    def know_home(self) -> None:
+        """Have found the home position, as a drive that never lost its power."""
+        self.homed, self._home_counts = True, 0
+
+    def _search_home(self) -> None:
+        """The switch of a simulated drive is where its encoder counts 0, or for the methods 35 and 37 where it is."""
+        home = self._units.position(0)
+        off = home - self.axis.position
+        if not self._control & START_HOMING:
+            self._homing_way = 0.0
+            self.axis.stop(self._units.stop_deceleration)
+        elif self.value_of(0x6098, 0) in {35, 37}:
+            self._home_counts, self.homed = self._units.position_counts(self.axis.position), True
+        elif not self.homed and not self._homing_way:
+            self._homing_way = math.copysign(1.0, off)
+        if self._homing_way and off * self._homing_way <= 0.0:
+            self._homing_way, self._home_counts, self.homed = 0.0, 0, True
+        if self._homing_way:
+            speed = abs(self._units.velocity(self.value_of(0x6099, 1)))
+            self.axis.drive(ControlMode.VELOCITY, self._homing_way * speed)
+        else:
+            self.axis.stop(self._units.stop_deceleration)
 
     def fail(self, code: int, register: int) -> None:
         """Go to Fault, by a quick stop if it moves, and tell by an emergency message."""

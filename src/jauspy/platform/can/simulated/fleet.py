@@ -50,7 +50,7 @@ def plant_of(name: str, model: RobotModel, setup: CanSetup, world: str) -> Plant
         return MotorPlant(model, setup.drives)
     if name == "can":
         raise ConfigError("simulated drives cannot move the robot of the backend can; choose motors, kinematic or sim")
-    return RobotPlant(backends.find(name).open(model, world), model, setup.drives)
+    return RobotPlant(backends.find(name).open(model, world), model, setup)
 
 
 class Fleet:

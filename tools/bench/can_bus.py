@@ -1,9 +1,9 @@
 """Simulated drives on a bus at 200 Hz: jitter of SYNC, time from a command to its frame, PDOs missed, share of a CPU.
 
-    python tools/bench/drives.py [--bus udp_multicast:239.0.0.77,port=43277] [--seconds 30]
+    python tools/bench/can_bus.py [--bus udp_multicast:239.0.0.77,port=43277] [--seconds 30] [--cameras]
 
-Drives and master share the machine. Beside the jitter stands that of an empty loop with the same
-period, measured at the same time.
+Drives and master share the machine, with --cameras also a simulated robot whose three cameras are recorded.
+Beside the jitter stands that of an empty loop with the same period, measured at the same time.
 """
 
 from __future__ import annotations
@@ -13,7 +13,9 @@ import subprocess
 import sys
 import threading
 import time
+from contextlib import ExitStack
 from dataclasses import replace
+from tempfile import TemporaryDirectory
 
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
@@ -43,23 +45,51 @@ def main() -> None:
     parser.add_argument("--bus", default="udp_multicast:239.0.0.77,port=43277")
     parser.add_argument("--seconds", type=float, default=30.0)
     parser.add_argument("--rate", type=float, default=200.0)
+    parser.add_argument("--cameras", action="store_true")
     options = parser.parse_args()
     model = robot_model(load("inc1"))
     if not isinstance(model.can, CanSetup):
         sys.exit("inc1 has no drives")
     setup = replace(model.can, bus=options.bus, heartbeat_timeout=1.0, status_timeout=1.0, sync_rate=options.rate)
-    drives = subprocess.Popen(
-        [sys.executable, "-m", "jauspy.cli.main", "can", "simulate", "inc1", "--bus", options.bus]
-    )
-    try:
-        time.sleep(4.0)
+    with ExitStack() as stack:
+        start(stack, "can", "simulate", "inc1", "--bus", options.bus)
+        if options.cameras:
+            record_cameras(stack, options.seconds)
         robot = find("can").open(replace(model, can=setup), "empty")
         assert isinstance(robot, CanRobot)
         measure(robot, options.seconds)
         robot.close()
-    finally:
-        drives.terminate()
-        drives.wait()
+
+
+def start(stack: ExitStack, *arguments: str, waits: bool = True) -> None:
+    """Run `jauspy` with these arguments until the stack closes; returns when it has printed a line if it `waits`."""
+    command = [sys.executable, "-m", "jauspy.cli.main", *arguments]
+    process = stack.enter_context(subprocess.Popen(command, stdout=subprocess.PIPE, text=True))
+    stack.callback(process.terminate)
+    assert process.stdout is not None
+    if waits:
+        process.stdout.readline()
+
+
+def record_cameras(stack: ExitStack, seconds: float) -> None:
+    """Simulate a robot, and record its cameras, beside the measurement."""
+    folder = stack.enter_context(TemporaryDirectory(prefix="jauspy-"))
+    start(stack, "up", "inc1", "--backend", "sim", "--port", "3989", "--interface", "127.0.0.1", "--local-root", folder)
+    for camera in ("101.1.106", "101.1.107", "101.1.109"):
+        file = f"{folder}/{camera}.mp4"
+        start(
+            stack,
+            "video",
+            camera,
+            "--save",
+            file,
+            "--seconds",
+            f"{seconds}",
+            "--connect",
+            f"local:{folder}",
+            waits=False,
+        )
+    time.sleep(20.0)
 
 
 def measure(robot: CanRobot, seconds: float) -> None:

@@ -1,0 +1,320 @@
+"""The panel Arm: a slider for each joint, the tool along and about axes, named poses, and the gripper."""
+
+from __future__ import annotations
+
+import math
+from typing import Final
+
+from nicegui import ui
+
+from jauspy.console.gripper_panel import GripperPanel
+from jauspy.console.jogging import MAX_SPEED, MAX_TURN
+from jauspy.console.kept import Kept
+from jauspy.console.manipulators import JointInfo, Manipulator, manipulators
+from jauspy.console.motion import Motion
+from jauspy.console.server import Console
+from jauspy.errors import JausError
+from jauspy.ocu.robot import Robot
+from jauspy.printable import printable
+
+UPDATE_INTERVAL: Final = 0.25
+"""Seconds between two looks at the joints."""
+VIEWS: Final = ("joints", "tool", "poses")
+AXES: Final = (("x", "I", "K"), ("y", "J", "L"), ("z", "U", "O"))
+"""Each with the keys that move along it, and, with Shift, turn about it."""
+TURNS: Final = ("roll", "pitch", "yaw")
+NEAR: Final = 0.005
+"""Radians or metres by which a measured position may differ before the wanted one follows it."""
+
+
+class ArmPanel:
+    """The arms and the gripper of the chosen robot, for one page, which `token` names."""
+
+    def __init__(self, console: Console, token: str) -> None:
+        self._console = console
+        self._robot: Robot | None = None
+        self._arms: dict[str, Manipulator] = {}
+        self._arm: Manipulator | None = None
+        self._joints: tuple[JointInfo, ...] = ()
+        self._rows: dict[str, _JointRow] = {}
+        self._motion = Motion(console, token)
+        with ui.element("section").classes("panel arm") as self._panel:
+            with ui.element("div").classes("row"):
+                ui.label("Arm").classes("heading")
+                self._view = ui.toggle(list(VIEWS), value=VIEWS[0]).props("no-caps dense unelevated")
+            self._choice = ui.select({}, on_change=self._choose).props('dense outlined options-dense aria-label="arm"')
+            with ui.element("div").bind_visibility_from(self._view, "value", value="joints"):
+                self._sliders = ui.element("div").classes("joints")
+                with ui.element("div").classes("row"):
+                    self._move = ui.button("move", on_click=self._move_joints).props("unelevated no-caps")
+                    self._reset = ui.button("reset", on_click=self._follow_measured).props("flat no-caps dense")
+                    self._share = _slider("speed", (5, 100, 5), 50, "%")
+            with ui.element("div").bind_visibility_from(self._view, "value", value="tool"):
+                self._build_tool()
+            with ui.element("div").bind_visibility_from(self._view, "value", value="poses"):
+                self._poses = ui.element("div").classes("poses")
+                with ui.element("div").classes("row"):
+                    self._name = ui.input("name of the present pose").props("dense outlined").classes("grow")
+                    ui.button("save", on_click=self._save_pose).props("outline no-caps")
+            self._stop = ui.button("stop", on_click=self._motion.stop).props("outline no-caps color=negative")
+            self._problem = ui.label("").classes("problem").props('role="status"')
+        self._panel.set_visibility(False)
+        self._gripper = GripperPanel(console, token)
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Show the arms of this robot; nothing if it has none."""
+        self._motion.stop()
+        self._robot = robot
+        self._gripper.show(robot)
+        self._take(manipulators(robot) if robot is not None else {})
+
+    def close(self) -> None:
+        """The page has gone."""
+        self._motion.stop()
+        self._gripper.close()
+        self._robot = None
+
+    # --- which arm ------------------------------------------------------------------------------------------------
+
+    def _take(self, arms: dict[str, Manipulator]) -> None:
+        chosen = self._choice.value if self._choice.value in arms else next(iter(arms), None)
+        self._arms = arms
+        self._panel.set_visibility(bool(arms))
+        self._choice.set_options({id: arm.title for id, arm in arms.items()}, value=chosen)
+        self._choice.set_visibility(len(arms) > 1)
+        self._choose()
+
+    def _choose(self) -> None:
+        arm = self._arms.get(str(self._choice.value))
+        if arm is self._arm:
+            return
+        self._motion.stop()
+        self._arm, self._joints = arm, ()
+        self._show_joints((), {})
+        has_tool = arm is not None and arm.has_tool
+        self._jog.props(f'data-component="{arm.info.id}"' if arm is not None and has_tool else "data-component=")
+        self._jog.set_visibility(has_tool)
+        self._no_tool.set_visibility(not has_tool)
+        self._share.set_visibility(arm is not None and arm.has_speed)
+        self._show_poses()
+
+    def _look_for_changes(self) -> None:
+        """Arms of a robot may come and go."""
+        found = self._console.fleet.robots.get(self._robot.id) if self._robot is not None else None
+        if found is not None and found is not self._robot:
+            arms = manipulators(found)
+            if arms.keys() != self._arms.keys():
+                self._robot = found
+                self._take(arms)
+
+    # --- joints ---------------------------------------------------------------------------------------------------
+
+    async def _update(self) -> None:
+        self._look_for_changes()
+        arm = self._arm
+        if arm is None:
+            return
+        refused = self._motion.refusal(arm.robot.id)
+        self._move.set_enabled(not refused and not self._motion.is_running)
+        self._stop.set_visibility(self._motion.is_running)
+        self._problem.set_text(printable(self._motion.problem))
+        try:
+            positions = await arm.positions()
+            if positions.keys() != {each.name for each in self._joints} or not self._joints:
+                joints = await arm.joints()
+                if arm is self._arm:
+                    self._show_joints(joints, positions)
+            tool = await arm.tool() if self._view.value == "tool" else ""
+        except JausError as error:
+            self._problem.set_text(printable(str(error)))
+            return
+        if arm is not self._arm:
+            return
+        self._pose.set_text(tool)
+        for name, row in self._rows.items():
+            if name in positions:
+                row.measured(positions[name])
+
+    def _show_joints(self, joints: tuple[JointInfo, ...], positions: dict[str, float]) -> None:
+        self._joints = joints
+        self._sliders.clear()
+        with self._sliders:
+            self._rows = {each.name: _JointRow(each, positions.get(each.name, 0.0)) for each in joints}
+            if not joints:
+                ui.label("no joints now").classes("hint")
+
+    def _follow_measured(self) -> None:
+        for row in self._rows.values():
+            row.touched = False
+
+    def _move_joints(self) -> None:
+        wanted = {name: row.wanted for name, row in self._rows.items() if row.touched}
+        if not wanted:
+            self._motion.problem = "move a slider first, or enter a position"
+            return
+        self._go(wanted, "the motion")
+
+    def _go(self, wanted: dict[str, float], what: str) -> None:
+        arm = self._arm
+        if arm is not None:
+            self._motion.begin(arm.robot.id, self._moved(arm, wanted), what)
+
+    async def _moved(self, arm: Manipulator, wanted: dict[str, float]) -> None:
+        await arm.move(wanted, float(self._share.value) / 100.0)
+        self._follow_measured()
+
+    # --- tool -----------------------------------------------------------------------------------------------------
+
+    def _build_tool(self) -> None:
+        self._no_tool = ui.label("this arm takes no velocities or poses of its tool").classes("hint")
+        with ui.element("div").classes("jog").props('data-frame="robot"') as self._jog:
+            with ui.element("div").classes("row"):
+                ui.label("frame").classes("hint")
+                frames = {"robot": "base", "tool": "tool"}
+                ui.toggle(
+                    frames, value="robot", on_change=lambda event: self._jog.props(f'data-frame="{event.value}"')
+                ).props("no-caps dense unelevated")
+                ui.label("hold; Shift: turn").classes("hint")
+            self._pose = ui.label("").classes("pose")
+            with ui.element("div").classes("pad"):
+                for number, (axis, plus, minus) in enumerate(AXES):
+                    _jog_button(f"{axis} \u2212", number, -1, minus)
+                    _jog_button(f"{axis} +", number, 1, plus)
+                    _jog_button(f"{TURNS[number]} \u2212", number + 3, -1, f"\u21e7{minus}")
+                    _jog_button(f"{TURNS[number]} +", number + 3, 1, f"\u21e7{plus}")
+            with ui.element("div").classes("row"):
+                linear = _slider("linear", (10, round(1000 * MAX_SPEED), 10), 50, "mm/s")
+                linear.on_value_change(lambda event: self._jog.props(f'data-linear="{event.value / 1000.0}"'))
+            with ui.element("div").classes("row"):
+                angular = _slider("angular", (2, math.floor(math.degrees(MAX_TURN)), 1), 15, "\u00b0/s")
+                angular.on_value_change(lambda event: self._jog.props(f'data-angular="{math.radians(event.value)}"'))
+            self._jog.props(f'data-linear="0.05" data-angular="{math.radians(15.0)}"')
+            ui.html('<span class="jog-answer problem" role="status"></span>', sanitize=False)
+
+    # --- poses ----------------------------------------------------------------------------------------------------
+
+    def _kept(self) -> Kept | None:
+        return None if self._robot is None else Kept(self._robot.id, self._robot.name)
+
+    def _show_poses(self) -> None:
+        self._poses.clear()
+        kept, arm = self._kept(), self._arm
+        if kept is None or arm is None:
+            return
+        id = str(arm.info.id)
+        try:
+            poses = kept.poses(id)
+        except JausError as error:
+            poses, self._motion.problem = {}, str(error)
+        with self._poses:
+            if not poses:
+                ui.label("no poses yet").classes("hint")
+            for name, positions in poses.items():
+                with ui.element("div").classes("row"):
+                    ui.label(name).classes("grow")
+                    ui.button(
+                        "go", on_click=lambda name=name, to=positions: self._go(to, f"the motion to {name}")
+                    ).props(f'outline dense no-caps aria-label="go to {name}"')
+                    ui.button("\u00d7", on_click=lambda name=name: self._delete_pose(name)).props(
+                        f'flat dense aria-label="delete {name}"'
+                    )
+
+    async def _save_pose(self) -> None:
+        kept, arm = self._kept(), self._arm
+        if kept is None or arm is None:
+            return
+        try:
+            kept.save_pose(str(arm.info.id), str(self._name.value or ""), await arm.positions())
+        except JausError as error:
+            self._motion.problem = str(error)
+            return
+        self._motion.problem = ""
+        self._name.set_value("")
+        self._show_poses()
+
+    def _delete_pose(self, name: str) -> None:
+        kept, arm = self._kept(), self._arm
+        if kept is None or arm is None:
+            return
+        try:
+            kept.delete_pose(str(arm.info.id), name)
+        except JausError as error:
+            self._motion.problem = str(error)
+        self._show_poses()
+
+
+class _JointRow:
+    """One joint: its measured position as a mark, and a slider and a field for the wanted one."""
+
+    def __init__(self, joint: JointInfo, position: float) -> None:
+        self.touched = False
+        """True when the user has set the wanted position."""
+        self._low, self._high = joint.shown_range(position)
+        self._joint = joint
+        self._setting = False
+        self._at = math.nan
+        limited = math.isfinite(joint.lower) and math.isfinite(joint.upper)
+        ui.label(printable(joint.name)).classes("joint").tooltip(printable(joint.name))
+        self._now = ui.label("").classes("joint-value")
+        self._number = (
+            ui.number(value=round(position, 3), step=0.01, format="%.3f", on_change=self._entered)
+            .props(f'dense borderless input-class="text-right" aria-label="{printable(joint.name)}"')
+            .classes("joint-wanted")
+        )
+        with ui.element("div").classes("track" if limited else "track endless"):
+            self._mark = ui.element("i").classes("measured")
+            step = 0.01 if joint.is_revolute else 0.001
+            self._slider = ui.slider(
+                min=round(self._low, 3), max=round(self._high, 3), step=step, value=position, on_change=self._slid
+            )
+        self.measured(position)
+
+    @property
+    def wanted(self) -> float:
+        """Radians or metres."""
+        return float(self._number.value if self._number.value is not None else self._slider.value)
+
+    def measured(self, position: float) -> None:
+        """Show where the joint is; the wanted position follows unless the user has set it."""
+        if abs(position - self._at) <= 5e-4:
+            if self.touched or abs(self.wanted - position) <= NEAR:
+                return
+        else:
+            self._at = position
+            self._now.set_text(f"{round(position, 3) + 0.0:.3f} {self._joint.unit}")
+            share = (position - self._low) / (self._high - self._low)
+            self._mark.style(f"--at: {min(1.0, max(0.0, share)):.3f}")
+        if not self.touched and abs(self.wanted - position) > NEAR:
+            self._set(position)
+
+    def _set(self, value: float) -> None:
+        self._setting = True
+        self._slider.set_value(round(min(self._high, max(self._low, value)), 3))
+        self._number.set_value(round(value, 3))
+        self._setting = False
+
+    def _slid(self) -> None:
+        if not self._setting:
+            self.touched = True
+            self._set(float(self._slider.value))
+
+    def _entered(self) -> None:
+        if not self._setting and self._number.value is not None:
+            self.touched = True
+            self._set(float(self._number.value))
+
+
+def _slider(name: str, span: tuple[float, float, float], value: float, unit: str) -> ui.slider:
+    """A slider with its value in words; `span` is the least and greatest value and the step."""
+    low, high, step = span
+    with ui.element("div").classes("setting"):
+        label = ui.label().classes("hint")
+        slider = ui.slider(min=low, max=high, step=step, value=value).props(f'aria-label="{name}"')
+        label.bind_text_from(slider, "value", lambda number: f"{name} {number:g} {unit}")
+    return slider
+
+
+def _jog_button(text: str, axis: int, sign: int, key: str) -> None:
+    data = f'data-axis="{axis}" data-sign="{sign}"'
+    ui.html(f'<button type="button" class="jog-button" {data}>{text}<kbd>{key}</kbd></button>', sanitize=False)

@@ -1,0 +1,262 @@
+"""Settings of a camera and of the robot's lights, as the robot's capabilities have them: read, described, set."""
+
+from __future__ import annotations
+
+import asyncio
+import math
+from collections.abc import Awaitable, Iterable
+from contextlib import AbstractAsyncContextManager, nullcontext
+from dataclasses import dataclass, fields
+from typing import Any, Final
+
+from jauspy.errors import JausError, RequestError
+from jauspy.messages.environment_sensing.v2_0.digital_video import (
+    QueryDigitalVideoSensorCapabilitiesExt,
+    QueryDigitalVideoSensorConfiguration,
+    SetDigitalVideoSensorConfiguration,
+)
+from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
+    QueryH264VideoEncodingCapabilities,
+    QueryH264VideoEncodingConfiguration,
+    SetH264VideoEncodingConfiguration,
+)
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
+    ConfirmSensorConfiguration,
+    QueryVisualSensorCapabilities,
+    QueryVisualSensorConfiguration,
+    SetVisualSensorConfiguration,
+)
+from jauspy.messages.ugv import QueryIlluminationConfiguration, QueryIlluminationState, SetIlluminationState
+from jauspy.ocu.control import DEFAULT_AUTHORITY
+from jauspy.ocu.robot import ComponentClient
+from jauspy.ocu.service import ServiceClient
+from jauspy.platform.frame_sizes import FRAME_SIZES
+
+VIDEO: Final = "DigitalVideo"
+ENCODING: Final = "H264VideoEncoding"
+LENS: Final = "VisualSensor"
+LIGHTS: Final = "IlluminationService"
+LIGHT_CHECKS: Final = 5
+LIGHT_CHECK_INTERVAL: Final = 0.1
+"""Seconds between two looks whether a light has been switched: JAUS has no answer to a command that is ignored."""
+VARIABLE_LEVELS: Final = 15
+"""Highest level of a light that has levels."""
+
+_Lens = SetVisualSensorConfiguration
+_LENS_MODES: Final = (
+    ("zoom_mode", "zoom by", "zoom_modes", _Lens.ZoomMode),
+    ("focus_mode", "focus", "focus_modes", _Lens.FocusMode),
+    ("exposure_mode", "exposure", "exposure_modes", _Lens.ExposureMode),
+    ("metering_mode", "metering", "metering_modes", _Lens.MeteringMode),
+    ("light_sensitivity", "sensitivity", "light_sensitivity_levels", _Lens.LightSensitivity),
+    ("white_balance", "white balance", "white_balance", _Lens.WhiteBalance),
+    ("imaging_mode", "image", "imaging_modes", _Lens.ImagingMode),
+)
+"""Field of the configuration, label, bit field of the capabilities, and the numbers, in the order of the bits."""
+_PRESETS: Final = {0: "low latency", 1: "slow connection", 5: "best quality"}
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """One setting: a choice if it has `choices`, otherwise a number between `low` and `high`."""
+
+    service: str
+    field: str
+    label: str
+    value: float | int | None
+    choices: dict[int, str] | None = None
+    low: float = 0.0
+    high: float = 0.0
+    step: float = 1.0
+    unit: str = ""
+
+
+async def read_settings(component: ComponentClient, sensor: int = 1) -> tuple[list[Setting], list[str]]:
+    """The settings that the component offers for a sensor, with their present values; and what could not be read."""
+    readers = ((VIDEO, _read_video), (ENCODING, _read_encoding), (LENS, _read_lens), (LIGHTS, _read_lights))
+    offered = [(name, read) for name, read in readers if component.info.find(name)]
+    found = await asyncio.gather(*(_tried(read(component.service(name), sensor)) for name, read in offered))
+    return [each for settings, _ in found for each in settings], [said for _, said in found if said]
+
+
+async def _tried(reading: Awaitable[list[Setting]]) -> tuple[list[Setting], str]:
+    try:
+        return await reading, ""
+    except JausError as error:
+        return [], str(error)
+
+
+async def sensor_name(component: ComponentClient, sensor: int = 1) -> str:
+    """What the robot calls the sensor; that of the component when it does not tell."""
+    if component.info.find(LENS):
+        record = QueryVisualSensorCapabilities.QueryVisualSensorCapabilitiesRec(sensor, 0)
+        report = await component.service(LENS).query(QueryVisualSensorCapabilities([record]))
+        for each in report.visual_sensor_capabilities_list:
+            if str(each.sensor_name):
+                return str(each.sensor_name)
+    return component.info.name
+
+
+async def write_setting(
+    component: ComponentClient, setting: Setting, value: float, sensor: int = 1, authority: int = DEFAULT_AUTHORITY
+) -> None:
+    """Set it; control of the component is taken for that, unless it is held. Raises `JausError`, which says why not."""
+    service = component.service(setting.service)
+    control: AbstractAsyncContextManager[Any] = nullcontext()
+    if not component.is_controlled:
+        control = service.control(authority)
+    async with control:
+        if setting.service == LIGHTS:
+            await _switch_light(service, setting.field, round(value))
+        else:
+            await _configure(service, _request(setting, value, sensor))
+
+
+def _request(setting: Setting, value: float, sensor: int) -> Any:
+    number: Any = value if setting.service == LENS and setting.choices is None else round(value)
+    if setting.service == VIDEO:
+        video = SetDigitalVideoSensorConfiguration
+        both: dict[str, Any] = {"minimum_bit_rate": number, "maximum_bit_rate": number}
+        values = both if setting.field == "maximum_bit_rate" else {setting.field: number}
+        return video(video.RequestIdRec(1), [video.DigitalVideoSensorConfigurationRec(sensor, **values)])
+    if setting.service == ENCODING:
+        coding = SetH264VideoEncodingConfiguration
+        record = coding.H264ConfigurationRec(sensor, **{setting.field: number})
+        return coding(coding.RequestIdRec(1), [coding.H264ConfigurationSequence(record)])
+    return _Lens(_Lens.RequestIdRec(1), [_Lens.VisualSensorConfigurationRec(sensor, **{setting.field: number})])
+
+
+async def _configure(service: ServiceClient, request: Any) -> None:
+    answer = await service.query(request, expects=ConfirmSensorConfiguration)
+    for each in answer.confirm_sensor_list:
+        if (said := getattr(each, "error_message", None)) is not None:
+            raise RequestError(f"{service.id} refuses that: {said}")
+
+
+async def _switch_light(service: ServiceClient, name: str, level: int) -> None:
+    report = await service.query(QueryIlluminationState())
+    kind = SetIlluminationState.Illumination
+    present = {each.name: getattr(report.illumination, each.name) for each in fields(kind)}
+    await service.send(SetIlluminationState(kind(**{**present, name: level})), ack=True)
+    for _ in range(LIGHT_CHECKS):
+        report = await service.query(QueryIlluminationState())
+        if getattr(report.illumination, name) == level:
+            return
+        await asyncio.sleep(LIGHT_CHECK_INTERVAL)
+    raise RequestError(
+        f"{service.id} did not switch {name.replace('_', ' ')}; some robots do so in the state READY only"
+    )
+
+
+async def _rows(service: ServiceClient, *queries: Any) -> list[Any]:
+    """The first record of the list in each report; None where it is empty."""
+    reports = await asyncio.gather(*(service.query(each) for each in queries))
+    lists = (next(value for value in _values(report) if isinstance(value, list)) for report in reports)
+    return [next(iter(each), None) for each in lists]
+
+
+def _values(report: Any) -> Iterable[Any]:
+    """The values of the fields of a message."""
+    return (getattr(report, each.name) for each in fields(report))
+
+
+async def _read_video(service: ServiceClient, sensor: int) -> list[Setting]:
+    able, now = QueryDigitalVideoSensorCapabilitiesExt, QueryDigitalVideoSensorConfiguration
+    can, is_now = await _rows(
+        service,
+        able([able.QueryDigitalVideoSensorCapabilitiesRec(sensor, 0xFF)]),
+        now([now.QueryDigitalVideoConfigurationRec(sensor, 0xFF)]),
+    )
+    if can is None or is_now is None:
+        return []
+    found = []
+    if can.supported_frame_sizes is not None:
+        sizes = dict(zip(FRAME_SIZES, _bits(can.supported_frame_sizes), strict=False))
+        pixels = {int(size): FRAME_SIZES[size] for size, offered in sizes.items() if offered}
+        ordered = sorted(pixels, key=lambda size: (math.prod(pixels[size]), size))
+        choices = {size: "{} x {}".format(*pixels[size]) for size in ordered}
+        found.append(Setting(VIDEO, "frame_size", "size", is_now.frame_size, choices))
+    if can.maximum_frame_rate:
+        low, high = can.minimum_frame_rate or 1, can.maximum_frame_rate
+        found.append(Setting(VIDEO, "frame_rate", "pictures", is_now.frame_rate, None, low, high, 1, "/s"))
+    if can.maximum_bit_rate:
+        low, high = can.minimum_bit_rate or 0, can.maximum_bit_rate
+        rates = {rate: f"{rate / 1000:g} Mbit/s" for rate in (100, 250, 500, 1000, 2000, 4000, 8000, 16000, 32000)}
+        offered_rates = {rate: text for rate, text in rates.items() if low <= rate <= high}
+        if (present := is_now.maximum_bit_rate) is not None:
+            offered_rates.setdefault(present, f"{present / 1000:g} Mbit/s")
+        found.append(Setting(VIDEO, "maximum_bit_rate", "bit rate", present, dict(sorted(offered_rates.items()))))
+    return found
+
+
+async def _read_encoding(service: ServiceClient, sensor: int) -> list[Setting]:
+    able, now = QueryH264VideoEncodingCapabilities, QueryH264VideoEncodingConfiguration
+    can, is_now = await _rows(
+        service,
+        able([able.QueryH264VideoEncodingRec(sensor)]),
+        now([now.QueryH264VideoEncodingRec(sensor)]),
+    )
+    presets = getattr(can, "supported_presets", None)
+    if presets is None or is_now is None:
+        return []
+    offered = [number for number, bit in enumerate(_bits(presets)) if bit]
+    names = SetH264VideoEncodingConfiguration.Preset
+    known = {int(each): each.name.lower().replace("_", " ") for each in names} | _PRESETS
+    choices = {number: known[number] for number in offered if number in known}
+    record = getattr(is_now, "h264_configuration_rec", is_now)
+    return [Setting(ENCODING, "preset", "quality", record.preset, choices)]
+
+
+async def _read_lens(service: ServiceClient, sensor: int) -> list[Setting]:
+    able, now = QueryVisualSensorCapabilities, QueryVisualSensorConfiguration
+    can, is_now = await _rows(
+        service,
+        able([able.QueryVisualSensorCapabilitiesRec(sensor, 0xFFFF)]),
+        now([now.QueryVisualSensorConfigurationRec(sensor, 0xFFFF)]),
+    )
+    if can is None or is_now is None:
+        return []
+    found = []
+    for field, label, bits, numbers in _LENS_MODES:
+        offered = getattr(can, bits, None)
+        if offered is not None:
+            names = {int(each): each.name.lower().replace("_", " ") for each in numbers}
+            able_to = dict(zip(names, _bits(offered), strict=False))
+            choices = {number: name for number, name in names.items() if able_to.get(number)}
+            found.append(Setting(LENS, field, label, getattr(is_now, field), choices))
+    if is_now.zoom_level is not None and is_now.zoom_mode != _Lens.ZoomMode.OFF:
+        found.insert(0, Setting(LENS, "zoom_level", "zoom", is_now.zoom_level, None, 0, 100, 1, "%"))
+    if is_now.focus_value is not None and is_now.focus_mode == _Lens.FocusMode.MANUAL_FOCUS:
+        found.append(Setting(LENS, "focus_value", "focus, near to far", is_now.focus_value, None, 0, 100, 1, "%"))
+    exposure = _Lens.ExposureMode
+    if can.maximum_shutter_speed and is_now.exposure_mode in (exposure.MANUAL, exposure.SHUTTER_PRIORITY):
+        low, high = can.minimum_shutter_speed or 0.0, can.maximum_shutter_speed
+        found.append(Setting(LENS, "shutter_speed", "exposure time", is_now.shutter_speed, None, low, high, 0.001, "s"))
+    if can.maximum_aperture and is_now.exposure_mode in (exposure.MANUAL, exposure.APERTURE_PRIORITY):
+        low, high = can.minimum_aperture or 0.0, can.maximum_aperture
+        if high > low:
+            found.append(Setting(LENS, "aperture", "aperture", is_now.aperture, None, low, high, 0.1, "f"))
+    return [each for each in found if each.choices is None or len(each.choices) > 1]
+
+
+async def _read_lights(service: ServiceClient, _: int) -> list[Setting]:
+    can, is_now = await asyncio.gather(
+        service.query(QueryIlluminationConfiguration()), service.query(QueryIlluminationState())
+    )
+    types, state = next(iter(_values(can))), is_now.illumination
+    found = []
+    for each in fields(type(state)):
+        if each.name.startswith("reserved") or not getattr(types, each.name, 0):
+            continue
+        label = each.name.replace("_", " ").replace("light1", "light 1").replace("ir ", "infrared ")
+        value = int(getattr(state, each.name))
+        if each.name.startswith("variable"):
+            found.append(Setting(LIGHTS, each.name, label, value, None, 0, VARIABLE_LEVELS))
+        else:
+            found.append(Setting(LIGHTS, each.name, label, value, {0: "off", 1: "on"}))
+    return found
+
+
+def _bits(field: Any) -> list[int]:
+    """The bits of a bit field in their order, without those that are reserved."""
+    return [int(getattr(field, each.name)) for each in fields(field) if not each.name.startswith("reserved")]

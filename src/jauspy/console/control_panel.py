@@ -1,0 +1,128 @@
+"""The panel Control: who operates the robot; taking control, asking for it, handing it over, releasing it."""
+
+from __future__ import annotations
+
+from typing import Final
+
+from nicegui import ui
+
+from jauspy.console.operation import Operation
+from jauspy.console.server import Console
+from jauspy.console.users import LOCAL, User
+from jauspy.ocu.control import DEFAULT_AUTHORITY
+from jauspy.ocu.robot import Robot
+
+UPDATE_INTERVAL: Final = 0.4
+
+
+class ControlPanel:
+    """Control of the chosen robot, for one page, which `token` names."""
+
+    def __init__(self, console: Console, token: str, user: User) -> None:
+        self._console = console
+        self._token = token
+        self._user = user
+        self._robot: Robot | None = None
+        with ui.element("section").classes("panel").props('aria-label="Control"') as self._panel:
+            with ui.element("div").classes("row"):
+                ui.label("Control").classes("heading")
+                self._state = ui.label("").classes("state").props('role="status"')
+            with ui.element("div").classes("asked").props('role="alert"') as self._asked:
+                self._question = ui.label("")
+                with ui.element("div").classes("row"):
+                    ui.button("hand over", on_click=self._grant).props("unelevated no-caps")
+                    ui.button("refuse", on_click=self._refuse).props("outline no-caps")
+            with ui.element("div").classes("row start"):
+                highest = user.authority
+                self._authority = ui.number(
+                    "authority", value=min(DEFAULT_AUTHORITY, highest), min=0, max=highest, precision=0
+                ).props("dense outlined")
+                self._take = ui.button("take", on_click=self._take_control).props("unelevated no-caps")
+                self._ask = ui.button("ask", on_click=self._ask_for_control).props("unelevated no-caps")
+                self._release = ui.button("release", on_click=self._release_control).props("outline no-caps")
+            self._problem = ui.label("").classes("problem").props('role="alert"')
+        self._update()
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Show control of this robot."""
+        self._robot = robot
+        self._problem.set_text("")
+        self._update()
+
+    def close(self) -> None:
+        """The page has gone."""
+        self._robot = None
+
+    @property
+    def _operation(self) -> Operation | None:
+        return self._console.operation(self._robot.id) if self._robot is not None else None
+
+    def _update(self) -> None:
+        operation = self._operation
+        held = operation is not None and operation.is_controlled
+        mine = held and operation is not None and operation.operator == self._token
+        others = held and not mine
+        self._take.set_text("take over" if others else "take")
+        self._take.set_visibility(not mine)
+        self._ask.set_visibility(others)
+        self._release.set_visibility(mine)
+        self._authority.set_visibility(not mine)
+        request = operation.request if operation is not None else None
+        self._asked.set_visibility(mine and request is not None)
+        if operation is None:
+            self._state.set_text("")
+            for each in (self._take, self._ask):
+                each.set_enabled(False)
+            return
+        if mine and request is not None:
+            self._question.set_text(f"{_name(request.user)} asks for control, with authority {request.authority}.")
+        may = self._user.may_operate
+        self._take.set_enabled(may and operation.may_take_over(self._user, self._wanted))
+        self._ask.set_enabled(may and (request is None or request.token != self._token))
+        self._state.set_text(
+            "you operate this robot"
+            if mine
+            else f"{_name(operation.user)} operates it"
+            if held
+            else "observing"
+            if may
+            else f"observing ({self._user.role})"
+        )
+        if operation.problem:
+            self._problem.set_text(operation.problem)
+
+    @property
+    def _wanted(self) -> int:
+        return int(self._authority.value or 0)
+
+    async def _take_control(self) -> None:
+        if (operation := self._operation) is not None:
+            self._problem.set_text(await operation.take(self._token, self._wanted, self._user))
+            self._update()
+
+    async def _release_control(self) -> None:
+        operation = self._operation
+        if operation is not None and operation.operator == self._token:
+            await operation.release()
+            self._update()
+
+    def _ask_for_control(self) -> None:
+        if (operation := self._operation) is not None:
+            operation.ask(self._token, self._wanted, self._user)
+            self._problem.set_text(f"asked; {_name(operation.user)} has not answered yet")
+            self._update()
+
+    async def _grant(self) -> None:
+        if (operation := self._operation) is not None:
+            await operation.answer(self._token, grant=True)
+            self._update()
+
+    async def _refuse(self) -> None:
+        if (operation := self._operation) is not None:
+            await operation.answer(self._token, grant=False)
+            self._update()
+
+
+def _name(user: User) -> str:
+    return "another browser" if user == LOCAL else user.name

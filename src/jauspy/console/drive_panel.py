@@ -1,0 +1,86 @@
+"""The panel Drive: the stick, the limit of the speed, and where the robot is."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Final
+
+from nicegui import ui
+
+from jauspy.console.drive_modes import DriveModes
+from jauspy.console.server import Console
+from jauspy.errors import JausError
+from jauspy.ocu.robot import Robot
+from jauspy.ocu.state import RobotPose
+
+POSE_INTERVAL: Final = 0.2
+"""Seconds between two queries of the pose."""
+MAX_SPEED: Final = 1.5
+"""m/s that can be chosen as limit; the robot has limits of its own."""
+
+
+class DrivePanel:
+    """Driving the chosen robot, for one page, which `token` names; the keys and the stick are in console.js.
+
+    `open_map` shows where waypoints are set.
+    """
+
+    def __init__(self, console: Console, token: str, open_map: Callable[[], None]) -> None:
+        self._console = console
+        self._token = token
+        self._robot: Robot | None = None
+        with ui.element("section").classes("panel").props('aria-label="Drive"') as self._panel:
+            with ui.element("div").classes("row"):
+                ui.label("Drive").classes("heading")
+                ui.label("W A S D, arrows, stick, gamepad").classes("hint")
+            self._modes = DriveModes(console, token, open_map, self._show_limit)
+            with ui.element("div").classes("row"):
+                ui.html(
+                    '<div id="stick" role="img" aria-label="stick; drive by the keys W A S D or the arrows">'
+                    '<div id="stick-knob"></div></div>',
+                    sanitize=False,
+                )
+                with ui.element("div").classes("facts"):
+                    self._pose = ui.html("", sanitize=False)
+                    self._limit = ui.slider(min=0.1, max=MAX_SPEED, step=0.1, value=0.5, on_change=self._show_limit)
+                    self._limit.props('label aria-label="limit of the speed in m/s"')
+                    self._limit_text = ui.label("limit 0.5 m/s").classes("hint")
+            ui.html('<span id="drive-answer" class="problem" role="status"></span>', sanitize=False)
+        self.show(None)
+        ui.timer(POSE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Drive this robot; the panel is hidden if it cannot be driven."""
+        self._robot = robot
+        self._pose.set_content("")
+        services = ("PrimitiveDriver", "VelocityStateDriver")
+        drives = robot is not None and any(each.find(name) for each in robot.components for name in services)
+        self._panel.set_visibility(drives)
+        self._modes.show(robot)
+
+    def close(self) -> None:
+        """The page has gone."""
+        self._robot = None
+
+    def _show_limit(self) -> None:
+        self._limit_text.set_text(self._modes.limit_text(self._limit.value))
+
+    async def _update(self) -> None:
+        if self._robot is None:
+            return
+        operation = self._console.operation(self._robot.id)
+        if operation is not None and operation.operator == self._token:
+            operation.speed_limit = float(self._limit.value)
+        pose: RobotPose | None = None
+        with suppress(JausError):
+            pose = await self._robot.pose()
+        self._pose.classes(add="stale" if pose is None else "", remove="" if pose is None else "stale")
+        if pose is None:
+            return
+        heading = round(math.degrees(-pose.yaw)) % 360
+        self._pose.set_content(
+            f"<b>x {round(pose.x, 2) + 0.0:.2f} m, y {round(pose.y, 2) + 0.0:.2f} m</b><br>heading {heading}\u00b0<br>"
+            f"pitch {round(math.degrees(pose.pitch))}\u00b0, roll {round(math.degrees(pose.roll))}\u00b0"
+        )

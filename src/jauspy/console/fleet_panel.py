@@ -1,0 +1,152 @@
+"""The panel Fleet: robots and components with their states; of one component, on a click, its services and refusals."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import partial
+from typing import Final
+
+from nicegui import ui
+
+from jauspy.console.fields import fields_of
+from jauspy.console.fleet import NOTHING
+from jauspy.console.server import Console
+from jauspy.console.traffic import Line
+from jauspy.ids import JausID
+from jauspy.ocu.robot import Robot
+from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.printable import printable
+
+UPDATE_INTERVAL: Final = 0.4
+"""Seconds between two looks at the fleet."""
+OLD: Final = 1.5
+"""Seconds without an answer from which on a component shows how many they are."""
+MAX_REFUSALS: Final = 3
+COLOURS: Final = {"READY": "ready", "STANDBY": "standby", "EMERGENCY": "emergency", "FAILURE": "failure"}
+"""Classes of console.css; each state has a sign beside its colour, too."""
+SIGNS: Final = {"READY": "\u25b6", "STANDBY": "\u2016", "EMERGENCY": "\u26a0", "FAILURE": "\u2716", "silent": "?"}
+
+
+class FleetPanel:
+    """All robots, for one page; `choose` is called with the number of the one that is clicked."""
+
+    def __init__(self, console: Console, choose: Callable[[int], None]) -> None:
+        self._console = console
+        self._choose = choose
+        self._chosen: int | None = None
+        self._rows: dict[JausID, _Row] = {}
+        self._robots: dict[int, ui.element] = {}
+        self._listed: tuple[tuple[int, str, tuple[ComponentInfo, ...]], ...] = ()
+        ui.label("Fleet").classes("heading")
+        self._empty = ui.label("No robot answers yet.").classes("hint")
+        self._list = ui.element("div").classes("list")
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Mark the robot that the other panels show."""
+        self._chosen = robot.id if robot is not None else None
+        for id, element in self._robots.items():
+            element.classes(add="chosen" if id == self._chosen else "", remove="" if id == self._chosen else "chosen")
+
+    def _update(self) -> None:
+        robots = self._console.fleet.robots
+        listed = tuple((each.id, each.name, each.components) for each in robots.values())
+        if listed != self._listed:
+            self._listed = listed
+            self._empty.set_visibility(not robots)
+            self._build()
+        for row in self._rows.values():
+            row.update()
+
+    def _build(self) -> None:
+        is_open = {id for id, row in self._rows.items() if row.is_open}
+        self._list.clear()
+        self._rows, self._robots = {}, {}
+        with self._list:
+            for robot in self._console.fleet.robots.values():
+                with ui.element("div").classes("robot") as element:
+                    name = f"{robot.id}  {printable(robot.name)}"
+                    button = ui.button(name, on_click=partial(self._choose, robot.id), color=None)
+                    button.classes("name").props("flat no-caps dense align=left")
+                    for component in robot.components:
+                        self._rows[component.id] = _Row(self._console, component, is_open=component.id in is_open)
+                self._robots[robot.id] = element
+                if robot.id == self._chosen:
+                    element.classes("chosen")
+
+
+class _Row:
+    """One component."""
+
+    def __init__(self, console: Console, component: ComponentInfo, *, is_open: bool) -> None:
+        self._console = console
+        self._component = component
+        self.is_open = is_open
+        id = component.id
+        with (
+            ui.element("button")
+            .classes("component")
+            .props(f'type="button" aria-expanded="{str(is_open).lower()}"')
+            .on("click", self._toggle) as self._button
+        ):
+            ui.label(f"{id.node}.{id.component}").classes("id")
+            ui.label(printable(component.name) or "component").classes("component-name")
+            self._status = ui.label("").classes("chip")
+            self._controller = ui.label("").classes("controller")
+        self._details = ui.element("div").classes("component-details")
+        self._show_details()
+
+    def _toggle(self) -> None:
+        self.is_open = not self.is_open
+        self._button.props(f'aria-expanded="{str(self.is_open).lower()}"')
+        self._show_details()
+
+    def _show_details(self) -> None:
+        self._details.clear()
+        self._details.set_visibility(self.is_open)
+        if not self.is_open:
+            return
+        with self._details:
+            self._heard = ui.label("").classes("hint")
+            for each in self._component.services:
+                with ui.element("div").classes("service"):
+                    ui.label(each.short.rpartition(":")[2]).tooltip(each.short)
+                    ui.label(printable(each.version)).classes("hint")
+            refusals = self._refusals()
+            ui.label("refused" if refusals else "nothing was refused").classes("hint")
+            for text in refusals:
+                ui.label(text).classes("refusal")
+        self.update()
+
+    def update(self) -> None:
+        """Show the present state."""
+        fleet, id = self._console.fleet, self._component.id
+        state = fleet.states.get(id, NOTHING)
+        silent, age = fleet.is_silent(id), fleet.age(id)
+        status = "silent" if silent else state.status
+        old = f" {age:.0f} s" if OLD < age < 1e6 else ""
+        self._status.set_text(f"{SIGNS.get(status, '')} {status.lower()}{old}")
+        self._status.classes(replace=f"chip {COLOURS.get(status, 'other')}")
+        who = "" if silent or not state.controller else f"controlled by {self._who(state.controller)}"
+        self._controller.set_text(who)
+        self._controller.set_visibility(bool(who))
+        if self.is_open:
+            heard = "it has never answered" if age > 1e6 else f"last sign of life {age:.0f} s ago"
+            self._heard.set_text(f"{heard}, controlled with authority {state.authority}" if who else heard)
+
+    def _who(self, controller: str) -> str:
+        return "this console" if controller == str(self._console.ocu.id) else controller
+
+    def _refusals(self) -> list[str]:
+        """What the component refused, the newest first, and why."""
+        id = str(self._component.id)
+        lines = [each for each in self._console.traffic.lines(id, "refused") if each.source == id]
+        return [self._refusal(each) for each in lines[:MAX_REFUSALS]]
+
+    def _refusal(self, line: Line) -> str:
+        decoded = self._console.traffic.decoded(line)
+        if isinstance(decoded, str):
+            why = decoded
+        else:
+            why = ", ".join(f"{each.path.replace('_', ' ')}: {each.text}" for each in fields_of(decoded))
+        return printable(f"{line.time:%H:%M:%S} {line.name}: {why}")

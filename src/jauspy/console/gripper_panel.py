@@ -1,0 +1,156 @@
+"""The panel Gripper: fingers with force and opening, or a vacuum connector; part of the panel Arm."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Awaitable, Callable
+from typing import Final
+
+from nicegui import ui
+
+from jauspy.console.manipulators import CONNECTOR, operated
+from jauspy.console.motion import Motion
+from jauspy.console.server import Console
+from jauspy.errors import ConfigError, JausError
+from jauspy.messages.cell import QueryConnectorState, ReportConnectorState, SetConnector
+from jauspy.ocu.gripper import DRIVER, Gripper
+from jauspy.ocu.robot import Robot
+from jauspy.ocu.service import ServiceClient
+from jauspy.printable import printable
+
+UPDATE_INTERVAL: Final = 0.4
+"""Seconds between two looks at the fingers."""
+DEFAULT_SHARE: Final = 0.5
+"""Of the greatest force."""
+ALL_FIELDS: Final = 0xFFFF_FFFF
+
+
+class GripperPanel:
+    """The gripper of the chosen robot, for one page."""
+
+    def __init__(self, console: Console, token: str) -> None:
+        self._motion = Motion(console, token)
+        self._robot: Robot | None = None
+        self._gripper: Gripper | None = None
+        self._connector: ServiceClient | None = None
+        self._max_force: float | None = None
+        self._is_known = False
+        with ui.element("section").classes("panel gripper") as self._panel:
+            with ui.element("div").classes("row"):
+                ui.label("Gripper").classes("heading")
+                self._state = ui.label("").classes("hint grow")
+                self._open = ui.button("open", on_click=lambda: self._grip(close=False)).props("outline no-caps dense")
+                self._close = ui.button("close", on_click=lambda: self._grip(close=True)).props("outline no-caps dense")
+            with ui.element("div").classes("row"):
+                with ui.element("div").classes("setting") as self._force_part:
+                    self._force_text = ui.label("").classes("hint")
+                    self._force = ui.slider(min=1, max=100, step=1, value=50, on_change=self._show_force)
+                    self._force.props('aria-label="force"')
+                with ui.element("div").classes("setting") as self._opening_part:
+                    self._opening_text = ui.label("").classes("hint")
+                    self._opening = ui.slider(min=0.0, max=1.0, step=0.001, value=0.0, on_change=self._show_opening)
+                    self._opening.props('aria-label="opening"')
+                self._set = ui.button("set", on_click=self._open_to).props("outline no-caps dense")
+            self._problem = ui.label("").classes("problem").props('role="status"')
+        self._panel.set_visibility(False)
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Show the gripper of this robot; nothing if it has none, or several."""
+        self._motion.stop()
+        self._robot, self._gripper, self._connector, self._is_known = robot, None, None, False
+        if robot is not None and len(list(robot.info.offering(DRIVER))) == 1:
+            self._gripper = robot.gripper
+        elif robot is not None:
+            ids = set(operated(robot))
+            found = [each for each in robot.components if each.find(CONNECTOR) and str(each.id) in ids]
+            if len(found) == 1:
+                self._connector = robot.component(str(found[0].id)).service(CONNECTOR)
+        self._panel.set_visibility(self._gripper is not None or self._connector is not None)
+        self._force_part.set_visibility(self._gripper is not None)
+        self._opening_part.set_visibility(False)
+        self._set.set_visibility(False)
+        self._open.set_text("open" if self._connector is None else "release")
+        self._close.set_text("close" if self._connector is None else "attach")
+
+    def close(self) -> None:
+        """The page has gone."""
+        self._motion.stop()
+        self._robot = None
+
+    async def _update(self) -> None:
+        if self._robot is None or (self._gripper is None and self._connector is None):
+            return
+        may = not self._motion.refusal(self._robot.id) and not self._motion.is_running
+        for button in (self._open, self._close, self._set):
+            button.set_enabled(may)
+        self._problem.set_text(printable(self._motion.problem))
+        try:
+            if self._connector is not None:
+                self._state.set_text(await connector_state(self._connector))
+            elif self._gripper is not None:
+                await self._show_fingers(self._gripper)
+        except JausError as error:
+            self._state.set_text(printable(str(error)))
+
+    async def _show_fingers(self, gripper: Gripper) -> None:
+        if not self._is_known:
+            self._max_force, limits = await gripper.max_force(), await gripper.limits()
+            if self._max_force:
+                self._force.props(f"max={self._max_force:g}")
+                self._force.set_value(round(DEFAULT_SHARE * self._max_force))
+            low, high = next(iter(limits.values()), (0.0, math.inf))
+            if math.isfinite(high - low):
+                self._opening.props(f"min={low:g} max={high:g}")
+            self._opening_part.set_visibility(math.isfinite(high - low))
+            self._set.set_visibility(math.isfinite(high - low))
+            self._opening.set_value(next(iter((await gripper.joints()).positions.values()), low))
+            self._is_known = True
+            self._show_force()
+            self._show_opening()
+        joints = await gripper.joints()
+        at = ", ".join(f"{1000.0 * value:.0f} mm" for value in joints.positions.values())
+        self._state.set_text(f"fingers at {at}" if at else "does not tell its fingers")
+
+    def _show_force(self) -> None:
+        unit = "N" if self._max_force else "%"
+        self._force_text.set_text(f"force {self._force.value:g} {unit}")
+
+    def _show_opening(self) -> None:
+        self._opening_text.set_text(f"opening {1000.0 * self._opening.value:.0f} mm")
+
+    def _grip(self, *, close: bool) -> None:
+        value = float(self._force.value)
+        force, effort = (value, None) if self._max_force else (None, value)
+        gripper, connector = self._gripper, self._connector
+        what = "closing the gripper" if close else "opening the gripper"
+        if connector is not None:
+            self._begin(lambda: switch(connector, on=close), what)
+        elif gripper is not None:
+            self._begin(lambda: gripper.close(force=force, effort=effort) if close else gripper.open(), what)
+
+    def _open_to(self) -> None:
+        if (gripper := self._gripper) is not None:
+            self._begin(lambda: gripper.open_to(float(self._opening.value)), "setting the opening")
+
+    def _begin(self, act: Callable[[], Awaitable[object]], what: str) -> None:
+        async def run() -> None:
+            await act()
+
+        if self._robot is not None:
+            self._motion.begin(self._robot.id, run(), what)
+
+
+async def switch(connector: ServiceClient, *, on: bool) -> None:
+    """Run the pump of a vacuum connector, or let air in."""
+    await connector.send(SetConnector(1, SetConnector.Enabled(on)), ack=True)
+
+
+async def connector_state(connector: ServiceClient) -> str:
+    """What a vacuum connector holds, in words."""
+    report = await connector.query(QueryConnectorState(ALL_FIELDS, 1))
+    if not isinstance(report, ReportConnectorState):
+        raise ConfigError(f"{connector.id} does not tell its state")
+    if report.attached_to:
+        return printable(f"holds {report.attached_to}")
+    return printable(f"on, holds nothing: {report.error_text}" if report.enabled else "off")

@@ -1,0 +1,256 @@
+"""The arms of a robot as the console moves them: those of AS6057, and the modular arm of a factory cell."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Final, TypeAlias
+
+from jauspy.errors import ConfigError, JausError, RequestError
+from jauspy.messages.cell import (
+    HoldModularArm,
+    QueryModularArmSpecification,
+    QueryModularArmState,
+    ReportModularArmSpecification,
+    ReportModularArmState,
+)
+from jauspy.ocu.arm import POSE_DRIVER, POSE_SENSOR, POSITION_DRIVER, PROFILE, SPECIFICATION, VELOCITY_DRIVER
+from jauspy.ocu.joint_timing import MotionLimits
+from jauspy.ocu.robot import MOVING, Robot
+from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.printable import printable
+from jauspy.services.cell import motion_command
+
+MODULAR_ARM: Final = "cell:ModularArm"
+CONNECTOR: Final = "cell:VacuumConnector"
+GRACE_TIME: Final = 10.0
+"""Seconds that a motion of a modular arm may take beside its duration."""
+EASING: Final = 2.0
+"""Greatest speed of a modular arm's motion as a multiple of the mean one, rounded up."""
+
+Row: TypeAlias = tuple[float, Mapping[str, float]]
+"""Seconds of a way, and the positions at its end by joint."""
+
+
+@dataclass(frozen=True, slots=True)
+class JointInfo:
+    """A joint: radians or metres; limits are infinite where there are none."""
+
+    name: str
+    is_revolute: bool
+    lower: float
+    upper: float
+    motion: MotionLimits
+
+    @property
+    def unit(self) -> str:
+        """Of its positions."""
+        return "rad" if self.is_revolute else "m"
+
+    def shown_range(self, position: float) -> tuple[float, float]:
+        """The range of a slider: the limits, or the present turn of a joint without."""
+        turn = round(position / math.tau) * math.tau if self.is_revolute else round(position)
+        half = math.pi if self.is_revolute else 1.0
+        low = self.lower if math.isfinite(self.lower) else min(turn - half, self.upper - 2.0 * half)
+        return low, self.upper if math.isfinite(self.upper) else max(turn + half, low + 2.0 * half)
+
+
+class Manipulator(ABC):
+    """One arm, or another group of joints."""
+
+    def __init__(self, robot: Robot, info: ComponentInfo) -> None:
+        self.robot = robot
+        self.info = info
+
+    @property
+    def title(self) -> str:
+        """Its id and name."""
+        return f"{self.info.id}  {printable(self.info.name)}".rstrip()
+
+    @property
+    def has_tool(self) -> bool:
+        """True if its tool can be moved along and about axes."""
+        return False
+
+    @property
+    def has_speed(self) -> bool:
+        """True if its speed can be limited."""
+        return True
+
+    @abstractmethod
+    async def joints(self) -> tuple[JointInfo, ...]:
+        """Base to tip; joints of a modular arm come and go."""
+
+    @abstractmethod
+    async def positions(self) -> dict[str, float]:
+        """Measured, by joint."""
+
+    @abstractmethod
+    async def tool(self) -> str:
+        """Where the tool is, in words; empty if the arm does not tell."""
+
+    @abstractmethod
+    async def move(self, positions: Mapping[str, float], share: float) -> None:
+        """Move joints, with at most a share of their speeds, and wait until they are there."""
+
+    @abstractmethod
+    async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
+        """Move through rows; all are checked before anything moves."""
+
+    @abstractmethod
+    async def stop(self) -> None:
+        """Hold."""
+
+
+class StandardArm(Manipulator):
+    """An arm with the services of AS6057."""
+
+    def __init__(self, robot: Robot, info: ComponentInfo) -> None:
+        super().__init__(robot, info)
+        self.arm = robot.manipulator(str(info.id))
+
+    @property
+    def has_tool(self) -> bool:
+        """True if it takes velocities or poses of its tool and tells where that is."""
+        find = self.info.find
+        moves = find(VELOCITY_DRIVER) or find(POSE_DRIVER)
+        return bool(moves and find(POSE_SENSOR) and find(SPECIFICATION))
+
+    @property
+    def has_speed(self) -> bool:
+        """True if it takes motion profiles."""
+        return self.info.find(PROFILE) is not None
+
+    async def joints(self) -> tuple[JointInfo, ...]:
+        """As the robot describes them."""
+        table, limits = await self.arm.description(), await self.arm.motion_limits()
+        return tuple(
+            JointInfo(joint.name, joint.is_revolute, joint.lower, joint.upper, limits[joint.name])
+            for joint in table.joints
+        )
+
+    async def positions(self) -> dict[str, float]:
+        """Measured, by joint."""
+        return dict((await self.arm.joints()).positions)
+
+    async def tool(self) -> str:
+        """Position and attitude in the robot's frame."""
+        if not self.has_tool:
+            return ""
+        pose = await self.arm.tool()
+        degrees = (round(math.degrees(angle)) for angle in (pose.roll, pose.pitch, pose.yaw))
+        return _place((pose.x, pose.y, pose.z)) + "  \u00b7  {}\u00b0 {}\u00b0 {}\u00b0".format(*degrees)
+
+    async def move(self, positions: Mapping[str, float], share: float) -> None:
+        """Move joints, with at most a share of their speeds."""
+        speeds = {}
+        if share < 1.0 and self.has_speed:
+            limits = await self.arm.motion_limits()
+            speeds = {name: share * each.speed for name, each in limits.items() if math.isfinite(each.speed)}
+        await self.arm.move(positions, speed=speeds or None)
+
+    async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
+        """As a list, if the component takes one."""
+        await self.arm.follow(rows, progress=progress)
+
+    async def stop(self) -> None:
+        """Hold."""
+        await self.arm.stop()
+
+
+class ModularArm(Manipulator):
+    """The arm of a factory cell that is built of modules: joints appear with their power."""
+
+    def __init__(self, robot: Robot, info: ComponentInfo) -> None:
+        super().__init__(robot, info)
+        self._service = robot.component(str(info.id)).service(MODULAR_ARM)
+        self._speeds: dict[str, float] = {}
+
+    async def joints(self) -> tuple[JointInfo, ...]:
+        """Those that are attached now; they turn without end."""
+        names = [each.name for each in (await self._state()).joint_list]
+        if not self._speeds.keys() >= set(names):
+            report = await self._service.query(QueryModularArmSpecification())
+            assert isinstance(report, ReportModularArmSpecification)
+            self._speeds = {each.name: each.max_speed for each in report.joint_list}
+        return tuple(
+            JointInfo(name, True, -math.inf, math.inf, MotionLimits(self._speeds.get(name) or math.inf))
+            for name in names
+        )
+
+    async def positions(self) -> dict[str, float]:
+        """Measured, by joint."""
+        return {each.name: each.position for each in (await self._state()).joint_list}
+
+    async def tool(self) -> str:
+        """Position of the tip."""
+        state = await self._state()
+        rec = state.modular_arm_motion_rec
+        return _place((rec.tip_x, rec.tip_y, rec.tip_z)) if state.joint_list else ""
+
+    async def move(self, positions: Mapping[str, float], share: float) -> None:
+        """Move joints in the time that the slowest needs for this share of its speed."""
+        now = await self.positions()
+        ways = [abs(value - now[name]) / self._speeds.get(name, math.inf) for name, value in positions.items()]
+        await self._move(positions, EASING * max(ways) / share if share < 1.0 else 0.0)
+
+    async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
+        """One motion after another."""
+        known = {each.name for each in await self.joints()}
+        for number, (_, positions) in enumerate(rows, 1):
+            if missing := positions.keys() - known:
+                raise ConfigError(f"row {number}: there is no joint {sorted(missing)[0]!r} now")
+        try:
+            for number, (seconds, positions) in enumerate(rows):
+                progress(number)
+                await self._move(positions, seconds)
+        except BaseException:
+            await self.stop()
+            raise
+
+    async def stop(self) -> None:
+        """Hold."""
+        await self._service.send(HoldModularArm(), ack=True)
+
+    async def _state(self) -> ReportModularArmState:
+        report = await self._service.query(QueryModularArmState())
+        assert isinstance(report, ReportModularArmState)
+        return report
+
+    async def _move(self, positions: Mapping[str, float], duration: float) -> None:
+        names = [each.name for each in (await self._state()).joint_list]
+        if missing := positions.keys() - set(names):
+            raise ConfigError(f"there is no joint {sorted(missing)[0]!r} now")
+        command = motion_command([positions.get(name, math.nan) for name in names], duration)
+        try:
+            await self._service.perform(command, within=duration + GRACE_TIME)
+        except JausError as error:
+            said = (await self._state()).modular_arm_motion_rec.error
+            raise RequestError(printable(said) or str(error)) from error
+
+
+def manipulators(robot: Robot) -> dict[str, Manipulator]:
+    """The arms of a robot by the id of their components; those that move a tool first."""
+    found: list[Manipulator] = [
+        StandardArm(robot, each)
+        for each in robot.components
+        if each.find(POSITION_DRIVER) and not each.find(MODULAR_ARM)
+    ]
+    found += [ModularArm(robot, each) for each in robot.components if each.find(MODULAR_ARM)]
+    return {str(each.info.id): each for each in sorted(found, key=lambda arm: not arm.has_tool)}
+
+
+def operated(robot: Robot) -> list[str]:
+    """The components that an operator of the console controls: what moves the robot, a modular arm, and its gripper."""
+    arms = {each.id.node for each in robot.components if each.find(POSITION_DRIVER)}
+    return [
+        str(each.id)
+        for each in robot.components
+        if any(each.find(name) for name in (*MOVING, MODULAR_ARM)) or (each.find(CONNECTOR) and each.id.node in arms)
+    ]
+
+
+def _place(point: tuple[float, float, float]) -> str:
+    return "x {:.3f}  y {:.3f}  z {:.3f} m".format(*(round(value, 3) + 0.0 for value in point))

@@ -1,0 +1,189 @@
+"""What a robot looks like, for the browser: links, joints and shapes of its description, or what its services report.
+
+Poses are `[x, y, z, qx, qy, qz, qw]`; metres, radians, axes of REP-103.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any, Final
+
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
+from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, parse_tree
+from jauspy.geometry.vectors import X, Z, quaternion, rotation_about, rotation_from_quaternion
+from jauspy.ids import JausID
+from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
+
+MESH_FORMATS: Final = (".obj", ".stl", ".glb", ".gltf")
+"""Ends of the names of mesh files that browsers here read."""
+PLAIN: Final = (0.6, 0.62, 0.65, 1.0)
+"""Red, green, blue and opacity of a shape without a material."""
+BASE: Final = "base"
+"""The root link of a robot whose description is not known: the frame of its pose."""
+_IDENTITY: Final = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+
+
+@dataclass(slots=True)
+class RobotGeometry:
+    """One robot; `joints` are parents first."""
+
+    source: str
+    """Where it is from, in words."""
+    root: str
+    joints: list[dict[str, Any]] = field(default_factory=list)
+    shapes: list[dict[str, Any]] = field(default_factory=list)
+    meshes: list[Path] = field(default_factory=list)
+    """Files that shapes name by their place in this list."""
+    left_out: list[str] = field(default_factory=list)
+    """Meshes of formats that are not shown."""
+
+    @property
+    def moving(self) -> list[str]:
+        """The joints whose positions the browser is sent, in this order."""
+        return [each["name"] for each in self.joints if each["kind"] != JointKind.FIXED.value]
+
+    def for_browser(self, mesh_url: str) -> dict[str, Any]:
+        """As JSON; the URL of a mesh is `mesh_url` and its number."""
+        shapes = [
+            each | {"url": f"{mesh_url}{each['mesh']}", "format": self.meshes[each["mesh"]].suffix.lower()[1:]}
+            if each["kind"] == "mesh"
+            else each
+            for each in self.shapes
+        ]
+        return {"source": self.source, "root": self.root, "joints": self.joints, "shapes": shapes}
+
+
+def described(description: RobotDescription, source: str) -> RobotGeometry:
+    """The links, joints and visual shapes of a description; of a link without visual shapes, those that collide."""
+    tree = FrameTree(description)
+    found = RobotGeometry(source, tree.root, [_joint(each) for each in tree.joints])
+    root = parse_tree(description.urdf)
+    colours = {str(each.get("name")): colour for each in root.findall("material") if (colour := _colour(each))}
+    for link in root.findall("link"):
+        shapes = link.findall("visual") or link.findall("collision")
+        for shape in shapes:
+            _add_shape(found, str(link.get("name")), shape, colours)
+    return found
+
+
+def _joint(joint: Joint) -> dict[str, Any]:
+    kind = JointKind.REVOLUTE if joint.kind is JointKind.CONTINUOUS else joint.kind
+    return {
+        "name": joint.name,
+        "parent": joint.parent,
+        "child": joint.child,
+        "kind": kind.value,
+        "origin": _pose(Transform.from_pose(joint.origin)),
+        "axis": [round(each, 6) for each in joint.axis],
+    }
+
+
+def _add_shape(found: RobotGeometry, link: str, shape: Element, colours: Mapping[str, tuple[float, ...]]) -> None:
+    geometry, material = shape.find("geometry"), shape.find("material")
+    if geometry is None or not len(geometry):
+        return
+    colour = PLAIN if material is None else _colour(material) or colours.get(str(material.get("name")), PLAIN)
+    base = {"link": link, "origin": _pose(Transform.from_pose(origin(shape))), "colour": list(colour)}
+    kind = geometry[0]
+    match kind.tag:
+        case "box":
+            found.shapes.append(base | {"kind": "box", "size": numbers(kind, "size", 3)})
+        case "cylinder":
+            radius, length = numbers(kind, "radius", 1)[0], numbers(kind, "length", 1)[0]
+            found.shapes.append(base | {"kind": "cylinder", "radius": radius, "length": length})
+        case "sphere":
+            found.shapes.append(base | {"kind": "sphere", "radius": numbers(kind, "radius", 1)[0]})
+        case "mesh":
+            file = Path(str(kind.get("filename")))
+            if file.suffix.lower() not in MESH_FORMATS:
+                found.left_out.append(file.name)
+                return
+            if file not in found.meshes:
+                found.meshes.append(file)
+            scale = numbers(kind, "scale", 3, "1 1 1")
+            found.shapes.append(base | {"kind": "mesh", "mesh": found.meshes.index(file), "scale": scale})
+
+
+def _colour(material: Element) -> tuple[float, ...] | None:
+    colour = material.find("color")
+    return None if colour is None else numbers(colour, "rgba", 4)
+
+
+def reported(manipulators: Mapping[JausID, ReportManipulatorSpecifications]) -> RobotGeometry:
+    """The frames of the pose and of the arms, as their specifications (AS6057) tell them; a line along each link."""
+    arms = ", ".join(map(str, manipulators))
+    found = RobotGeometry(f"reported by {arms}" if arms else "its services report no shape", BASE)
+    for id, report in manipulators.items():
+        _add_arm(found, id, report)
+    return found
+
+
+def joint_name(component: JausID, number: int) -> str:
+    """The name of a joint, counted from 1, of a robot whose description is not known."""
+    return f"{component} joint {number}"
+
+
+def _add_arm(found: RobotGeometry, id: JausID, report: ReportManipulatorSpecifications) -> None:
+    first: Any = report.first_joint_parameters
+    place = report.manipulator_coordinate_system_rec
+    base = Transform() if place is None else JAUS_FROM_REP_103 @ _coordinate_system(place)
+    turns = hasattr(first, "joint1_offset")
+    rows: list[tuple[bool, float, float, float]] = [
+        (turns, 0.0, 0.0, first.joint1_offset if turns else first.joint1_angle)
+    ]
+    for each in report.joint_specification_list:
+        turns = hasattr(each, "joint_offset")
+        fixed = getattr(each, "joint_offset", None) if turns else getattr(each, "joint_angle", None)
+        rows.append((turns, each.link_length, each.twist_angle, float(fixed or 0.0)))
+    parent = BASE
+    for number, (turns, length, twist, fixed) in enumerate(rows, 1):
+        link = Transform(rotation_about(X, twist), (length, 0.0, 0.0))
+        rest = Transform(position=(0.0, 0.0, fixed)) if turns else Transform(rotation_about(Z, fixed))
+        frame = (base if number == 1 else Transform()) @ link @ rest
+        name = joint_name(id, number)
+        kind = JointKind.REVOLUTE if turns else JointKind.PRISMATIC
+        found.joints.append(
+            {
+                "name": name,
+                "parent": parent,
+                "child": name,
+                "kind": kind.value,
+                "origin": _pose(frame),
+                "axis": [0, 0, 1],
+            }
+        )
+        # the browser draws from the parent's origin to where this joint's frame is
+        found.shapes.append({"link": parent, "kind": "line", "to": name, "origin": _IDENTITY, "colour": list(PLAIN)})
+        parent = name
+
+
+def _coordinate_system(record: ManipulatorCoordinateSystemRec) -> Transform:
+    parts = (
+        record.d_component_of_unit_quaternion_q,
+        record.a_component_of_unit_quaternion_q,
+        record.b_component_of_unit_quaternion_q,
+        record.c_component_of_unit_quaternion_q,
+    )
+    point = (
+        record.manipulator_coordinate_sys_x,
+        record.manipulator_coordinate_sys_y,
+        record.manipulator_coordinate_sys_z,
+    )
+    return Transform(rotation_from_quaternion(*parts), point)
+
+
+def _pose(frame: Transform) -> list[float]:
+    d, a, b, c = quaternion(frame.rotation)
+    return [round(each, 6) + 0.0 for each in (*frame.position, a, b, c, d)]
+
+
+def positions_of(
+    geometry: RobotGeometry, description: RobotDescription | None, known: Mapping[str, float]
+) -> Sequence[float]:
+    """Positions of the joints in `moving`; those that follow others are computed, those not known are at zero."""
+    if description is None:
+        return [known.get(name, 0.0) for name in geometry.moving]
+    return [description.joint(name).position(known) for name in geometry.moving]

@@ -1,0 +1,188 @@
+"""A joint trajectory: rows of positions with the seconds of their ways; as a JSON file, and as a Python program."""
+
+from __future__ import annotations
+
+import json
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Annotated, Final
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from jauspy.console.manipulators import JointInfo, ModularArm, Row
+from jauspy.errors import ConfigError
+from jauspy.printable import printable
+
+MAX_ROWS: Final = 200
+MAX_JOINTS: Final = 64
+MAX_SECONDS: Final = 3600.0
+"""Of one row."""
+MAX_FILE: Final = 1 << 20
+"""Bytes of a file that is loaded."""
+DEFAULT_SECONDS: Final = 2.0
+_Name = Annotated[str, Field(min_length=1, max_length=255)]
+_Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
+
+
+class _RowModel(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+    seconds: Annotated[float, Field(ge=0.0, le=MAX_SECONDS, strict=True)]
+    positions: Annotated[list[_Finite], Field(max_length=MAX_JOINTS)]
+
+
+class _FileModel(BaseModel):
+    model_config = ConfigDict(extra="forbid")
+    robot: Annotated[str, Field(max_length=255)] = ""
+    joints: Annotated[list[_Name], Field(min_length=1, max_length=MAX_JOINTS)]
+    rows: Annotated[list[_RowModel], Field(max_length=MAX_ROWS)]
+
+
+@dataclass
+class TrajectoryRow:
+    """Seconds of the way to these positions; 0 is as fast as the limits allow."""
+
+    seconds: float
+    positions: list[float]
+
+
+@dataclass
+class Trajectory:
+    """What the editor shows; positions are in the order of `joints`, radians or metres."""
+
+    joints: tuple[str, ...] = ()
+    rows: list[TrajectoryRow] = field(default_factory=list)
+
+    def add(self, positions: Sequence[float], seconds: float = DEFAULT_SECONDS) -> None:
+        """Add a row at the end; raises `ConfigError` when there are too many."""
+        if len(self.rows) >= MAX_ROWS:
+            raise ConfigError(f"a trajectory has at most {MAX_ROWS} rows")
+        self.rows.append(TrajectoryRow(seconds, [round(value, 4) + 0.0 for value in positions]))
+
+    def move(self, index: int, by: int) -> None:
+        """Move a row up or down, if it can go there."""
+        if 0 <= index < len(self.rows) and 0 <= index + by < len(self.rows):
+            self.rows.insert(index + by, self.rows.pop(index))
+
+    def named(self) -> list[Row]:
+        """The rows as an arm takes them."""
+        return [(row.seconds, dict(zip(self.joints, row.positions, strict=True))) for row in self.rows]
+
+    def problem(self, joints: Sequence[JointInfo], now: dict[str, float], first: int = 1) -> str:
+        """Why an arm with these joints cannot follow the rows, the first of which has this number; empty if it can."""
+        known = {each.name: each for each in joints}
+        if not self.rows:
+            return "there are no rows: add the present positions first"
+        if missing := [name for name in self.joints if name not in known]:
+            return f"this arm has no joint {printable(missing[0])}, which the trajectory moves"
+        before = now
+        for number, (seconds, positions) in enumerate(self.named(), first):
+            for name, value in positions.items():
+                joint = known[name]
+                if not joint.lower <= value <= joint.upper:
+                    return (
+                        f"row {number}: {name} can be {joint.lower:.4g}..{joint.upper:.4g} {joint.unit}, not {value:g}"
+                    )
+                least = joint.motion.least_duration(value - before[name])
+                if seconds and seconds < least:
+                    return (
+                        f"row {number}: {name} needs at least {math.ceil(100 * least) / 100:.2f} s, not {seconds:g} s"
+                    )
+            before = {**before, **positions}
+        return ""
+
+    def to_json(self, robot: str) -> str:
+        """As a file."""
+        rows = [{"seconds": row.seconds, "positions": row.positions} for row in self.rows]
+        head = f'{{\n  "robot": {json.dumps(robot)},\n  "joints": {json.dumps(self.joints)},\n  "rows": [\n'
+        return head + ",\n".join(f"    {json.dumps(row)}" for row in rows) + "\n  ]\n}\n"
+
+    @classmethod
+    def from_json(cls, text: str | bytes, name: str = "the file") -> Trajectory:
+        """Read a file; raises `ConfigError` with what is wrong where."""
+        if len(text) > MAX_FILE:
+            raise ConfigError(f"{name}: has more than {MAX_FILE >> 20} MiB")
+        try:
+            data = _FileModel.model_validate_json(text)
+        except ValidationError as error:
+            first = error.errors()[0]
+            where = ".".join(map(str, first["loc"])) or "the whole"
+            raise ConfigError(f"{name}: {where}: {first['msg']}; see docs/console.md for the form") from None
+        if len(set(data.joints)) < len(data.joints):
+            raise ConfigError(f"{name}: joints: a name is there twice")
+        for number, row in enumerate(data.rows, 1):
+            if len(row.positions) != len(data.joints):
+                raise ConfigError(
+                    f"{name}: row {number} has {len(row.positions)} positions for {len(data.joints)} joints"
+                )
+        return cls(tuple(data.joints), [TrajectoryRow(row.seconds, list(row.positions)) for row in data.rows])
+
+    def program(self, subsystem: int, component: str, *, modular: bool) -> str:
+        """A Python program that moves the arm through the rows."""
+        rows = "\n".join(f"    ({row.seconds!r}, {tuple(row.positions)!r})," for row in self.rows)
+        joints = "\n".join(f"    {name!r}," for name in self.joints)
+        return _PROGRAM.format(
+            subsystem=subsystem,
+            component=component,
+            joints=joints,
+            rows=rows,
+            imports="\nfrom jauspy.messages.cell import QueryModularArmState" if modular else "",
+            more="\nfrom jauspy.services.cell import motion_command" if modular else "",
+            play=_PLAY_MODULAR if modular else _PLAY,
+        )
+
+
+def is_modular(arm: object) -> bool:
+    """True for the modular arm of a cell."""
+    return isinstance(arm, ModularArm)
+
+
+_PLAY: Final = '''
+async def play(robot):
+    """Move the arm through all rows."""
+    arm = robot.manipulator(ARM)
+    rows = [(seconds, dict(zip(JOINTS, positions, strict=True))) for seconds, positions in ROWS]
+    async with robot.control(ARM):
+        await arm.follow(rows, progress=lambda row: print(f"row {row + 1} of {len(rows)}"))
+'''
+_PLAY_MODULAR: Final = '''
+async def play(robot):
+    """Move the arm through all rows."""
+    arm = robot.component(ARM).service("ModularArm")
+    async with robot.control(ARM):
+        names = [joint.name for joint in (await arm.query(QueryModularArmState())).joint_list]
+        for number, (seconds, positions) in enumerate(ROWS, 1):
+            print(f"row {number} of {len(ROWS)}")
+            wanted = dict(zip(JOINTS, positions, strict=True))
+            command = motion_command([wanted.get(name, float("nan")) for name in names], seconds)
+            await arm.perform(command, within=seconds + 10.0)
+'''
+_PROGRAM: Final = '''"""Moves an arm through a trajectory that was made with the console of jauspy.
+
+    python this_file.py [NODE_MANAGER]        # as `--connect` of `jauspy ls`; by default the one of this machine
+"""
+
+import asyncio
+import sys
+
+from jauspy import OCU{imports}{more}
+
+SUBSYSTEM, ARM = {subsystem}, "{component}"
+JOINTS = (
+{joints}
+)
+ROWS = (  # seconds of the way (0: as fast as possible), and where it ends: radians or metres
+{rows}
+)
+
+{play}
+
+async def main(connect=None):
+    """Find the robot and play."""
+    async with OCU("42.9.2", connect) as ocu:
+        await play(await ocu.discover(SUBSYSTEM))
+
+
+if __name__ == "__main__":
+    asyncio.run(main(*sys.argv[1:2]))
+'''

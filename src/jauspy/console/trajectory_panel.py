@@ -1,0 +1,337 @@
+"""The tab Trajectory: rows of joint positions with times; play, step, stop, save, load, export as a program."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import partial
+from typing import Final
+
+from nicegui import ui
+from nicegui.events import UploadEventArguments, ValueChangeEventArguments
+
+from jauspy.console.kept import Kept, checked_name
+from jauspy.console.manipulators import JointInfo, Manipulator, manipulators
+from jauspy.console.motion import Motion
+from jauspy.console.server import Console
+from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular
+from jauspy.errors import ConfigError, JausError
+from jauspy.ocu.robot import Robot
+from jauspy.printable import printable
+
+UPDATE_INTERVAL: Final = 0.25
+"""Seconds between two looks at the motion."""
+DEFAULT_NAME: Final = "trajectory"
+
+
+class TrajectoryPanel:
+    """The editor of one page, which `token` names."""
+
+    def __init__(self, console: Console, token: str) -> None:
+        self._console = console
+        self._robot: Robot | None = None
+        self._arms: dict[str, Manipulator] = {}
+        self._joints: tuple[JointInfo, ...] = ()
+        self._rows: list[ui.element] = []
+        self._next = 0
+        """The row that the next step moves to."""
+        self._active = -1
+        self._problem_here = ""
+        self._motion = Motion(console, token)
+        self.trajectory = Trajectory()
+        with ui.element("div").classes("choice"):
+            self._choice = ui.select({}, label="arm", on_change=self._choose).props("dense outlined options-dense")
+            self._choice.classes("wide")
+            self._name = ui.input("name", value=DEFAULT_NAME).props("dense outlined").classes("wide")
+            self._kept = ui.select([], label="saved on the server", on_change=self._load)
+            self._kept.props("dense outlined options-dense").classes("wide")
+            ui.button("save", on_click=self._save).props("outline no-caps")
+            ui.button("delete", on_click=self._delete).props("flat no-caps")
+        self._table = ui.element("div").classes("rows").props('role="table"')
+        self._problem = ui.label("").classes("problem").props('role="status"')
+        with ui.element("div").classes("row"):
+            self._add = ui.button("add present positions", on_click=self._add_present).props("outline no-caps")
+            self._progress = ui.label("").classes("hint grow")
+            self._play = ui.button("play", on_click=self._play_all).props("unelevated no-caps")
+            self._step = ui.button("step", on_click=self._play_one).props("outline no-caps")
+            self._stop = ui.button("stop", on_click=self._motion.stop).props("outline no-caps color=negative")
+        with ui.element("div").classes("row"):
+            ui.label("0 s: as fast as the limits allow").classes("hint grow")
+            self._upload = ui.upload(on_upload=self._upload_file, auto_upload=True, max_file_size=MAX_FILE)
+            self._upload.props('accept=".json"').classes("hidden")
+            pick = f"() => getElement({self._upload.id}).pickFiles()"
+            ui.button("upload").props("outline no-caps dense").on("click", js_handler=pick)
+            ui.button("download", on_click=self._download).props("outline no-caps dense")
+            ui.button("export as Python", on_click=self._export).props("outline no-caps dense")
+        self._render()
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Offer the arms of this robot."""
+        self._motion.stop()
+        self._robot = robot
+        self._arms = manipulators(robot) if robot is not None else {}
+        self._choice.set_options({id: arm.title for id, arm in self._arms.items()}, value=next(iter(self._arms), None))
+        self._show_kept()
+
+    def close(self) -> None:
+        """The page has gone."""
+        self._motion.stop()
+        self._robot = None
+
+    @property
+    def _arm(self) -> Manipulator | None:
+        return self._arms.get(str(self._choice.value))
+
+    async def _choose(self) -> None:
+        """Another arm: rows of other joints are of no use for it."""
+        self._motion.stop()
+        arm, self._problem_here = self._arm, ""
+        try:
+            self._joints = await arm.joints() if arm is not None else ()
+        except JausError as error:
+            self._joints, self._problem_here = (), str(error)
+        if self.trajectory.joints != tuple(each.name for each in self._joints):
+            self._take(Trajectory(tuple(each.name for each in self._joints)))
+
+    # --- rows -------------------------------------------------------------------------------------------------------
+
+    def _take(self, trajectory: Trajectory) -> None:
+        self.trajectory = trajectory
+        self._next, self._active = 0, -1
+        self._render()
+
+    def _render(self) -> None:
+        self._table.clear()
+        self._rows = []
+        joints, units = self.trajectory.joints, {each.name: each.unit for each in self._joints}
+        self._table.style(f"--joints: {len(joints)}")
+        with self._table:
+            with ui.element("div").classes("line head").props('role="row"'):
+                for text in ("", "s", *joints):
+                    unit = f" [{units[text]}]" if text in units else ""
+                    ui.label(printable(text)).classes("joint").tooltip(f"{printable(text)}{unit}")
+            if not self.trajectory.rows:
+                ui.label("Move the arm, then add its present positions as a row.").classes("hint empty")
+            for index, row in enumerate(self.trajectory.rows):
+                with ui.element("div").classes("line").props('role="row"') as line:
+                    self._rows.append(line)
+                    ui.button(str(index + 1), on_click=lambda index=index: self._start_at(index)).props(
+                        f'flat dense aria-label="next is row {index + 1}"'
+                    )
+                    _field(row.seconds, f"seconds of row {index + 1}", partial(_set_time, row))
+                    for number, name in enumerate(joints):
+                        label = f"{printable(name)} of row {index + 1}"
+                        _field(
+                            row.positions[number],
+                            label,
+                            partial(_set_position, row, number),
+                        )
+                    with ui.element("div").classes("acts"):
+                        for sign, what in (
+                            ("\u2191", "up"),
+                            ("\u2193", "down"),
+                            ("\u21bb", "present"),
+                            ("\u00d7", "delete"),
+                        ):
+                            act = ui.button(sign, on_click=lambda index=index, what=what: self._change(index, what))
+                            act.props(f'flat dense aria-label="{_ACTS[what]} row {index + 1}"').tooltip(_ACTS[what])
+        self._mark()
+
+    def _mark(self) -> None:
+        for index, line in enumerate(self._rows):
+            line.classes(
+                add=" ".join(("active" if index == self._active else "", "next" if index == self._next else "")),
+                remove=" ".join(("" if index == self._active else "active", "" if index == self._next else "next")),
+            )
+
+    def _start_at(self, index: int) -> None:
+        self._next = index
+        self._mark()
+
+    async def _change(self, index: int, what: str) -> None:
+        rows = self.trajectory.rows
+        if self._motion.is_running or index >= len(rows):
+            return
+        if what == "delete":
+            del rows[index]
+        elif what == "present":
+            positions = await self._present()
+            if positions is not None:
+                rows[index].positions = positions
+        else:
+            self.trajectory.move(index, -1 if what == "up" else 1)
+        self._next = min(self._next, max(0, len(rows) - 1))
+        self._render()
+
+    async def _present(self) -> list[float] | None:
+        arm = self._arm
+        if arm is None:
+            self._problem_here = "this robot has no arm"
+            return None
+        try:
+            now = await arm.positions()
+        except JausError as error:
+            self._problem_here = str(error)
+            return None
+        if not self.trajectory.rows:
+            self._joints = await arm.joints()
+            self.trajectory.joints = tuple(now)
+        if missing := [name for name in self.trajectory.joints if name not in now]:
+            self._problem_here = f"the arm has no joint {missing[0]} now"
+            return None
+        return [round(now[name], 3) + 0.0 for name in self.trajectory.joints]
+
+    async def _add_present(self) -> None:
+        self._problem_here = self._motion.problem = ""
+        positions = await self._present()
+        if positions is None:
+            return
+        try:
+            self.trajectory.add(positions)
+        except ConfigError as error:
+            self._problem_here = str(error)
+        self._render()
+
+    # --- playing ----------------------------------------------------------------------------------------------------
+
+    async def _play_all(self) -> None:
+        await self._begin(0, len(self.trajectory.rows))
+
+    async def _play_one(self) -> None:
+        if await self._begin(self._next, self._next + 1):
+            self._next = (self._next + 1) % max(1, len(self.trajectory.rows))
+            self._mark()
+
+    async def _begin(self, start: int, end: int) -> bool:
+        """Play these rows; False, with a problem shown, if nothing moves."""
+        arm, trajectory = self._arm, self.trajectory
+        self._problem_here = self._motion.problem = ""
+        if arm is None or self._robot is None:
+            self._problem_here = "this robot has no arm"
+            return False
+        part = Trajectory(trajectory.joints, trajectory.rows[start:end])
+        try:
+            problem = part.problem(await arm.joints(), await arm.positions(), start + 1)
+        except JausError as error:
+            problem = str(error)
+        if problem:
+            self._problem_here = problem
+            return False
+        self._motion.begin(arm.robot.id, self._play_rows(arm, part, start), "the trajectory")
+        return not self._motion.problem
+
+    async def _play_rows(self, arm: Manipulator, part: Trajectory, start: int) -> None:
+        def progress(number: int) -> None:
+            self._active = start + number
+
+        try:
+            await arm.follow(part.named(), progress)
+        finally:
+            self._active = -1
+
+    def _update(self) -> None:
+        running = self._motion.is_running
+        refused = self._motion.refusal(self._robot.id) if self._robot is not None else "no robot"
+        self._play.set_enabled(not running and not refused)
+        self._step.set_enabled(not running and not refused)
+        self._stop.set_enabled(running)
+        self._mark()
+        total = sum(row.seconds for row in self.trajectory.rows)
+        count = len(self.trajectory.rows)
+        rows = f"{count} row{'' if count == 1 else 's'}, {total:g} s"
+        self._progress.set_text(f"row {self._active + 1} of {count}" if running and self._active >= 0 else rows)
+        said = self._problem_here or self._motion.problem or (f"to play: {refused}" if refused and count else "")
+        self._problem.set_text(printable(said))
+
+    # --- files ------------------------------------------------------------------------------------------------------
+
+    def _folder(self) -> Kept | None:
+        return None if self._robot is None else Kept(self._robot.id, self._robot.name)
+
+    def _show_kept(self) -> None:
+        folder = self._folder()
+        self._kept.set_options(folder.trajectories() if folder is not None else [], value=None)
+
+    def _text(self) -> str:
+        return self.trajectory.to_json(self._robot.name if self._robot is not None else "")
+
+    def _save(self) -> None:
+        folder, self._problem_here = self._folder(), ""
+        if folder is None:
+            return
+        try:
+            folder.save_trajectory(str(self._name.value or ""), self._text())
+        except ConfigError as error:
+            self._problem_here = str(error)
+            return
+        self._show_kept()
+
+    def _load(self) -> None:
+        folder, name = self._folder(), self._kept.value
+        if folder is None or not name:
+            return
+        self._problem_here = ""
+        try:
+            self._take(folder.trajectory(str(name)))
+        except ConfigError as error:
+            self._problem_here = str(error)
+            return
+        self._name.set_value(str(name))
+
+    def _delete(self) -> None:
+        folder = self._folder()
+        if folder is not None:
+            try:
+                folder.delete_trajectory(str(self._name.value or ""))
+            except (ConfigError, OSError) as error:
+                self._problem_here = str(error)
+        self._show_kept()
+
+    async def _upload_file(self, event: UploadEventArguments) -> None:
+        self._problem_here = ""
+        try:
+            self._take(Trajectory.from_json(await event.file.read(), printable(event.file.name)))
+        except ConfigError as error:
+            self._problem_here = str(error)
+        self._upload.reset()
+
+    def _download(self) -> None:
+        ui.download.content(self._text(), f"{self._file_name()}.json", "application/json")
+
+    def _export(self) -> None:
+        arm = self._arm
+        if arm is None or not self.trajectory.rows:
+            self._problem_here = "there are no rows to export"
+            return
+        program = self.trajectory.program(arm.robot.id, str(arm.info.id), modular=is_modular(arm))
+        ui.download.content(program, f"{self._file_name()}.py", "text/x-python")
+
+    def _file_name(self) -> str:
+        try:
+            return checked_name(str(self._name.value or "")).replace(" ", "_")
+        except ConfigError:
+            return DEFAULT_NAME
+
+
+_ACTS: Final = {
+    "up": "move up",
+    "down": "move down",
+    "present": "set to the present positions:",
+    "delete": "delete",
+}
+
+
+def _field(value: float, label: str, on_change: Callable[[ValueChangeEventArguments[float | None]], None]) -> None:
+    field = ui.number(value=value, step=0.01, format="%.3f", on_change=on_change)
+    field.props(f'dense borderless hide-bottom-space input-class="text-right" aria-label="{label}"')
+
+
+def _set_time(row: TrajectoryRow, event: ValueChangeEventArguments[float | None]) -> None:
+    if event.value is not None and 0.0 <= event.value <= MAX_SECONDS:
+        row.seconds = float(event.value)
+
+
+def _set_position(row: TrajectoryRow, number: int, event: ValueChangeEventArguments[float | None]) -> None:
+    if event.value is not None and math.isfinite(event.value):
+        row.positions[number] = float(event.value)

@@ -1,0 +1,174 @@
+"""The users of the console: names, roles and hashes of passwords, in a file that `jauspy console user` edits."""
+
+from __future__ import annotations
+
+import os
+import re
+import stat
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Annotated, Final
+
+from cryptography.exceptions import InvalidKey
+from cryptography.hazmat.primitives.kdf.argon2 import Argon2id
+from pydantic import BaseModel, ConfigDict, Field, ValidationError
+
+from jauspy.config_errors import explain
+from jauspy.errors import ConfigError
+from jauspy.protocol.seal import DEFAULT_ROLES
+from jauspy.user_files import parse_toml, read_file
+
+NAME: Final = re.compile(r"[A-Za-z0-9_-]{1,32}")
+MIN_PASSWORD: Final = 8
+MAX_PASSWORD: Final = 256
+MEMORY_COST: Final = 64 * 1024
+"""KiB; with the iterations and lanes the second recommendation of RFC 9106, section 4."""
+ITERATIONS: Final = 3
+LANES: Final = 4
+_HASH: Final = re.compile(
+    r"\$argon2id\$v=19\$m=(?P<memory>\d{1,7}),t=(?P<iterations>\d{1,2}),p=(?P<lanes>\d{1,2})"
+    r"\$[A-Za-z0-9+/]{11,}\$[A-Za-z0-9+/]{22,}"
+)
+MAX_MEMORY_COST: Final = 1 << 20
+"""KiB that a hash of the file may cost."""
+HEADING: Final = "# Users of the console in the browser; `jauspy console user` edits this file.\n"
+
+
+@dataclass(frozen=True, slots=True)
+class User:
+    """Who may use the console, and the highest authority of JAUS that his role gives; 0 may only look and stop."""
+
+    name: str
+    role: str
+    authority: int
+
+    @property
+    def may_operate(self) -> bool:
+        """False for those who may only look, and stop robots."""
+        return self.authority > 0
+
+
+LOCAL: Final = User("local", "supervisor", 255)
+"""Everybody at a console without a login, which serves its own machine only."""
+
+
+class _UserConfig(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    role: str
+    password: str
+
+
+class _UsersConfig(BaseModel):
+    model_config = ConfigDict(extra="forbid", frozen=True)
+
+    roles: Mapping[str, Annotated[int, Field(ge=0, le=255)]] = {}
+    users: Mapping[str, _UserConfig] = {}
+
+
+class Users:
+    """The users of a file; raises `ConfigError` that names what is wrong in it."""
+
+    def __init__(self, path: Path) -> None:
+        try:
+            mode = path.stat().st_mode
+        except OSError as error:
+            raise ConfigError(f"users: {path}: cannot be read: {error.strerror}") from error
+        if mode & stat.S_IWOTH:
+            raise ConfigError(f"{path}: all users may change it; do: chmod o-w {path}")
+        config = _parsed(path, read_file(path))
+        roles = {**DEFAULT_ROLES, **config.roles}
+        self._found: dict[str, tuple[User, str]] = {}
+        for name, each in config.users.items():
+            if each.role not in roles:
+                raise ConfigError(f"{path}: users.{name}.role = {each.role!r}; the roles are: {', '.join(roles)}")
+            if not _is_hash(each.password):
+                raise ConfigError(
+                    f"{path}: users.{name}.password is not a hash (Argon2id); make one: jauspy console user add {name}"
+                )
+            self._found[name] = (User(name, each.role, roles[each.role]), each.password)
+        self._nobody = hashed("nobody has this password")
+
+    def __len__(self) -> int:
+        return len(self._found)
+
+    def __iter__(self) -> Iterator[User]:
+        return (user for user, _ in self._found.values())
+
+    def verified(self, name: str, password: str) -> User | None:
+        """The user if the password is his. It takes 0.1 to 0.5 s and 64 MiB, for names that do not exist, too."""
+        user, expected = self._found.get(name, (None, self._nobody))
+        try:
+            Argon2id.verify_phc_encoded(password[:MAX_PASSWORD].encode("utf-8", "replace"), expected)
+        except (InvalidKey, ValueError):
+            return None
+        return user
+
+
+def hashed(password: str) -> str:
+    """The hash of a password with a salt of its own, in the PHC format."""
+    kdf = Argon2id(salt=os.urandom(16), length=32, iterations=ITERATIONS, lanes=LANES, memory_cost=MEMORY_COST)
+    text: str = kdf.derive_phc_encoded(password.encode())
+    return text
+
+
+def add_user(path: Path, name: str, role: str, password: str) -> bool:
+    """Write a user to the file, which is made if it does not exist; true if he replaces one of that name."""
+    if not NAME.fullmatch(name):
+        raise ConfigError(f"{name!r} is not a name of a user: 1 to 32 letters, digits, _ and -")
+    if not MIN_PASSWORD <= len(password) <= MAX_PASSWORD:
+        raise ConfigError(f"a password has {MIN_PASSWORD} to {MAX_PASSWORD} characters")
+    text = read_file(path).decode("utf-8", "replace") if path.exists() else HEADING
+    roles = {**DEFAULT_ROLES, **_parsed(path, text.encode()).roles}
+    if role not in roles:
+        raise ConfigError(f"--role {role}: the roles are: {', '.join(roles)}")
+    rest = _without(text, name)
+    _write(path, f'{rest.rstrip()}\n\n[users.{name}]\nrole = "{role}"\npassword = "{hashed(password)}"\n')
+    return rest != text
+
+
+def remove_user(path: Path, name: str) -> None:
+    """Remove a user from the file; raises `ConfigError` if he is not in it."""
+    text = read_file(path).decode("utf-8", "replace")
+    rest = _without(text, name)
+    if rest == text:
+        raise ConfigError(f"{path}: there is no user {name!r}; list them: jauspy console user ls")
+    _write(path, rest)
+
+
+def _without(text: str, name: str) -> str:
+    """The file without the table of a user: its lines up to the next table or comment."""
+    kept, leaving_out = [], False
+    for line in text.splitlines(keepends=True):
+        if line.startswith(("[", "#")):
+            leaving_out = line.strip() == f"[users.{name}]"
+        if not leaving_out:
+            kept.append(line)
+    return "".join(kept)
+
+
+def _write(path: Path, text: str) -> None:
+    """Replace the file as a whole; only its owner may read it."""
+    _parsed(path, text.encode())
+    new = path.with_name(f"{path.name}.new")
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with os.fdopen(os.open(new, os.O_WRONLY | os.O_CREAT | os.O_TRUNC, 0o600), "w", encoding="utf-8") as stream:
+            stream.write(text)
+        new.replace(path)
+    except OSError as error:
+        raise ConfigError(f"cannot write {path}: {error.strerror}") from error
+
+
+def _parsed(path: Path, data: bytes) -> _UsersConfig:
+    try:
+        return _UsersConfig.model_validate(parse_toml(data, str(path)))
+    except ValidationError as error:
+        problems = "\n".join(f"  {explain(each, _UsersConfig)}" for each in error.errors(include_url=False))
+        raise ConfigError(f"{path}: is not a file of users of the console:\n{problems}") from error
+
+
+def _is_hash(text: str) -> bool:
+    found = _HASH.fullmatch(text)
+    return found is not None and 8 * int(found["lanes"]) <= int(found["memory"]) <= MAX_MEMORY_COST

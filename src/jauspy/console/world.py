@@ -1,0 +1,464 @@
+"""What the tab World shows of one robot: pose, joints, track, scans and the map, followed while a browser watches."""
+
+from __future__ import annotations
+
+import asyncio
+import contextlib
+import math
+import struct
+import zlib
+from collections import Counter, deque
+from collections.abc import AsyncGenerator, Awaitable, Callable, Iterable, Mapping, Sequence
+from contextlib import aclosing
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from functools import partial
+from importlib.util import find_spec
+from typing import TYPE_CHECKING, Any, Final
+
+from jauspy.codec.message import Message
+from jauspy.console.reports import reports_of
+from jauspy.console.robot_geometry import RobotGeometry, described, joint_name, positions_of, reported
+from jauspy.console.route import Route
+from jauspy.errors import ConfigError, JausError
+from jauspy.geometry.poses import PlanarPose
+from jauspy.geometry.urdf import RobotDescription
+from jauspy.ids import JausID
+from jauspy.messages.description import QueryJointDescription, ReportJointDescription
+from jauspy.messages.manipulator import (
+    QueryJointPositions,
+    QueryManipulatorSpecifications,
+    QueryPanTiltJointPositions,
+    ReportJointPositions,
+    ReportManipulatorSpecifications,
+    ReportPanTiltJointPositions,
+)
+from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
+from jauspy.ocu import OCU
+from jauspy.ocu.joints import DESCRIPTION, PAN_TILT_SENSOR, POSITION_SENSOR, SPECIFICATION, JointTable, table_of
+from jauspy.ocu.robot import Robot
+from jauspy.ocu.state import RobotPose, pose_of
+from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.printable import printable
+
+if TYPE_CHECKING:
+    from jauspy.mapping.live import LiveMapping
+
+RATE: Final = 10.0
+"""Hz of poses, joint positions, and of the messages to browsers."""
+SCAN_RATE: Final = 4.0
+"""Hz of scans: the map needs one each 0.1 m."""
+TRACK_STEP: Final = 0.05
+"""Metres between points of the track."""
+MAX_TRACK: Final = 5000
+"""Points of the track; older ones are dropped."""
+MAX_RAYS: Final = 1500
+"""Rays of a scan that browsers get, evenly spread."""
+MAX_CLOUD: Final = 20_000
+"""Points of a cloud that browsers get, evenly spread."""
+RETRY_INTERVAL: Final = 2.0
+"""Seconds until a service is asked again that did not answer."""
+UNKNOWN: Final = 255
+"""A cell of which nothing is known; others are 0..100, the probability in percent that it is occupied."""
+MAP, SCAN, CLOUD = 1, 2, 3
+"""The first byte of binary messages to browsers."""
+_MAP_HEADER: Final = struct.Struct("<BxHHxxfff")
+"""Kind, columns, rows, x and y of the lower left corner, side of a cell: then the cells, rows along y, deflated."""
+_SCAN_HEADER: Final = struct.Struct("<Bxxxf")
+"""Kind, height in metres: then x and y of each echo in centimetres (int16), in the robot's frame."""
+_CLOUD_HEADER: Final = struct.Struct("<BBHI")
+"""Kind, values of a point, bytes of the link's name, padding after it, and the number of points: then float32."""
+
+
+class World:
+    """One robot; `robot` returns it as it was discovered last, or None. `sources` are addresses of its point clouds."""
+
+    def __init__(
+        self,
+        ocu: OCU,
+        robot: Callable[[], Robot | None],
+        files: Iterable[str] = (),
+        clouds: Iterable[str] = (),
+    ) -> None:
+        self.pose: RobotPose | None = None
+        self.pose_time = -math.inf
+        """When the pose was received: seconds of the event loop's clock."""
+        self.positions: dict[str, float] = {}
+        """Of the joints that are reported."""
+        self.track: deque[tuple[float, float]] = deque(maxlen=MAX_TRACK)
+        self.track_total = 0
+        """Points of the track so far, those that were dropped too."""
+        self.scan = b""
+        self.scans = 0
+        self.clouds: dict[str, bytes] = {}
+        """The latest cloud of each address, as browsers get it."""
+        self.clouds_total = 0
+        self.mapping: LiveMapping | None = None
+        self.route = Route(ocu, robot, lambda: self.pose)
+        """Its waypoints."""
+        self.problems: dict[str, str] = {}
+        """Why something is not there, by what it is."""
+        self._ocu = ocu
+        self._robot = robot
+        self._files = tuple(files)
+        self._cloud_addresses = list(clouds)
+        self._geometry: RobotGeometry | None = None
+        self._description: RobotDescription | None = None
+        self._tables: dict[JausID, JointTable] = {}
+        self._loading = asyncio.Lock()
+        self._watchers: set[object] = set()
+        self._following: list[asyncio.Task[None]] = []
+        self._reading_joints: list[asyncio.Task[None]] = []
+        self._map = (0, b"")
+
+    # --- who watches ------------------------------------------------------------------------------------------------
+
+    async def watched_by(self, watcher: object) -> RobotGeometry:
+        """Follow the robot; its joints until `unwatched_by`, pose and map until `close`. Returns what it looks like."""
+        geometry = await self.geometry()
+        self._watchers.add(watcher)
+        if not self._following:
+            self._following = [self._start("pose", self._follow_pose), self._start("map", self._follow_map)]
+            self._following += [
+                self._start(f"cloud {each}", partial(self._follow_cloud, each)) for each in self._cloud_addresses
+            ]
+        if not self._reading_joints:
+            self._reading_joints = [
+                self._start(f"joints of {each.id}", partial(self._follow_joints, each))
+                for each in self._found().components
+                if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR)
+            ]
+        return geometry
+
+    def unwatched_by(self, watcher: object) -> None:
+        """A browser does not show the tab any more."""
+        self._watchers.discard(watcher)
+        if not self._watchers:
+            for task in self._reading_joints:
+                task.cancel()
+            self._reading_joints = []
+
+    async def close(self) -> None:
+        """End everything. May be called twice."""
+        tasks = self._following + self._reading_joints
+        self._following, self._reading_joints = [], []
+        for task in tasks:
+            task.cancel()
+        if tasks:
+            await asyncio.wait(tasks)
+
+    def _start(self, what: str, follow: Callable[[], Awaitable[None]]) -> asyncio.Task[None]:
+        async def following() -> None:
+            try:
+                await follow()
+            except JausError as error:
+                self.problems[what] = str(error)
+
+        return asyncio.create_task(following(), name=f"console: {what}")
+
+    def _found(self) -> Robot:
+        robot = self._robot()
+        if robot is None:
+            raise ConfigError("the robot has gone")
+        return robot
+
+    # --- what it looks like -----------------------------------------------------------------------------------------
+
+    async def geometry(self) -> RobotGeometry:
+        """From the description of a robot of this name, if its joints are those that are reported; else as reported."""
+        async with self._loading:
+            if self._geometry is None:
+                robot = self._found()
+                self._tables = await self._read_tables(robot)
+                names = {joint.name for table in self._tables.values() for joint in table.joints}
+                found = await asyncio.to_thread(_known, robot.name, self._files, names)
+                if found is not None:
+                    self._description = found.description
+                    self._geometry = described(found.description, found.source)
+                    self.positions = found.start | self.positions
+                    self._cloud_addresses += [each for each in found.clouds if each not in self._cloud_addresses]
+                else:
+                    self._geometry = reported(await self._read_specifications(robot))
+            return self._geometry
+
+    async def _read_tables(self, robot: Robot) -> dict[JausID, JointTable]:
+        found = {}
+        for each in robot.components:
+            with contextlib.suppress(JausError):  # its joints are read later, or not shown
+                if (table := await self._read_table(each)) is not None:
+                    found[each.id] = table
+        return found
+
+    async def _read_table(self, component: ComponentInfo) -> JointTable | None:
+        """How the component calls and counts its joints; None if it does not tell."""
+        if not component.find(DESCRIPTION):
+            return None
+        report = await self._ocu.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
+        return table_of(report)
+
+    async def _read_specifications(self, robot: Robot) -> dict[JausID, ReportManipulatorSpecifications]:
+        found = {}
+        for each in robot.components:
+            if each.find(SPECIFICATION):
+                with contextlib.suppress(JausError):
+                    query = QueryManipulatorSpecifications()
+                    found[each.id] = await self._ocu.query(each.id, query, expects=ReportManipulatorSpecifications)
+        return found
+
+    # --- following --------------------------------------------------------------------------------------------------
+
+    async def _follow(
+        self, what: str, component: ComponentInfo, query: Message, take: Callable[[Message], None]
+    ) -> None:
+        while True:
+            try:
+                async with aclosing(self._reports(component, query)) as reports:
+                    async for report in reports:
+                        self.problems.pop(what, None)
+                        take(report)
+            except JausError as error:
+                self.problems[what] = str(error)
+            await asyncio.sleep(RETRY_INTERVAL)
+
+    def _reports(self, component: ComponentInfo, query: Message) -> AsyncGenerator[Message, None]:
+        return reports_of(self._ocu, component.id, query, RATE, events=component.find("Events") is not None)
+
+    async def _follow_pose(self) -> None:
+        sensor = "mobility:LocalPoseSensor"
+        component = next((each for each in self._found().components if each.find(sensor)), None)
+        if component is None:
+            self.problems["pose"] = f"this robot does not tell its pose: it offers no {sensor}"
+            return
+        await self._follow("pose", component, QueryLocalPose(), self._take_pose)
+
+    def _take_pose(self, report: Message) -> None:
+        assert isinstance(report, ReportLocalPose)
+        self.pose, self.pose_time = pose_of(report, datetime.now(UTC)), asyncio.get_running_loop().time()
+        here = (self.pose.x, self.pose.y)
+        if not self.track or math.dist(here, self.track[-1]) >= TRACK_STEP:
+            self.track.append(here)
+            self.track_total += 1
+
+    async def _follow_joints(self, component: ComponentInfo) -> None:
+        query = QueryJointPositions() if component.find(POSITION_SENSOR) else QueryPanTiltJointPositions()
+
+        def take(report: Message) -> None:
+            self._take_joints(component.id, report)
+
+        what = f"joints of {component.id}"
+        while component.id not in self._tables and component.find(DESCRIPTION):
+            try:
+                if (table := await self._read_table(component)) is not None:
+                    self._tables[component.id] = table
+            except JausError as error:
+                self.problems[what] = str(error)
+                await asyncio.sleep(RETRY_INTERVAL)
+        await self._follow(what, component, query, take)
+
+    def _take_joints(self, id: JausID, report: Message) -> None:
+        if isinstance(report, ReportJointPositions):
+            values = [float(each.joint_position.value) for each in report.joint_position_list]
+        else:
+            assert isinstance(report, ReportPanTiltJointPositions)
+            values = [report.joint1_position, report.joint2_position]
+        if self._description is None:
+            self.positions.update({joint_name(id, number): value for number, value in enumerate(values, 1)})
+        elif (table := self._tables.get(id)) is not None and len(table.joints) == len(values):
+            self.positions.update(table.from_reported(values))
+
+    async def _follow_map(self) -> None:
+        """Map while the robot is known; one robot without a lidar has no map."""
+        if not any(each.find("environmentSensing:RangeSensor") for each in self._found().components):
+            self.problems["map"] = "this robot has no range sensor, so there is no map"
+            return
+        if find_spec("numpy") is None:
+            self.problems["map"] = "the map needs numpy: pip install 'jauspy[map]'"
+            return
+        from jauspy.mapping.live import LiveMapping  # noqa: PLC0415 - needs numpy
+        from jauspy.mapping.mapper import Mapper  # noqa: PLC0415 - needs numpy
+
+        mapper = Mapper()
+        while True:
+            try:
+                self.mapping = LiveMapping(
+                    self._found(), mapper, threaded=True, rate=SCAN_RATE, on_scan=self._take_scan
+                )
+                self.problems.pop("map", None)
+                await self.mapping.run()
+            except JausError as error:
+                self.problems["map"] = str(error)
+            await asyncio.sleep(RETRY_INTERVAL)
+
+    def _take_scan(self, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]) -> None:
+        step = max(1, math.ceil(len(ranges) / MAX_RAYS))
+        values: list[int] = []
+        for angle, far in list(zip(angles, ranges, strict=True))[::step]:
+            if math.isfinite(far) and far > 0.0:
+                turned = lidar.yaw + angle
+                x, y = lidar.x + far * math.cos(turned), lidar.y + far * math.sin(turned)
+                values += (_centimetres(x), _centimetres(y))
+        height = self.mapping.lidar_height if self.mapping is not None else 0.0
+        self.scan = _SCAN_HEADER.pack(SCAN, height) + struct.pack(f"<{len(values)}h", *values)
+        self.scans += 1
+
+    async def _follow_cloud(self, address: str) -> None:
+        if find_spec("pynng") is None:
+            self.problems["cloud"] = "point clouds need pynng: pip install 'jauspy[cloud]'"
+            return
+        from jauspy.cloud.socket import CloudSubscriber  # noqa: PLC0415 - needs pynng
+
+        with CloudSubscriber(address) as subscriber:
+            while True:
+                if not self._watchers:
+                    await asyncio.sleep(0.5)
+                    continue
+                cloud = await asyncio.to_thread(subscriber.receive, 0.5)
+                if cloud is not None:
+                    self.clouds[address] = _cloud_bytes(cloud.points, cloud.values, cloud.frame)
+                    self.clouds_total += 1
+
+    # --- for browsers -----------------------------------------------------------------------------------------------
+
+    def state(self, sent_track: int) -> dict[str, Any]:
+        """What has changed all the time; of the track, the points after the first `sent_track`."""
+        assert self._geometry is not None
+        new = min(len(self.track), self.track_total - sent_track)
+        pose = self.pose
+        state: dict[str, Any] = {
+            "joints": [round(each, 4) for each in positions_of(self._geometry, self._description, self.positions)],
+            "track": [[round(each, 2) for each in point] for point in list(self.track)[-new:]] if new else [],
+        }
+        if pose is not None:
+            state["pose"] = [round(each, 4) for each in (pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw)]
+            age = asyncio.get_running_loop().time() - self.pose_time
+            if age > 1.0:
+                state["age"] = round(age)
+        if self.mapping is not None and self.mapping.mapper.path:
+            drift = self.mapping.mapper.correction.inverse()
+            state["map"] = [round(each, 4) for each in drift]
+        return state
+
+    def notes(self) -> list[str]:
+        """What is not there and why, and which scans are not in the map."""
+        counted = Counter(self.mapping.counters) if self.mapping is not None else Counter[str]()
+        counted.pop("scans", None)
+        left_out = ", ".join(f"{count} {reason}" for reason, count in counted.items())
+        return [*self.problems.values(), *([f"not in the map: {left_out}"] if left_out else [])]
+
+    @property
+    def map_version(self) -> int:
+        """Changes with the map; 0 without one."""
+        return len(self.mapping.mapper.path) if self.mapping is not None else 0
+
+    async def map_message(self) -> bytes:
+        """The known part of the map, as browsers get it; made once for all of them."""
+        version = self.map_version
+        if self.mapping is not None and self._map[0] != version:
+            data = await asyncio.to_thread(_map_bytes, self.mapping)
+            self._map = (version, data)
+        return self._map[1]
+
+
+@dataclass(frozen=True, slots=True)
+class _Known:
+    """A robot whose file is on this machine."""
+
+    description: RobotDescription
+    source: str
+    start: dict[str, float]
+    """Where joints are that no service reports."""
+    clouds: list[str]
+    """Addresses."""
+
+
+def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
+    """The robot of this name, if it has these joints; None for one that is not known here."""
+    from jauspy.modules import robot_files  # noqa: PLC0415 - it takes a second
+
+    for each in (*files, *(known for known in robot_files.known() if known == name)):
+        try:
+            config = robot_files.load(each)
+            if config.name != name:
+                continue
+            model = robot_files.robot_model(config)
+        except ConfigError:
+            continue  # what the robot reports is shown
+        if joints <= set(model.description.joints):
+            groups = model.groups.values()
+            start = {joint: at for group in groups for joint, at in zip(group.joints, group.start, strict=True)}
+            addresses = [cloud.address for cloud in config.clouds]
+            return _Known(model.description, f"description of {printable(each)}", start, addresses)
+    return None
+
+
+def _centimetres(value: float) -> int:
+    return max(-32768, min(32767, round(100.0 * value)))
+
+
+def _map_bytes(mapping: LiveMapping) -> bytes:
+    import numpy as np  # noqa: PLC0415 - comes with the extra `map`
+
+    grid = mapping.mapper.grid
+    odds = grid.log_odds.copy()
+    known = odds != 0.0
+    rows, columns = np.flatnonzero(known.any(axis=1)), np.flatnonzero(known.any(axis=0))
+    if not len(rows):
+        return b""
+    top, left = int(rows[0]), int(columns[0])
+    window = np.s_[top : rows[-1] + 1, left : columns[-1] + 1]
+    cells = np.where(known[window], np.rint(100.0 / (1.0 + np.exp(-odds[window]))), UNKNOWN).astype(np.uint8)
+    low = [grid.low + first * grid.resolution for first in (left, top)]
+    header = _MAP_HEADER.pack(MAP, cells.shape[1], cells.shape[0], *low, grid.resolution)
+    return header + zlib.compress(cells.tobytes(), 1)
+
+
+def _cloud_bytes(points: bytes, values: int, frame: str) -> bytes:
+    size = 4 * values
+    count = len(points) // size
+    step = max(1, math.ceil(count / MAX_CLOUD))
+    kept = b"".join(points[at : at + size] for at in range(0, count * size, step * size)) if step > 1 else points
+    name = frame.encode()[:1000]
+    name += b" " * (-len(name) % 4)
+    return _CLOUD_HEADER.pack(CLOUD, values, len(name), len(kept) // size) + name + kept
+
+
+class Worlds:
+    """The worlds of all robots, each made when a browser first looks at it and closed with the last page that did."""
+
+    def __init__(self, ocu: OCU, robots: Callable[[], Mapping[int, Robot]]) -> None:
+        self.files: tuple[str, ...] = ()
+        """Robot files (TOML) beside those that come with jauspy."""
+        self.clouds: Mapping[int, Sequence[str]] = {}
+        """Addresses of point clouds, by subsystem."""
+        self._ocu = ocu
+        self._robots = robots
+        self._worlds: dict[int, World] = {}
+        self._pages: dict[int, set[str]] = {}
+
+    def get(self, subsystem: int) -> World | None:
+        """The world of a robot that somebody has looked at."""
+        return self._worlds.get(subsystem)
+
+    def opened(self, subsystem: int, token: str) -> World | None:
+        """The world of a robot, for the page with this token; None when there is no such robot."""
+        if subsystem not in self._worlds:
+            if subsystem not in self._robots():
+                return None
+            world = World(self._ocu, lambda: self._robots().get(subsystem), self.files, self.clouds.get(subsystem, ()))
+            self._worlds[subsystem] = world
+        self._pages.setdefault(subsystem, set()).add(token)
+        return self._worlds[subsystem]
+
+    async def forget(self, token: str) -> None:
+        """The page has gone; what nobody has open any more ends."""
+        for subsystem, pages in list(self._pages.items()):
+            pages.discard(token)
+            if not pages:
+                del self._pages[subsystem]
+                await self._worlds.pop(subsystem).close()
+
+    async def close(self) -> None:
+        """End all. May be called twice."""
+        for world in self._worlds.values():
+            await world.close()
+        self._worlds, self._pages = {}, {}

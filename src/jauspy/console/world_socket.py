@@ -1,0 +1,99 @@
+"""The connection of a browser to what the tab World shows: geometry, state, map, scans and clouds of one robot."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+from collections.abc import Awaitable, Callable
+from typing import Final
+
+from fastapi import FastAPI, HTTPException, WebSocket, WebSocketDisconnect
+from starlette.responses import FileResponse
+
+from jauspy.console.world import RATE, World, Worlds
+from jauspy.errors import JausError
+
+MAP_INTERVAL: Final = 1.0
+"""Seconds between two maps to one browser."""
+CLOUD_INTERVAL: Final = 0.5
+
+Accept = Callable[[WebSocket, str], Awaitable[bool]]
+"""Accepts the socket of a page with this token; False for a stranger, whose socket is closed."""
+
+
+def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[str], bool]) -> None:
+    """Add the socket, which is open while the tab is visible, and the files of meshes."""
+
+    @app.websocket("/ws/world/{subsystem}/{token}")
+    async def world(page: WebSocket, subsystem: int, token: str) -> None:
+        if not await accept(page, token):
+            return
+        found = worlds.opened(subsystem, token)
+        if found is None:
+            await page.close(4404, "there is no such robot")
+            return
+        await _serve(page, found, f"/world/mesh/{subsystem}/{token}/")
+
+    @app.get("/world/mesh/{subsystem}/{token}/{number}")
+    async def mesh(subsystem: int, token: str, number: int) -> FileResponse:
+        found = worlds.get(subsystem)
+        if found is None or not is_page(token):
+            raise HTTPException(404)
+        meshes = (await found.geometry()).meshes
+        if not 0 <= number < len(meshes) or not meshes[number].is_file():
+            raise HTTPException(404)
+        return FileResponse(meshes[number], headers={"Cache-Control": "private, max-age=3600"})
+
+
+async def _serve(page: WebSocket, world: World, mesh_url: str) -> None:
+    """Send until the browser leaves: a slow one gets fewer messages, never older ones."""
+    watcher = object()
+    leaving = asyncio.create_task(_until_closed(page))
+    try:
+        geometry = await world.watched_by(watcher)
+        await page.send_text(json.dumps({"model": geometry.for_browser(mesh_url), "left_out": geometry.left_out}))
+        await _send_states(page, world, leaving)
+    except (WebSocketDisconnect, RuntimeError):
+        return
+    except JausError as error:
+        await page.close(4404, str(error)[:100])
+    finally:
+        leaving.cancel()
+        world.unwatched_by(watcher)
+
+
+async def _send_states(page: WebSocket, world: World, leaving: asyncio.Task[None]) -> None:
+    clock = asyncio.get_running_loop().time
+    before, notes = "", list[str]()
+    track = map_version = scans = clouds = 0
+    map_due = cloud_due = 0.0
+    while not leaving.done():
+        began = clock()
+        state = world.state(track)
+        track = world.track_total
+        if notes != (now := world.notes()):
+            state["notes"] = notes = now
+        text = json.dumps(state, separators=(",", ":"))
+        if text != before:
+            await page.send_text(text)
+            before = text
+        if world.scans != scans:
+            scans = world.scans
+            await page.send_bytes(world.scan)
+        if world.map_version != map_version and began >= map_due:
+            map_version, map_due = world.map_version, began + MAP_INTERVAL
+            if message := await world.map_message():
+                await page.send_bytes(message)
+        if world.clouds_total != clouds and began >= cloud_due:
+            clouds, cloud_due = world.clouds_total, began + CLOUD_INTERVAL
+            for cloud in list(world.clouds.values()):
+                await page.send_bytes(cloud)
+        await asyncio.wait({leaving}, timeout=max(0.0, began + 1.0 / RATE - clock()))
+
+
+async def _until_closed(page: WebSocket) -> None:
+    try:
+        while True:
+            await page.receive_text()
+    except (WebSocketDisconnect, RuntimeError):
+        return

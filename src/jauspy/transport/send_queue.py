@@ -1,0 +1,217 @@
+"""Bounded queues for datagrams that cannot be sent yet: by priority, and each sender in turn."""
+
+from __future__ import annotations
+
+import time
+from collections import OrderedDict, deque
+from collections.abc import Callable
+from itertools import islice
+from typing import Final, TypeAlias
+
+from jauspy.protocol import judp, junior
+from jauspy.protocol.counters import Counters
+from jauspy.transport.age import MAX_AGE
+
+MAX_QUEUED: Final = 512
+MAX_QUEUED_BYTES: Final = 4 << 20
+"""Messages of 64 kB would need too much memory at `MAX_QUEUED`."""
+DATAGRAM_OVERHEAD: Final = 128
+"""Bytes that Python needs for a queued datagram besides its own."""
+PRIORITIES: Final = 4
+PRIORITY_SHARE: Final = 1 / 8
+"""Of a queue, for each priority: a flood of urgent packets does not displace all others."""
+LOW_PRIORITY_TURN: Final = 16
+"""Every 16th datagram is one of the lowest priority, so that these are late, but not starved."""
+MAX_CANDIDATES: Final = 8
+"""Flows that are compared with the one that was longest lately, to find the one that loses a datagram."""
+_CONTROL_PRIORITY: Final = PRIORITIES - 1
+_ENDS: Final = slice(5, 13)
+"""The ids of destination and source in a datagram with one packet."""
+
+_Entry: TypeAlias = tuple[bytes, float]
+_Send: TypeAlias = Callable[[bytes], object]
+
+
+class QueueMemory:
+    """Bounds the memory of several queues together to `limit` bytes.
+
+    When there is too much, the largest queue loses a datagram (`SendQueue.drop_one`), which is counted.
+    """
+
+    def __init__(self, limit: int, counters: Counters) -> None:
+        self.bytes = 0
+        self._limit = limit
+        self._counters = counters
+        self._queues: set[SendQueue] = set()
+
+    def resize(self, queue: SendQueue, by: int) -> None:
+        """Note that a queue has grown or shrunk by so many bytes."""
+        self.bytes += by
+        if queue:
+            self._queues.add(queue)
+        else:
+            self._queues.discard(queue)
+
+    def trim(self, queue: SendQueue) -> None:
+        """Drop what is too much, after this queue has grown."""
+        while self.bytes > self._limit:
+            average = self.bytes / len(self._queues)
+            largest = queue if queue.bytes >= average else max(self._queues, key=lambda each: each.bytes)
+            largest.drop_one()
+            self._counters.drop("queue_memory", "the queues of all destinations are too long")
+
+
+class _Flows:
+    """Datagrams of one priority: those between the same two components in order, and of each such pair one in turn."""
+
+    def __init__(self) -> None:
+        self.length = 0
+        self._flows: OrderedDict[bytes, deque[_Entry]] = OrderedDict()
+        self._longest = b""
+        """The pair that has, or lately had, most."""
+
+    def append(self, datagram: bytes, now: float) -> None:
+        """Append a datagram, with the time."""
+        ends = datagram[_ENDS]
+        flow = self._flows.get(ends)
+        if flow is None:
+            flow = self._flows[ends] = deque()
+        flow.append((datagram, now))
+        self.length += 1
+        if len(flow) > len(self._flows.get(self._longest, ())):
+            self._longest = ends
+
+    def peek(self) -> bytes:
+        """The datagram whose turn it is."""
+        return next(iter(self._flows.values()))[0][0]
+
+    def pop(self) -> bytes:
+        """Remove the datagram whose turn it is."""
+        ends = next(iter(self._flows))
+        self._flows.move_to_end(ends)
+        return self._remove(ends)
+
+    def pop_excess(self) -> bytes:
+        """Remove the oldest datagram of a pair that has many."""
+        candidates = [*islice(self._flows, MAX_CANDIDATES), *((self._longest,) if self._longest in self._flows else ())]
+        return self._remove(max(candidates, key=lambda ends: len(self._flows[ends])))
+
+    def pop_stale(self, oldest: float) -> list[bytes]:
+        """Remove commands from before `oldest` that may not be late."""
+        found: list[bytes] = []
+        for ends, flow in [*self._flows.items()]:
+            if flow[0][1] >= oldest:
+                continue
+            kept = deque(each for each in flow if each[1] >= oldest or judp.may_be_late(each[0]))
+            found += (datagram for datagram, since in flow if since < oldest and not judp.may_be_late(datagram))
+            if kept:
+                self._flows[ends] = kept
+            else:
+                del self._flows[ends]
+        self.length -= len(found)
+        return found
+
+    def _remove(self, ends: bytes) -> bytes:
+        flow = self._flows[ends]
+        datagram, _ = flow.popleft()
+        if not flow:
+            del self._flows[ends]
+        self.length -= 1
+        return datagram
+
+
+class SendQueue:
+    """A bounded queue of datagrams for one destination, by priority; within a priority, each sender has its turn.
+
+    Datagrams of the same priority between the same two components remain in order. `memory` bounds the queue together
+    with others.
+    """
+
+    def __init__(self, limit: int = MAX_QUEUED, max_age: float = MAX_AGE, memory: QueueMemory | None = None) -> None:
+        self._limit = limit
+        self._max_age = max_age
+        self._memory = memory
+        self._priorities = tuple(_Flows() for _ in range(PRIORITIES))
+        self._length = 0
+        self.bytes = 0
+        """The memory that the queue needs."""
+        self._turn = 0
+
+    def __len__(self) -> int:
+        return self._length
+
+    def push(self, datagram: bytes) -> int:
+        """Append a datagram; returns how many were dropped for it, see `drop_one`."""
+        self._priorities[_priority(datagram)].append(datagram, time.monotonic())
+        self._resize(1, len(datagram))
+        if self._memory is not None:
+            self._memory.trim(self)
+        dropped = 0
+        while self._length > self._limit or self.bytes > MAX_QUEUED_BYTES:
+            self.drop_one()
+            dropped += 1
+        return dropped
+
+    def drop_one(self) -> None:
+        """Remove a datagram of the lowest priority that has more than its share, or of the lowest.
+
+        It is the oldest of two components that exchange most of them: who floods the queue loses his own.
+        """
+        filled = (each for each in self._priorities if each.length > PRIORITY_SHARE * self._limit)
+        flows = next(filled, None) or next(each for each in self._priorities if each.length)
+        self._resize(-1, -len(flows.pop_excess()))
+
+    def clear(self) -> int:
+        """Remove all datagrams; returns how many."""
+        count = self._length
+        self._priorities = tuple(_Flows() for _ in range(PRIORITIES))
+        self._resize(-count, count * DATAGRAM_OVERHEAD - self.bytes)
+        return count
+
+    def drop_stale(self) -> int:
+        """Remove commands that have waited too long without ACK; returns how many. To be called before sending."""
+        oldest, dropped = time.monotonic() - self._max_age, 0
+        for flows in self._priorities:
+            stale = flows.pop_stale(oldest)
+            dropped += len(stale)
+            self._resize(-len(stale), -sum(map(len, stale)))
+        return dropped
+
+    def peek(self) -> bytes:
+        """The datagram to send next; the queue must not be empty."""
+        return self._next().peek()
+
+    def pop(self) -> None:
+        """Remove the datagram that `peek` returns."""
+        self._resize(-1, -len(self._next().pop()))
+        self._turn = (self._turn + 1) % LOW_PRIORITY_TURN
+
+    def drain(self, send: _Send, count: int) -> None:
+        """Send up to `count` datagrams; one for which `send` raises remains the next, and the exception propagates."""
+        while self._length and count:
+            flows = self._next()
+            send(flows.peek())
+            self._resize(-1, -len(flows.pop()))
+            self._turn = (self._turn + 1) % LOW_PRIORITY_TURN
+            count -= 1
+
+    def _next(self) -> _Flows:
+        low, standard, high, urgent = self._priorities
+        order = (urgent, high, standard, low)
+        if self._turn == LOW_PRIORITY_TURN - 1:
+            order = (low, standard, high, urgent)
+        return next(each for each in order if each.length)
+
+    def _resize(self, count: int, size: int) -> None:
+        by = size + count * DATAGRAM_OVERHEAD
+        self._length += count
+        self.bytes += by
+        if self._memory is not None:
+            self._memory.resize(self, by)
+
+
+def _priority(datagram: bytes) -> int:
+    """The priority of a packet; control messages of the Junior protocol have the highest."""
+    if junior.parse(datagram) is not None:
+        return _CONTROL_PRIORITY
+    return judp.peek_priority(datagram)

@@ -1,0 +1,105 @@
+"""The demo's drive and grasp in MuJoCo on virtual time: the simulation's truth, and the same every time."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from contextlib import AsyncExitStack
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+pytest.importorskip("mujoco", reason="MuJoCo is not installed")
+pytest.importorskip("cv2", reason="OpenCV is not installed")
+
+import cv2
+
+from jauspy.cli.demo import Place, plan, true_place
+from jauspy.cli.demo.grasp import ARM_CAMERA, Grasp
+from jauspy.cli.demo.report import Report, StageResult, View
+from jauspy.cli.demo.tour import Tour
+from jauspy.geometry.poses import PlanarPose
+from jauspy.modules.robot import RobotRunner
+from jauspy.modules.robot_files import load
+from jauspy.ocu.frames import RobotFrames
+from jauspy.virtual.environment import VirtualTime
+from jauspy.virtual.network import VirtualNetwork
+from jauspy_sim.robot import SimulatedRobot
+
+pytestmark = pytest.mark.slow
+
+SIZE = (640, 480)
+BODIES = {"yard": "can", "street": "pipe_device"}
+
+
+class Camera:
+    """The arm's camera, in this process."""
+
+    def __init__(self, simulated: SimulatedRobot) -> None:
+        self._eye = simulated.cameras[ARM_CAMERA].open()
+
+    def service(self, _: str) -> Camera:
+        return self
+
+    async def still(self, **_: object) -> SimpleNamespace:
+        self.close = self._eye.close
+        picture = cv2.cvtColor(self._eye.look(*SIZE).image, cv2.COLOR_RGB2BGR)
+        return SimpleNamespace(content=cv2.imencode(".png", picture)[1].tobytes())
+
+
+class GraspTour(Tour):
+    """The tour as in the demo, without recordings."""
+
+    simulated: SimulatedRobot
+    folder: Path
+
+    async def run(self) -> None:
+        robot = await self._discover()
+        async with AsyncExitStack() as stack:
+            driving, flippers, arm = await self._begin(stack, robot)
+            self._add(await self._drive_there(robot, driving, flippers))
+            camera = Camera(self.simulated)
+            grasp = Grasp(arm, RobotFrames(robot, self._model), self._model, camera, size=SIZE, goals=self._plan)
+            stages: tuple[Callable[[], object], ...] = (grasp.reach, grasp.close, grasp.lift)
+            self._add(await grasp.look(self.folder))
+            for stage in stages:
+                self._add(await stage())
+            camera.close()
+
+
+async def play(network: VirtualNetwork, world: str, folder: Path) -> tuple[list[StageResult], SimulatedRobot]:
+    config = load("inc1").model_copy(update={"world": world})
+    runner = RobotRunner(config, network.transport, backend="sim", realtime=VirtualTime)
+    async with runner, network.ocu("42.1.1") as ocu:
+        assert runner._realtime is not None
+        report = Report()
+        tour = GraspTour(ocu, config, View(), report, folder, goals=plan.PLANS[world])
+        tour.simulated, tour.folder = runner._realtime._robot, folder
+        await tour.run()
+        return report.results, tour.simulated
+
+
+@pytest.mark.parametrize("world", plan.PLANS)
+async def test_goals_are_reached_in_the_simulation(world: str, virtual_network: VirtualNetwork, tmp_path: Path) -> None:
+    goals = plan.PLANS[world]
+    results, simulated = await play(virtual_network, world, tmp_path)
+    assert {each.stage: each.reached for each in results} == dict.fromkeys(
+        ("drive", "look", "reach", "grasp", "lift"), True
+    ), [each.measured for each in results]
+    pose = simulated.drive.pose()
+    place = true_place(Place(PlanarPose(pose.x, pose.y, pose.yaw), pose.z), goals)
+    assert place.reached, place.measured
+    lifted = simulated.data.body(BODIES[world]).xpos[2] - goals.thing.height - goals.ground
+    assert lifted == pytest.approx(results[-1].figures["lifted"], abs=0.02)
+    assert lifted > plan.MIN_LIFT
+
+
+async def test_street_twice_is_the_same(virtual_network: VirtualNetwork, tmp_path: Path) -> None:
+    ends = []
+    for _ in range(2):
+        results, simulated = await play(virtual_network, "street", tmp_path)
+        figures = [{**each.figures, "seconds": 0.0} for each in results]  # those are of the wall clock
+        ends.append((simulated.data.qpos.tolist(), figures))
+    assert ends[0] == ends[1]
+    assert not math.isnan(sum(ends[0][0]))

@@ -1,0 +1,28 @@
+"""The modules of inc1 conform on simulated servo drives as they do without."""
+
+from __future__ import annotations
+
+import pytest
+from tests.conformance.simulated import examined, robot
+
+pytest.importorskip("canopen", reason="canopen is not installed")
+
+from jauspy.conformance import Verdict
+from jauspy.ids import JausID
+from jauspy.modules import robot_files
+
+PROFILES = ("core-1.1", "mobility-1.1", "manipulator-2.0", "sensing-2.0", "ugv-1.0")
+
+
+@pytest.mark.slow
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("component", [each.component for each in robot_files.load("inc1").modules])
+def test_every_module_conforms(component: int) -> None:
+    steps = 0
+    for profile in PROFILES:
+        target = robot(name="inc1", component=component, backend="can", timeout=5)
+        report = examined(profile, target, JausID(101, 1, component))
+        wrong = {step.id: step for step in report.results if step.verdict not in {Verdict.PASS, Verdict.SKIPPED}}
+        assert not wrong, profile
+        steps += len(report.results)
+    assert steps > 100

@@ -1,0 +1,170 @@
+"""A person moves the arm in a real browser: sliders, tool by key and button, poses, a trajectory, its program."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+from tests.console.test_browser import CHROMIUM, page_at
+from tests.helpers.command_line import RunningRobot, shared_robot, start
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
+]
+TURN, SHOULDER = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"
+
+
+@pytest.fixture(scope="module")
+def robot() -> Iterator[RunningRobot]:
+    with shared_robot() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def url(robot: RunningRobot, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    state = {**os.environ, "XDG_STATE_HOME": str(tmp_path_factory.mktemp("state"))}
+    process = start("console", "--no-browser", "--port", "0", "--connect", robot.local, env=state)
+    try:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip().rpartition(" ")[2]
+    finally:
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+
+
+def until(page, *, least: float = -9.0, most: float = 9.0, joint: int = 0) -> None:
+    """Wait until the measured position of a joint is within a range."""
+    page.wait_for_function(
+        f"(() => {{ const at = parseFloat(document.querySelectorAll('.joint-value')[{joint}].innerText);"
+        f"return {least} <= at && at <= {most} }})()"
+    )
+
+
+def height(page) -> float:
+    """Of the tool, metres."""
+    return float(re.search(r"z (-?[\d.]+)", page.locator(".pose").inner_text())[1])
+
+
+def still(page) -> float:
+    """The height of the tool, which must not change within half a second."""
+    page.wait_for_timeout(600)  # 200 ms of the dead-man's switch, and two pictures of the panel
+    before = height(page)
+    page.wait_for_timeout(700)
+    assert height(page) == pytest.approx(before, abs=0.002)
+    return before
+
+
+def move_joints(page) -> None:
+    """An exact position, then one beyond the limit."""
+    page.get_by_label(TURN).first.fill("0.4")
+    page.get_by_label(SHOULDER).first.fill("2.0")
+    page.keyboard.press("Tab")
+    page.get_by_role("button", name="move", exact=True).click()
+    until(page, least=0.38, most=0.42)
+    page.get_by_label(TURN).first.fill("9")
+    page.keyboard.press("Tab")
+    page.locator(".arm button:has-text('move'):not([disabled])").click()
+    page.locator(".arm .problem").get_by_text(f"{TURN} can be").wait_for()
+    page.get_by_role("button", name="reset").click()
+
+
+def move_tool(page) -> None:
+    """By key, by button, and with loss of focus."""
+    page.locator(".arm").get_by_text("tool", exact=True).first.click()
+    page.wait_for_function("document.querySelector('.pose').innerText.includes('z ')")
+    before = still(page)
+    page.locator(".heading", has_text="Fleet").click()
+    page.keyboard.down("KeyU")
+    page.wait_for_timeout(1500)
+    page.keyboard.up("KeyU")
+    raised = still(page)
+    assert raised > before + 0.02
+    button = page.locator(".jog-button", has_text="z \N{MINUS SIGN}").bounding_box()
+    page.mouse.move(button["x"] + 5, button["y"] + 5)
+    page.mouse.down()
+    page.wait_for_timeout(1500)
+    page.mouse.up()
+    lowered = still(page)
+    assert lowered < raised - 0.02
+    page.keyboard.down("KeyU")
+    page.wait_for_timeout(500)
+    page.evaluate("window.dispatchEvent(new Event('blur'))")
+    still(page)
+    page.keyboard.up("KeyU")
+
+
+def keep_a_pose(page) -> None:
+    """Under a name."""
+    page.locator(".arm").get_by_text("poses", exact=True).click()
+    page.get_by_label("name of the present pose").fill("low")
+    page.locator(".arm").get_by_role("button", name="save").click()
+    page.get_by_role("button", name="go to low").wait_for()
+
+
+def teach(page) -> None:
+    """Two rows: too fast first, then played, then one step."""
+    page.get_by_role("tab", name="Trajectory").click()
+    page.get_by_role("button", name="add present positions").click()
+    page.get_by_label("seconds of row 1").wait_for()
+    page.get_by_role("button", name="add present positions").click()
+    page.get_by_label("seconds of row 2").wait_for()
+    page.get_by_label(f"{TURN} of row 1").fill("-0.3")
+    page.get_by_label("seconds of row 1").fill("0.01")
+    page.keyboard.press("Tab")
+    page.get_by_role("button", name="play", exact=True).click()
+    page.locator(".trajectory .problem").get_by_text(re.compile(f"row 1: {TURN} needs at least")).wait_for()
+    page.get_by_label("seconds of row 1").fill("3")
+    page.keyboard.press("Tab")
+    page.locator(".arm").get_by_text("joints", exact=True).click()
+    page.get_by_role("button", name="play", exact=True).click()
+    page.locator(".line.active").wait_for()
+    until(page, most=-0.25)
+    until(page, least=0.35)
+    page.locator(".line.active").wait_for(state="detached")
+    page.get_by_role("button", name="step", exact=True).click()
+    until(page, most=-0.28)
+
+
+def export(page, robot: RunningRobot, tmp_path: Path) -> None:
+    """As a file, which is changed and loaded; as a program, which another client runs."""
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="download").click()
+    text = saved.value.path().read_text().replace("-0.3", "-0.5")
+    with page.expect_download() as exported:
+        page.get_by_role("button", name="export as Python").click()
+    program = tmp_path / "wave.py"
+    program.write_text(exported.value.path().read_text().replace("0.4", "0.7"))
+    page.locator("input[type=file]").set_input_files(
+        {"name": "mine.json", "mimeType": "application/json", "buffer": text.encode()}
+    )
+    page.wait_for_function(f"document.querySelector('[aria-label=\"{TURN} of row 1\"]').value === '-0.500'")
+    page.get_by_role("button", name="release", exact=True).first.click()
+    page.get_by_text("observing").wait_for()
+    page.locator(".trajectory .problem").get_by_text("take control first").wait_for()
+
+    done = subprocess.run(
+        [sys.executable, str(program), robot.local], capture_output=True, text=True, timeout=120, check=False
+    )
+    assert done.stdout.splitlines() == ["row 1 of 2", "row 2 of 2"], done.stderr
+    until(page, least=0.6)
+
+
+def test_an_arm_is_moved_and_taught(url: str, robot: RunningRobot, tmp_path: Path) -> None:
+    with page_at(url) as page:
+        page.locator(".joint-wanted input").first.wait_for()
+        move = page.get_by_role("button", name="move", exact=True)
+        assert move.is_disabled(), "only the operator's browser moves the arm"
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        move_joints(page)
+        move_tool(page)
+        keep_a_pose(page)
+        teach(page)
+        export(page, robot, tmp_path)

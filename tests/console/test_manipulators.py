@@ -1,0 +1,54 @@
+"""The arms of a factory cell: the UR10, and the modular arm whose joints come and go."""
+
+from __future__ import annotations
+
+import asyncio
+
+import pytest
+from tests.modules.test_cell_modules import world
+
+from jauspy.console.gripper_panel import connector_state, switch
+from jauspy.console.manipulators import CONNECTOR, ModularArm, StandardArm, manipulators, operated
+from jauspy.errors import ConfigError
+
+
+async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
+    async with world() as cell:
+        robot = await cell.ocu.discover(201)
+        arms = manipulators(robot)
+        assert {id: type(arm) for id, arm in arms.items()} == {"201.1.10": StandardArm, "201.3.1": ModularArm}
+        assert {"201.1.10", "201.1.11", "201.3.1"} <= set(operated(robot))
+        assert not any(id.startswith("201.2.") for id in operated(robot)), "connectors of parts are not the gripper"
+        arm = arms["201.3.1"]
+        assert await arm.joints() == ()
+        assert await arm.tool() == ""
+        cell.robot.assemble("servo_1", "tube_1", "servo_2")
+        await asyncio.sleep(0.2)
+        joints = await arm.joints()
+        assert [each.name for each in joints] == ["servo_1", "servo_2"]
+        low, high = joints[0].shown_range(7.0)
+        assert low < 7.0 < high
+        assert high - low == pytest.approx(6.283, abs=0.001)
+
+        async with robot.control(*operated(robot)):
+            await arm.move({"servo_1": 0.5}, 0.5)
+            assert (await arm.positions())["servo_1"] == pytest.approx(0.5, abs=0.01)
+            begun = list[int]()
+            await arm.follow([(1.0, {"servo_1": 0.2}), (0.0, {"servo_2": -0.3})], begun.append)
+            assert begun == [0, 1]
+            assert await arm.positions() == pytest.approx({"servo_1": 0.2, "servo_2": -0.3}, abs=0.01)
+            with pytest.raises(ConfigError, match="row 1: there is no joint 'servo_9' now"):
+                await arm.follow([(1.0, {"servo_9": 0.2})], begun.append)
+
+            gripper = robot.component("201.1.11").service(CONNECTOR)
+            assert await connector_state(gripper) == "off"
+            await switch(gripper, on=True)
+            await asyncio.sleep(0.2)
+            assert (await connector_state(gripper)).startswith("on, holds nothing")
+            cell.robot.attach("gripper", "box_1")
+            await asyncio.sleep(0.2)
+            assert await connector_state(gripper) == "holds box_1"
+
+        cell.robot.connectors["servo_1/output"].set(False)
+        await asyncio.sleep(0.2)
+        assert [each.name for each in await arm.joints()] == ["servo_1"]

@@ -1,0 +1,147 @@
+"""Drives that do not know their position, that are braked, or that lack the cyclic synchronous modes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import pytest
+from tests.helpers.robot import described
+from tests.platform.can.conftest import OpenCan, setup_of, simulated
+from tests.platform.can.test_failing_drives import advance_until_fault
+
+from jauspy.errors import ConfigError
+from jauspy.platform.can.cia402 import DriveState, Mode
+from jauspy.platform.can.robot import CanRobot
+from jauspy.platform.can.setup import DriveFault, Homing
+from jauspy.platform.can.simulated.axes import MotorAxis
+from jauspy.platform.can.simulated.drive import SimulatedDrive
+from jauspy.platform.joints import ControlMode, Target
+
+WRIST = 4
+HOMING = {"arm_4": {"homing": Homing(17, 0.5, 10.0)}}
+
+
+@pytest.fixture
+def powered_on(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Simulated drives have just got their power."""
+    monkeypatch.setattr(SimulatedDrive, "know_home", lambda self: None)
+
+
+def home(changes: dict[str, Any], told: list[str]) -> None:
+    model = replace(described("inc1")[1], can=setup_of(**changes))
+    robot = CanRobot(model, setup_of(**changes), "virtual:motors", "empty", lambda master: master.home(told.append))
+    try:
+        assert simulated(robot, "arm_4").homed
+        assert robot.drives["arm_4"].position == pytest.approx(0.0, abs=0.02)  # where its switch is
+        assert robot.drives["arm_4"].position == pytest.approx(simulated(robot, "arm_4").axis.position, abs=1e-3)
+        others = [drive for name, drive in robot.fleet.drives.items() if name != "arm_4"] if robot.fleet else []
+        assert {drive.state for drive in others} == {DriveState.SWITCH_ON_DISABLED, DriveState.READY_TO_SWITCH_ON} & {
+            drive.state for drive in others
+        }
+    finally:
+        robot.close()
+
+
+@pytest.mark.usefixtures("powered_on")
+def test_nothing_moves_before_all_drives_know_their_position(
+    open_can: OpenCan, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    speeds: list[float] = []
+    advance = MotorAxis.advance
+
+    def watched(self: MotorAxis, dt: float) -> None:
+        advance(self, dt)
+        speeds.append(abs(self.velocity))
+
+    monkeypatch.setattr(MotorAxis, "advance", watched)
+    with pytest.raises(
+        ConfigError, match=r"'arm_4' \(node 7\): position unknown since power-on: `jauspy can home ROBOT --bus virtual"
+    ):
+        open_can(**HOMING)
+    assert max(speeds) == 0.0
+
+
+@pytest.mark.usefixtures("powered_on")
+def test_homing_moves_one_drive_to_its_switch_and_says_so() -> None:
+    told: list[str] = []
+    home(HOMING, told)
+    assert told == ["drive 'arm_4' (node 7) moves 'arm_link_3_to_arm_link_4' by homing method 17, 10 s at most"]
+
+
+@pytest.mark.usefixtures("powered_on")
+def test_homing_that_finds_nothing_ends(monkeypatch: pytest.MonkeyPatch) -> None:
+    made = MotorAxis.__init__
+
+    def stuck(self: MotorAxis, *arguments: Any, **more: Any) -> None:
+        made(self, *arguments, **more)
+        self.blocked = True
+
+    monkeypatch.setattr(MotorAxis, "__init__", stuck)
+    with pytest.raises(DriveFault, match=r"'arm_4' .* did not find its home position: it took more than 0.3 s"):
+        home({"arm_4": {"homing": Homing(17, 0.5, 0.3)}}, [])
+
+
+def test_a_drive_that_knows_its_home_starts_and_drives(open_can: OpenCan) -> None:
+    robot = open_can(**HOMING)
+    assert robot.master.running
+
+
+@pytest.mark.slow
+def test_a_joint_waits_until_its_brake_has_released(open_can: OpenCan) -> None:
+    robot = open_can(arm_5={"brake_release": 0.3})
+    arm = robot.groups["arm"]
+    arm.command([None, None, None, None, Target(ControlMode.POSITION, 0.5)])
+    robot.advance(0.2)
+    assert arm.state().positions[WRIST] == pytest.approx(0.0, abs=1e-3)
+    robot.advance(1.5)
+    assert arm.state().positions[WRIST] == pytest.approx(0.5, abs=1e-3)
+    arm.hold()  # by quick stop, with power: the brake stays released
+    robot.advance(0.1)
+    arm.command([None, None, None, None, Target(ControlMode.POSITION, 0.0)])
+    robot.advance(0.25)
+    assert arm.state().positions[WRIST] < 0.45
+
+
+@pytest.fixture
+def profile_position_only(monkeypatch: pytest.MonkeyPatch) -> None:
+    read = SimulatedDrive._read
+
+    def reported(self: SimulatedDrive, *, index: int, subindex: int, **more: object) -> int | None:
+        if index == 0x6502 and self.setup.name == "arm_5":
+            return 0b1
+        return read(self, index=index, subindex=subindex, **more)
+
+    monkeypatch.setattr(SimulatedDrive, "_read", reported)
+
+
+@pytest.mark.usefixtures("profile_position_only")
+@pytest.mark.parametrize(
+    ("target", "reached"),
+    [
+        (Target(ControlMode.POSITION, 0.5), pytest.approx(0.5, abs=0.01)),
+        pytest.param(Target(ControlMode.VELOCITY, 0.4), pytest.approx(0.6, abs=0.15), marks=pytest.mark.slow),
+        (Target(ControlMode.EFFORT, 6.0), pytest.approx(0.0, abs=1e-3)),
+    ],
+    ids=["position", "velocity", "effort"],
+)
+def test_profile_position_is_used_where_the_drive_has_nothing_better(
+    robot: CanRobot, target: Target, reached: object, caplog: pytest.LogCaptureFixture
+) -> None:
+    robot.groups["arm"].command([None, None, None, None, target])
+    robot.advance(1.5)
+    assert robot.groups["arm"].state().positions[WRIST] == reached
+    if target.mode is ControlMode.EFFORT:
+        assert "has no mode for efforts" in caplog.text
+    else:
+        assert simulated(robot, "arm_5").mode == Mode.PROFILE_POSITION
+
+
+def test_a_drive_at_its_limit_says_so_when_it_does_not_follow(robot: CanRobot) -> None:
+    axis = simulated(robot, "arm_1").axis
+    assert isinstance(axis, MotorAxis)
+    axis._inertia = 1e6  # no torque moves it
+    robot.groups["arm"].command([Target(ControlMode.POSITION, 1.0), *[None] * 4])
+    text = advance_until_fault(robot, 1.5)
+    assert "does not follow: " in text
+    assert "(it says that an internal limit is active)" in text

@@ -1,0 +1,45 @@
+"""Commands to joints become the three cyclic synchronous modes; efforts carry the arm as in the simulation."""
+
+from __future__ import annotations
+
+import pytest
+from tests.platform.can.test_failing_drives import advance_until_fault
+
+from jauspy.platform.can.robot import CanRobot
+from jauspy.platform.joints import ControlMode, Target
+
+SHOULDER, WRIST = 1, 4
+
+
+def stretched(robot: CanRobot) -> CanRobot:
+    arm = robot.groups["arm"]
+    arm.command([Target(ControlMode.POSITION, position) for position in (0.0, 1.2, -1.5, 0.3, 0.0)])
+    robot.advance(3.0)
+    assert arm.state().efforts[SHOULDER] == pytest.approx(17.5, abs=0.5)  # N m, of the weight of the arm
+    return robot
+
+
+@pytest.mark.parametrize("share", [-0.2, 0.3])
+def test_a_compensated_effort_moves_at_its_share_of_the_speed(robot: CanRobot, share: float) -> None:
+    arm = stretched(robot).groups["arm"]
+    joint = arm.joints[SHOULDER]
+    arm.command([None, Target(ControlMode.EFFORT, share * joint.effort, compensated=True), None, None, None])
+    robot.advance(0.6)
+    assert arm.state().velocities[SHOULDER] == pytest.approx(share * joint.velocity, abs=0.02)
+    assert arm.state().velocities[WRIST] == pytest.approx(0.0, abs=1e-3)
+
+
+def test_an_effort_that_is_not_compensated_is_that_of_the_motor(robot: CanRobot) -> None:
+    arm = stretched(robot).groups["arm"]
+    arm.command([None, Target(ControlMode.EFFORT, 5.0), None, None, None])
+    robot.advance(0.2)
+    assert arm.state().efforts[SHOULDER] == pytest.approx(5.0, abs=0.2)
+    assert arm.state().velocities[SHOULDER] < -0.05  # less than the weight
+
+
+def test_a_joint_that_is_commanded_to_its_end_by_effort_stays_within_its_limits(robot: CanRobot) -> None:
+    arm = robot.groups["arm"]
+    arm.command([None, None, None, None, Target(ControlMode.EFFORT, 12.0)])
+    with pytest.raises(pytest.fail.Exception, match="no drive has failed"):
+        advance_until_fault(robot, 3.0)
+    assert arm.joints[WRIST].upper - 0.05 < arm.state().positions[WRIST] <= arm.joints[WRIST].upper + 0.01
