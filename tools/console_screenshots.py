@@ -29,7 +29,7 @@ SCHEMES: Final = ("light", "dark")
 PANELS: Final = ("video", "world", "trajectory", "plots", "log")
 SOFTWARE_GL: Final = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 PORT: Final = 3952
-WAIT: Final = 90_000
+WAIT: Final = 180_000
 """Milliseconds for anything to appear."""
 
 

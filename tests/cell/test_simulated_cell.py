@@ -41,7 +41,8 @@ def test_equal_seeds_build_equally_to_the_last_bit() -> None:
 
 @pytest.mark.slow
 @pytest.mark.timeout(900)
-@pytest.mark.parametrize("task", ["assemble", "lift", "step", "car"])
-def test_each_task_succeeds(task: str) -> None:
-    found = asyncio.run(run_one(task, 1))
+@pytest.mark.parametrize(("task", "seed"), [("assemble", 1), ("lift", 1), ("step", 1), ("car", 7)])
+def test_each_task_succeeds(task: str, seed: int) -> None:
+    """With seed 7 the gripper fails to lift the car at the first attempt."""
+    found = asyncio.run(run_one(task, seed))
     assert found.success, found.failure

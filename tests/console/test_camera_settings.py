@@ -63,12 +63,11 @@ async def test_lights_that_the_robot_has_are_switched(virtual_network: VirtualNe
         lights = component_with(await ocu.discover(101), LIGHTS)
         found = named((await read_settings(lights))[0])
         assert {label: each.value for label, each in found.items()} == {"headlights": 0, "visible light source": 0}
-        async with lights.service(LIGHTS).control():
-            await lights.service(LIGHTS).resume()
-            await write_setting(lights, found["headlights"], 1)
-            await asyncio.sleep(0.1)
-            now = named((await read_settings(lights))[0])
+        await write_setting(lights, found["headlights"], 1)
+        now = named((await read_settings(lights))[0])
         assert (now["headlights"].value, now["visible light source"].value) == (1, 0)
+        with pytest.raises(RequestError, match="did not switch fog lights"):
+            await write_setting(lights, Setting(LIGHTS, "fog_lights", "fog lights", 0), 1)
 
 
 async def test_the_attitude_is_followed_while_somebody_looks(virtual_network: VirtualNetwork) -> None:

@@ -129,7 +129,7 @@ def test_only_key_pictures_or_nothing() -> None:
     assert watcher.left_out == 0, "what was not asked for is not missing"
 
 
-async def test_a_picture_carries_when_it_was_taken() -> None:
+async def test_a_picture_carries_when_it_was_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     camera, browser = FakeCamera(), Browser()
     shared = SharedCamera(camera, "101.1.106", lambda _: None)  # type: ignore[arg-type] - what it uses of a camera
     serving = asyncio.create_task(shared.serve(browser))  # type: ignore[arg-type] - what it uses of a socket
@@ -144,6 +144,8 @@ async def test_a_picture_carries_when_it_was_taken() -> None:
     browser.asked.put_nowait("[1]")
     browser.asked.put_nowait('{"want": "keys"}')
     await until(lambda: camera.refreshed == 2)
+    monkeypatch.setattr(module, "KEY_INTERVAL", 0.0)
+    await until(lambda: camera.refreshed == 3)
     browser.asked.put_nowait(None)
     await serving
     await until(lambda: camera.receiving == 0)

@@ -9,7 +9,7 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.assembly import Assembler, PartResult, Slot, Tip
+from jauspy.cell.assembly import GRASPS, Assembler, PartResult, Slot, Tip
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN
@@ -53,6 +53,8 @@ class CarResult:
     """What was measured of building and driving the car."""
 
     parts: list[PartResult] = field(default_factory=list)
+    failed_grasps: list[str] = field(default_factory=list)
+    """Why the gripper did not hold the car or the arm, for each attempt that failed."""
     build_time: float = 0.0
     load_time: float = 0.0
     """Seconds in which car and arm were put on the conveyor."""
@@ -130,16 +132,21 @@ class CarTask:
         ur10 = self.ur10
         await ur10.look()
         self._composite(self.car, [row.part for row in self.result.parts])
-        pose = ur10.seen[self.car].pose
         radius = max(solid.size[0] for solid in self.layout.type_of(self.result.parts[1].part).solids)
         axle = float(connector_frame(self.layout.type_of(self.car), CORNERS[0]).translation[2])
         x, y = self.belt.pose.x - BESIDE[0], float(self.arm.chain.root[1]) - BESIDE[1]
-        stand = shifted(x, y, self.belt.pose.z + radius - axle)
-        goals = [stand * turned("z", turn) for turn in (math.pi / 2.0,)]
-        plan = ur10.handling.pick(self.car, pose, ur10.at, goals, lift=0.12, supports=["stand"])
+        goals = [shifted(x, y, self.belt.pose.z + radius - axle) * turned("z", math.pi / 2.0)]
         row = PartResult("car", self.car)
-        if why := await ur10.try_grasp(plan, row, weigh=False):
-            raise TaskFailed(f"the car cannot be lifted: {why}")
+        for _ in range(GRASPS):
+            pose = ur10.seen[self.car].pose
+            plan = ur10.handling.pick(self.car, pose, ur10.at, goals, lift=0.12, supports=["stand"])
+            why = await ur10.try_grasp(plan, row, weigh=False)
+            if not why:
+                break
+            self.result.failed_grasps.append(why)
+            await ur10.look(fresh=True)
+        else:
+            raise TaskFailed(f"the car cannot be lifted: {'; '.join(self.result.failed_grasps)}")
         self.result.car_force = row.grasp_force
         held = ur10.held
         assert held is not None
@@ -250,13 +257,19 @@ class CarTask:
         approach, near, up, over, _ = plan
         base = arm.base_name
         await ur10.go(approach)
-        await self.cell.enable(GRIPPER, True)
-        state = await self.cell.touch(near, GRIPPER, speed=0.02)
-        await self.cell.sleep(0.1)
-        state = await self.cell.connector(GRIPPER)
-        ur10.at = await self.cell.posture()
-        if state.attached_to != grasped:
-            raise TaskFailed(f"the gripper does not hold {grasped}: {state.last_error or 'nothing attaches'}")
+        for _ in range(GRASPS):
+            await self.cell.enable(GRIPPER, True)
+            await self.cell.touch(near, GRIPPER, speed=0.02)
+            await self.cell.sleep(0.1)
+            state = await self.cell.connector(GRIPPER)
+            ur10.at = await self.cell.posture()
+            if state.attached_to == grasped:
+                break
+            self.result.failed_grasps.append(state.last_error or f"nothing attaches to {grasped}")
+            await self.cell.enable(GRIPPER, False)
+            await ur10.go(Path((ur10.at, *near.points[-2::-1])), speed=0.1, contact=True)
+        else:
+            raise TaskFailed(f"the gripper does not hold {grasped}: {'; '.join(self.result.failed_grasps)}")
         await self.cell.enable(base, False)
         await self.cell.sleep(0.2)
         tool = self.layout.kinematics.forward(ur10.at)

@@ -113,9 +113,10 @@ class Judge:
         quarter = 1.5707963267948966
         return Placement(part, distance, tilt, abs(turn - quarter * round(turn / quarter)))
 
-    def camera(self) -> Camera | None:
-        """The first camera of the cell, for films."""
-        return next(iter(self._robot.cameras.values()), None)
+    def camera(self, name: str) -> Camera | None:
+        """That camera of the cell, for films; the first one if there is none with this name."""
+        cameras = self._robot.cameras
+        return cameras.get(name) or next(iter(cameras.values()), None)
 
 
 class WatchedBackend:

@@ -74,9 +74,12 @@ def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> Rob
 
 @asynccontextmanager
 async def simulated(
-    seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None
+    seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None, camera: str = "overview"
 ) -> AsyncIterator[Session]:
-    """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run."""
+    """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
+
+    `camera` is the name of the one that films.
+    """
     config = configured(seed, disturbances or Disturbances())
     model = robot_files.robot_model(config)
     layout = Layout(model)
@@ -89,7 +92,7 @@ async def simulated(
         judge = Judge(backend.robot)
         recording = None
         if film is not None:
-            recording = Film(film, judge.camera())
+            recording = Film(film, judge.camera(camera))
             await stack.enter_async_context(recording)
         ocu = await stack.enter_async_context(network.ocu(OCU_ID))
         cell = await stack.enter_async_context(CellClient(ocu, config, model, layout))

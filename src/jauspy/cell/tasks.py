@@ -100,7 +100,7 @@ async def car(session: Session, seed: int) -> Measured:
     found = Measured(seed, "car", duration=session.cell.now() - begun)
     found.rows = [asdict(row) for row in result.parts]
     found.values = {
-        "retries": float(sum(len(row.attempts) for row in result.parts)),
+        "retries": float(sum(len(row.attempts) for row in result.parts) + len(result.failed_grasps)),
         "build_time": result.build_time,
         "load_time": result.load_time,
         "car_force": result.car_force,
@@ -179,13 +179,17 @@ TASKS: Final[dict[str, Task]] = {
 }
 """The tasks that can be run by name."""
 
+FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "step": "platforms", "car": "car"}
+"""The camera of the cell that films a task; others are filmed by the one that sees all of the cell."""
+
 
 async def run_one(
     task: str, seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None
 ) -> Measured:
     """One run. A task that raises is a failure with that reason."""
     begun = time.perf_counter()
-    async with simulated(seed, disturbances, film=film) as session:
+    camera = FILMED_BY.get(task, "overview")
+    async with simulated(seed, disturbances, film=film, camera=camera) as session:
         start = session.cell.now()
         try:
             found = await TASKS[task](session, seed)

@@ -36,6 +36,9 @@ VIDEO: Final = "DigitalVideo"
 ENCODING: Final = "H264VideoEncoding"
 LENS: Final = "VisualSensor"
 LIGHTS: Final = "IlluminationService"
+LIGHT_CHECKS: Final = 5
+LIGHT_CHECK_INTERVAL: Final = 0.1
+"""Seconds between two looks whether a light has been switched: JAUS has no answer to a command that is ignored."""
 VARIABLE_LEVELS: Final = 15
 """Highest level of a light that has levels."""
 
@@ -66,11 +69,6 @@ class Setting:
     high: float = 0.0
     step: float = 1.0
     unit: str = ""
-
-    @property
-    def key(self) -> tuple[str, str]:
-        """What identifies it among the settings of a component."""
-        return self.service, self.field
 
 
 async def read_settings(component: ComponentClient, sensor: int = 1) -> tuple[list[Setting], list[str]]:
@@ -140,6 +138,14 @@ async def _switch_light(service: ServiceClient, name: str, level: int) -> None:
     kind = SetIlluminationState.Illumination
     present = {each.name: getattr(report.illumination, each.name) for each in fields(kind)}
     await service.send(SetIlluminationState(kind(**{**present, name: level})), ack=True)
+    for _ in range(LIGHT_CHECKS):
+        report = await service.query(QueryIlluminationState())
+        if getattr(report.illumination, name) == level:
+            return
+        await asyncio.sleep(LIGHT_CHECK_INTERVAL)
+    raise RequestError(
+        f"{service.id} did not switch {name.replace('_', ' ')}; some robots do so in the state READY only"
+    )
 
 
 async def _rows(service: ServiceClient, *queries: Any) -> list[Any]:

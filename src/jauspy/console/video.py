@@ -30,6 +30,8 @@ RETRY_INTERVAL: Final = 2.0
 """Seconds until a camera is asked again after its stream has ended."""
 QUIET_TIME: Final = 2.0
 """Seconds without a picture after which the browsers are told why."""
+KEY_INTERVAL: Final = 2.0
+"""Seconds after which the robot is asked for a key picture while a browser gets those alone: slow cameras make few."""
 CHOICES: Final = ("all", "keys", "nothing")
 """Which pictures a browser may ask for: `keys` are those that can be decoded without others."""
 _HEADER: Final = struct.Struct("<?xxxxxxxdd")
@@ -131,6 +133,7 @@ class SharedCamera:
         self._problem = ""
         self._picture_at = -math.inf
         self._has_begun = False
+        self._key_at = -math.inf
 
     async def serve(self, socket: WebSocket) -> None:
         """Send news as JSON and pictures as bytes to one browser until it leaves, as it asks for."""
@@ -213,13 +216,16 @@ class SharedCamera:
             await asyncio.sleep(RETRY_INTERVAL)
 
     async def _explain(self) -> None:
-        """Tell the browsers why there is no picture, while there is none."""
+        """Tell the browsers why there is no picture, while there is none; see that key pictures come."""
         while True:
             await asyncio.sleep(0.5)
             reason = self.why_no_picture()
             for watcher in self._watchers:
                 if reason:
                     watcher.tell(reason=reason)
+            now = asyncio.get_running_loop().time()
+            if now - self._key_at >= KEY_INTERVAL and any(each.choice == "keys" for each in self._watchers):
+                self.camera.refresh()
             if self.recording is not None and self.recording.ended:
                 self._stop_if_unused()
 
@@ -233,6 +239,7 @@ class SharedCamera:
     def _hand_out(self, picture: Picture) -> None:
         self._picture_at = asyncio.get_running_loop().time()
         if picture.is_idr:
+            self._key_at = self._picture_at
             parameters = next((nal for nal in picture.nals if nal_type(nal) == SPS), b"")
             self._codec = f"avc1.{parameters[1:4].hex()}" if len(parameters) > 3 else self._codec
         taken = self.camera.taken(picture)

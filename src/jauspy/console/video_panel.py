@@ -35,7 +35,6 @@ class VideoPanel:
         self._figures: dict[str, ui.element] = {}
         self._captions: dict[str, ui.label] = {}
         self._chosen = ""
-        self._settings: dict[tuple[str, str, str], Setting] = {}
         self._filling = False
         with ui.element("div").classes("video-bar"):
             self._said = ui.label("").classes("video-said")
@@ -49,6 +48,8 @@ class VideoPanel:
             self._place = ui.element("div").classes("figures")
             self._side = ui.element("div").classes("video-settings")
         self._side.set_visibility(False)
+        with self._side:
+            self._refused = ui.label("")
         ui.timer(UPDATE_INTERVAL, self._update)
 
     def show(self, robot: Robot | None) -> None:

@@ -37,13 +37,15 @@ jauspy.video = {
   patience: 5,
   countFrame() {
     jauspy.video.frames += 1;
-    requestAnimationFrame(jauspy.video.countFrame);
+    if (jauspy.video.watching().length) requestAnimationFrame(jauspy.video.countFrame);
+    else setTimeout(jauspy.video.countFrame, 500);
   },
+  watching: () => [...jauspy.video.views.values()].filter((view) => view.wanted !== "nothing"),
   judge(seconds) {
     const video = jauspy.video;
     video.frameRate = video.frames / seconds;
     video.frames = 0;
-    const watching = [...video.views.values()].filter((view) => view.wanted !== "nothing");
+    const watching = video.watching();
     if (document.hidden || !watching.length) { video.slow = video.fine = 0; return; }
     const leftOut = watching.some((view) => view.leftOutNow > 0);
     for (const view of watching) view.leftOutNow = 0;
@@ -85,7 +87,8 @@ jauspy.View = class {
     this.note = this.figure.querySelector(".video-note");
     this.facts = this.figure.querySelector(".video-facts");
     this.overlay = new jauspy.Overlay(this.figure.querySelector(".overlay"));
-    this.shown = this.leftOut = this.leftOutNow = this.leftOutByServer = 0;
+    this.shown = this.leftOut = this.leftOutByServer = 0;
+    this.leftOutNow = 0; // since the page was last judged
     this.times = [];
     this.reason = "";
     this.began = performance.now();
@@ -100,6 +103,7 @@ jauspy.View = class {
     socket.binaryType = "arraybuffer";
     this.socket = socket;
     this.told = "";
+    this.leftOutByServer = 0;
     socket.onmessage = (event) => (typeof event.data === "string" ? this.news(JSON.parse(event.data)) : this.decode(event.data));
     socket.onclose = (event) => {
       this.stopDecoding();
@@ -122,7 +126,10 @@ jauspy.View = class {
 
   news(news) {
     if ("reason" in news) this.reason = news.reason;
-    if ("left_out" in news) this.leftOutByServer = news.left_out;
+    if ("left_out" in news) {
+      this.leftOutNow += news.left_out - this.leftOutByServer;
+      this.leftOutByServer = news.left_out;
+    }
     if (news.attitude) this.overlay.show(news.attitude);
     if (news.codec) this.configure(news.codec);
   }

@@ -1,0 +1,174 @@
+"""Cameras in a real browser: why there is no picture, overlay, still images, recordings, settings, and a slow page."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import signal
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import psutil
+import pytest
+from tests.helpers.command_line import RunningRobot, shared_robot, start
+
+pytest.importorskip("nicegui", reason="needs the extra 'console'")
+pytest.importorskip("av", reason="the extra 'video' is not installed")
+sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
+]
+WAIT = 90_000
+"""Milliseconds for anything to appear on a loaded machine."""
+SLOW_PAGE = "setInterval(() => { const end = performance.now() + 150; while (performance.now() < end); }, 160)"
+
+
+@pytest.fixture(scope="module")
+def robot() -> Iterator[RunningRobot]:
+    with shared_robot() as running:
+        yield running
+
+
+@pytest.fixture(scope="module")
+def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return tmp_path_factory.mktemp("recordings")
+
+
+@pytest.fixture(scope="module")
+def url(robot: RunningRobot, recordings: Path) -> Iterator[str]:
+    options = ("--no-browser", "--port", "0", "--connect", robot.local, "--recordings", str(recordings))
+    process = start("console", *options)
+    try:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip().rpartition(" ")[2]
+    finally:
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=30)
+
+
+@contextmanager
+def page_at(url: str, script: str = "") -> Iterator[Any]:
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        page = browser.new_page(viewport={"width": 1440, "height": 900})
+        page.set_default_timeout(WAIT)
+        errors: list[str] = []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        if script:
+            page.add_init_script(script)
+        page.goto(url)
+        page.get_by_text("101 inc1").first.wait_for()
+        yield page
+        assert errors == []
+        browser.close()
+
+
+def wait_for_pictures(page: Any, count: int = 3) -> None:
+    page.wait_for_function(f"[...jauspy.video.views.values()].every((view) => view.shown >= {count})")
+
+
+def workers(robot: RunningRobot) -> list[psutil.Process]:
+    children = psutil.Process(robot.process.pid).children(recursive=True)
+    return [each for each in children if "camera_worker" in " ".join(each.cmdline())]
+
+
+def test_a_browser_without_a_decoder_says_so(url: str) -> None:
+    with page_at(url, "delete window.VideoDecoder") as page:
+        page.get_by_text("no picture: this browser has no WebCodecs").first.wait_for()
+
+
+def test_a_camera_that_hangs_is_seen_at_once(url: str, robot: RunningRobot) -> None:
+    with page_at(url) as page:
+        wait_for_pictures(page)
+        processes = workers(robot)
+        assert len(processes) == 3
+        for each in processes:
+            each.suspend()
+        try:
+            page.locator("figure.large.stale").wait_for()
+            page.get_by_text(re.compile(r"this picture is \d+ s old: no further picture has arrived")).first.wait_for()
+        finally:
+            for each in processes:
+                each.resume()
+        page.locator("figure.large:not(.stale)").wait_for()
+
+
+def test_overlay_and_enlarging(url: str) -> None:
+    with page_at(url) as page:
+        wait_for_pictures(page)
+        page.locator("figure.large .overlay .number").filter(has_text=re.compile(r"^\d+°$")).wait_for()
+        page.locator("figure.large .numbers").get_by_text("0.0 m/s").wait_for()
+        page.get_by_role("button", name="overlay").click()
+        page.locator("figure.large .tape").wait_for(state="hidden")
+        page.get_by_role("button", name="overlay").click()
+        small = page.locator("figure:not(.large)").first
+        name = small.get_attribute("aria-label")
+        small.focus()
+        page.keyboard.press("Enter")
+        page.locator(f"figure.large[aria-label='{name}'] .tape").wait_for()
+
+
+def test_a_recording_goes_on_without_the_page_that_began_it(url: str, recordings: Path) -> None:
+    import av
+
+    with page_at(url) as page:
+        wait_for_pictures(page)
+        page.get_by_role("button", name="record", exact=True).click()
+        page.locator(".video-said").get_by_text("recording to").wait_for()
+    with page_at(url) as page:
+        page.get_by_text(re.compile(r"● 0:\d\d [^0]|● 0:\d\d 0\.[1-9]")).wait_for()
+        page.get_by_role("button", name="stop recording").click()
+        page.locator(".video-said").get_by_text(re.compile(r"recorded \d+ pictures .* to ")).wait_for()
+        with page.expect_download() as download:
+            page.get_by_role("button", name="still").click()
+        assert download.value.path().read_bytes()[:2] == b"\xff\xd8", "a JPEG of the StillImage service"
+    (film,) = recordings.iterdir()
+    with av.open(str(film)) as container:
+        assert sum(1 for _ in container.decode(video=0)) > 5
+
+
+def test_settings_change_the_picture_and_one_who_does_not_operate_may_not(url: str) -> None:
+    with page_at(url) as page:
+        wait_for_pictures(page)
+        page.get_by_role("button", name="settings").click()
+        page.get_by_label("size").click()
+        page.get_by_role("option", name="320 x 240").click()
+        page.wait_for_function("document.querySelector('figure.large canvas').width === 320")
+        page.get_by_text("headlights").wait_for()
+        second = page.context.browser.new_page()
+        second.set_default_timeout(WAIT)
+        second.goto(url)
+        second.get_by_role("button", name="take", exact=True).click()
+        second.get_by_text("you operate this robot").wait_for()
+        page.get_by_label("size").click()
+        page.get_by_role("option", name="640 x 480").click()
+        page.get_by_text("size: another browser operates this robot").wait_for()
+        second.close()
+    with page_at(url) as page:
+        page.get_by_role("button", name="settings").click()
+        page.get_by_label("size").click()
+        page.get_by_role("option", name="640 x 480").click()
+        page.wait_for_function("document.querySelector('figure.large canvas').width === 640")
+
+
+def test_a_page_that_is_too_slow_says_what_it_leaves_out(url: str) -> None:
+    with page_at(url, SLOW_PAGE) as page:
+        page.get_by_text(re.compile(r"this page holds \d frames/s: small cameras show key pictures only")).wait_for()
+        page.get_by_text("all cameras show key pictures only").wait_for()
+        page.wait_for_function("[...jauspy.video.views.values()].every((view) => view.wanted === 'keys')")
+        wait_for_pictures(page)
+
+
+def test_a_tab_that_is_hidden_gets_no_video(url: str) -> None:
+    with page_at(url) as page:
+        wait_for_pictures(page)
+        page.get_by_role("tab", name="Log").click()
+        page.wait_for_function("[...jauspy.video.views.values()].every((view) => view.told.includes('nothing'))")
+        page.get_by_role("tab", name="Video").click()
+        before = page.evaluate("Math.max(...[...jauspy.video.views.values()].map((view) => view.shown))")
+        wait_for_pictures(page, before + 1)
