@@ -191,10 +191,11 @@ def simulate(
 
 
 def home(*, robot: Robot, bus: Bus = None) -> None:
-    """Have all drives with a homing that lost their position search for it, one after the other. Joints move.
+    """Have drives search for their home positions, one after the other. Joints move.
 
-    Drives with absolute encoders need no homing. A drive keeps its home position until it loses its power; until then
-    `jauspy up` needs nothing more. End the robot's program before: two masters on a bus are dangerous. Ctrl-C stops.
+    It moves the drives that have `homing` and lost their position; those with absolute encoders need none. A drive
+    keeps its home position until it loses its power; until then `jauspy up` needs nothing more. End the robot's
+    program before: two masters on a bus are dangerous. Ctrl-C stops.
 
     Example:
       jauspy can home my_robot.toml --bus socketcan:can0

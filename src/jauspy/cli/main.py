@@ -124,7 +124,7 @@ CELL_VERBS: Final = {
 CAN_VERBS: Final = {
     "drives": ("jauspy.cli.can:drives", "List the nodes on a robot's bus: state, error, voltage, firmware."),
     "simulate": ("jauspy.cli.can:simulate", "Simulate all drives of a robot on a CAN bus, until Ctrl-C."),
-    "home": ("jauspy.cli.can:home", "Have drives search their home positions. Joints move."),
+    "home": ("jauspy.cli.can:home", "Have drives search for their home positions, one after the other. Joints move."),
     "fault": ("jauspy.cli.can:fault", "Make a simulated drive fail."),
 }
 FUZZ_VERBS: Final = {

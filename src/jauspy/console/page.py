@@ -62,7 +62,7 @@ def add_page(app: FastAPI, console: Console) -> None:
 
         ui.context.client.on_delete(leave)
 
-    ui.run_with(app, storage_secret=None, show_welcome_message=False, reconnect_timeout=3.0, tailwind=False)
+    ui.run_with(app, storage_secret=None, show_welcome_message=False, reconnect_timeout=8.0, tailwind=False)
 
 
 class _Page:
