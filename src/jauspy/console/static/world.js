@@ -214,8 +214,7 @@ jauspy.view = {
     view.renderer.setClearColor(colours.ground);
     view.scene.fog = new THREE.Fog(colours.ground, 14, 34);
     view.local.remove(view.grid);
-    view.grid = new THREE.GridHelper(40, 40, colours.line, colours.line);
-    view.grid.rotation.x = Math.PI / 2;
+    view.grid = new THREE.LineSegments(view.gridOfMetres(20), new THREE.LineBasicMaterial({ color: colours.line }));
     // The floor, then the grid, then everything else: what lies on the floor needs no depth.
     Object.assign(view.grid.material, { depthTest: false, depthWrite: false });
     view.grid.renderOrder = -1;
@@ -452,6 +451,17 @@ jauspy.view = {
       }
       view.replace(link.cloud, position, colour);
     }
+  },
+  // Lines of 1 m each: GL in software leaves out whole lines that pass behind the camera.
+  gridOfMetres(half) {
+    const { THREE } = jauspy.view.library;
+    const ends = [];
+    for (let across = -half; across <= half; across += 1) {
+      for (let along = -half; along < half; along += 1) {
+        ends.push(across, along, 0, across, along + 1, 0, along, across, 0, along + 1, across, 0);
+      }
+    }
+    return new THREE.BufferGeometry().setAttribute("position", new THREE.Float32BufferAttribute(ends, 3));
   },
   // The map lies on the ground; what is occupied stands on it as a low wall.
   updateMap() {
