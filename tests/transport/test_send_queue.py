@@ -31,7 +31,7 @@ def test_most_urgent_datagrams_are_sent_first_in_order() -> None:
     sent = [datagram(p, n) for n in range(2) for p in Priority]
     for data in (*sent, junior.accept(A)):
         assert outbox.push(data) == 0
-    assert drained(outbox) == [sent[3], junior.accept(A), sent[7], sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
+    assert drained(outbox) == [sent[3], sent[7], junior.accept(A), sent[2], sent[6], sent[1], sent[5], sent[0], sent[4]]
 
 
 def test_oldest_of_the_lowest_priority_is_dropped() -> None:
@@ -161,3 +161,12 @@ def test_of_many_senders_those_with_most_lose() -> None:
         outbox.push(each)
         outbox.push(datagram(Priority.STANDARD, 2 * number + 1))
     assert [each for each in drained(outbox) if each in modest] == modest
+
+
+def test_what_a_sender_sends_to_all_and_to_one_stays_in_order() -> None:
+    outbox = SendQueue()
+    everyone, other = JausID.parse("255.255.255"), JausID.parse("101.1.2")
+    sent = [judp.pack(Packet(A, each, b"\x02\x20", n)) for n, each in enumerate((everyone, everyone, other, A, everyone))]
+    for data in sent:
+        outbox.push(data)
+    assert drained(outbox) == sent

@@ -25,8 +25,8 @@ LOW_PRIORITY_TURN: Final = 16
 MAX_CANDIDATES: Final = 8
 """Flows that are compared with the one that was longest lately, to find the one that loses a datagram."""
 _CONTROL_PRIORITY: Final = PRIORITIES - 1
-_ENDS: Final = slice(5, 13)
-"""The ids of destination and source in a datagram with one packet."""
+_SOURCE: Final = slice(9, 13)
+"""The id of the source in a datagram with one packet."""
 
 _Entry: TypeAlias = tuple[bytes, float]
 _Send: TypeAlias = Callable[[bytes], object]
@@ -62,24 +62,24 @@ class QueueMemory:
 
 
 class _Flows:
-    """Datagrams of one priority: those between the same two components in order, and of each such pair one in turn."""
+    """Datagrams of one priority: those of a sender in order, and of each sender one in turn."""
 
     def __init__(self) -> None:
         self.length = 0
         self._flows: OrderedDict[bytes, deque[_Entry]] = OrderedDict()
         self._longest = b""
-        """The pair that has, or lately had, most."""
+        """The sender that has, or lately had, most."""
 
     def append(self, datagram: bytes, now: float) -> None:
         """Append a datagram, with the time."""
-        ends = datagram[_ENDS]
-        flow = self._flows.get(ends)
+        source = datagram[_SOURCE]
+        flow = self._flows.get(source)
         if flow is None:
-            flow = self._flows[ends] = deque()
+            flow = self._flows[source] = deque()
         flow.append((datagram, now))
         self.length += 1
         if len(flow) > len(self._flows.get(self._longest, ())):
-            self._longest = ends
+            self._longest = source
 
     def peek(self) -> bytes:
         """The datagram whose turn it is."""
@@ -87,35 +87,35 @@ class _Flows:
 
     def pop(self) -> bytes:
         """Remove the datagram whose turn it is."""
-        ends = next(iter(self._flows))
-        self._flows.move_to_end(ends)
-        return self._remove(ends)
+        source = next(iter(self._flows))
+        self._flows.move_to_end(source)
+        return self._remove(source)
 
     def pop_excess(self) -> bytes:
-        """Remove the oldest datagram of a pair that has many."""
+        """Remove the oldest datagram of a sender that has many."""
         candidates = [*islice(self._flows, MAX_CANDIDATES), *((self._longest,) if self._longest in self._flows else ())]
-        return self._remove(max(candidates, key=lambda ends: len(self._flows[ends])))
+        return self._remove(max(candidates, key=lambda source: len(self._flows[source])))
 
     def pop_stale(self, oldest: float) -> list[bytes]:
         """Remove commands from before `oldest` that may not be late."""
         found: list[bytes] = []
-        for ends, flow in [*self._flows.items()]:
+        for source, flow in [*self._flows.items()]:
             if flow[0][1] >= oldest:
                 continue
             kept = deque(each for each in flow if each[1] >= oldest or judp.may_be_late(each[0]))
             found += (datagram for datagram, since in flow if since < oldest and not judp.may_be_late(datagram))
             if kept:
-                self._flows[ends] = kept
+                self._flows[source] = kept
             else:
-                del self._flows[ends]
+                del self._flows[source]
         self.length -= len(found)
         return found
 
-    def _remove(self, ends: bytes) -> bytes:
-        flow = self._flows[ends]
+    def _remove(self, source: bytes) -> bytes:
+        flow = self._flows[source]
         datagram, _ = flow.popleft()
         if not flow:
-            del self._flows[ends]
+            del self._flows[source]
         self.length -= 1
         return datagram
 
@@ -123,7 +123,7 @@ class _Flows:
 class SendQueue:
     """A bounded queue of datagrams for one destination, by priority; within a priority, each sender has its turn.
 
-    Datagrams of the same priority between the same two components remain in order. `memory` bounds the queue together
+    Datagrams of a sender with the same priority remain in order. `memory` bounds the queue together
     with others.
     """
 
@@ -155,7 +155,7 @@ class SendQueue:
     def drop_one(self) -> None:
         """Remove a datagram of the lowest priority that has more than its share, or of the lowest.
 
-        It is the oldest of two components that exchange most of them: who floods the queue loses his own.
+        It is the oldest of the sender that has most of them: who floods the queue loses his own.
         """
         filled = (each for each in self._priorities if each.length > PRIORITY_SHARE * self._limit)
         flows = next(filled, None) or next(each for each in self._priorities if each.length)
