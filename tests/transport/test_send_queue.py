@@ -166,7 +166,9 @@ def test_of_many_senders_those_with_most_lose() -> None:
 def test_what_a_sender_sends_to_all_and_to_one_stays_in_order() -> None:
     outbox = SendQueue()
     everyone, other = JausID.parse("255.255.255"), JausID.parse("101.1.2")
-    sent = [judp.pack(Packet(A, each, b"\x02\x20", n)) for n, each in enumerate((everyone, everyone, other, A, everyone))]
+    sent = [
+        judp.pack(Packet(A, each, b"\x02\x20", n)) for n, each in enumerate((everyone, everyone, other, A, everyone))
+    ]
     for data in sent:
         outbox.push(data)
     assert drained(outbox) == sent
