@@ -215,6 +215,7 @@ class Proxy:
         self._port = port
         self._passes = asyncio.Event()
         self._passes.set()
+        self._writers: list[asyncio.StreamWriter] = []
 
     async def open(self) -> int:
         self._server = await asyncio.start_server(self._serve, "127.0.0.1", 0)
@@ -226,9 +227,14 @@ class Proxy:
 
     async def close(self) -> None:
         self._server.close()
+        self._passes.set()
+        for writer in self._writers:
+            writer.transport.abort()
+        await asyncio.sleep(0)
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         there, back = await asyncio.open_connection("127.0.0.1", self._port)
+        self._writers += [writer, back]
         await asyncio.gather(self._pump(reader, back), self._pump(there, writer))
 
     async def _pump(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -248,10 +254,12 @@ def test_the_robot_stands_when_the_network_is_away(
 ) -> None:
     proxy = Proxy(int(url.rpartition(":")[2]))
     port = background.run(proxy.open())
-    drive(page, f"http://127.0.0.1:{port}", speed)
-    fault = background.run(proxy.cut())
-    taken = speed.time_to_stop(fault)
-    background.run(proxy.close())
+    try:
+        drive(page, f"http://127.0.0.1:{port}", speed)
+        fault = background.run(proxy.cut())
+        taken = speed.time_to_stop(fault)
+    finally:
+        background.run(proxy.close())
     _LOG.info("network away: %.3f s", taken)
     assert taken <= STOP_TIME
 
@@ -333,14 +341,16 @@ def test_a_robot_of_a_vendor_shows_what_it_offers_and_nothing_else(page: Any, ba
 
     with jauspy.testing.LocalNode() as node, console_for(node.local) as (address, _):
         component = background.run(serve(node.local))
-        page.goto(address)
-        row = page.get_by_role("button", name=re.compile("1.1 lamp <b>of</b> a vendor"))
-        row.click()
-        page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
-        page.get_by_text("this robot has no camera").wait_for()
-        assert not page.locator("#stick").is_visible()
-        assert not page.get_by_text("Arm", exact=True).is_visible()
-        background.run(component.close())
+        try:
+            page.goto(address)
+            row = page.get_by_role("button", name=re.compile("1.1 lamp <b>of</b> a vendor"))
+            row.click()
+            page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
+            page.get_by_text("this robot has no camera").wait_for()
+            assert not page.locator("#stick").is_visible()
+            assert not page.get_by_text("Arm", exact=True).is_visible()
+        finally:
+            background.run(component.close())
 
 
 UNNAMED = """() => {
