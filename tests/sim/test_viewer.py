@@ -63,7 +63,9 @@ def test_the_window_follows_the_robot(tmp_path):
     ) as display:
         os.close(write)
         with os.fdopen(read) as told:
-            number = told.readline().strip()  # to the end of the line, which Xvfb writes separately: it ends if it cannot
+            number = (
+                told.readline().strip()
+            )  # to the end of the line, which Xvfb writes separately: it ends if it cannot
         try:
             run = subprocess.run(
                 [sys.executable, "-c", SHOWN],
