@@ -247,7 +247,7 @@ class Proxy:
         self._port = port
         self._passes = asyncio.Event()
         self._passes.set()
-        self._serving: list[asyncio.Task[None]] = []
+        self._writers: list[asyncio.StreamWriter] = []
 
     async def open(self) -> int:
         self._server = await asyncio.start_server(self._serve, "127.0.0.1", 0)
@@ -259,30 +259,26 @@ class Proxy:
 
     async def close(self) -> None:
         self._server.close()
-        for each in self._serving:
-            each.cancel()
-        await asyncio.gather(*self._serving, return_exceptions=True)
+        self._passes.set()
+        for writer in self._writers:
+            writer.transport.abort()
+        await asyncio.sleep(0)
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        self._serving.append(asyncio.create_task(self._connect(reader, writer)))
-
-    async def _connect(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         there, back = await asyncio.open_connection("127.0.0.1", self._port)
-        try:
-            await asyncio.gather(self._pump(reader, back), self._pump(there, writer))
-        finally:
-            for each in (back, writer):
-                each.close()
-                with suppress(ConnectionError):
-                    await each.wait_closed()
+        self._writers += [writer, back]
+        await asyncio.gather(self._pump(reader, back), self._pump(there, writer))
 
     async def _pump(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
-        with suppress(ConnectionError):
+        try:
             while data := await reader.read(1 << 16):
                 await self._passes.wait()
                 writer.write(data)
                 await writer.drain()
-        writer.close()
+        except ConnectionError:
+            pass
+        finally:
+            writer.close()
 
 
 def test_the_robot_stands_when_the_network_is_away(
@@ -292,11 +288,12 @@ def test_the_robot_stands_when_the_network_is_away(
         proxy = Proxy(int(url.rpartition(":")[2]))
         port = background.run(proxy.open())
         page = new_page(browser)
-        drive(page, f"http://127.0.0.1:{port}", speed)
-        taken = speed.time_to_stop(background.run(proxy.cut()))
-        background.run(proxy.close())
-        page.close()
-        return taken
+        try:
+            drive(page, f"http://127.0.0.1:{port}", speed)
+            return speed.time_to_stop(background.run(proxy.cut()))
+        finally:
+            background.run(proxy.close())
+            page.close()
 
     assert_stands_in_time("network away", attempt)
 
@@ -387,13 +384,15 @@ def test_a_robot_of_a_vendor_shows_what_it_offers_and_nothing_else(page: Any, ba
 
     with LocalNode() as node, console_for(node.local) as (address, _):
         component = background.run(serve(node.local))
-        page.goto(address)
-        page.locator(".component", has_text="lamp <b>of</b> a vendor").click()
-        page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
-        page.get_by_text("this robot has no camera").wait_for()
-        assert not page.locator("#stick").is_visible()
-        assert not page.get_by_text("Arm", exact=True).is_visible()
-        background.run(component.close())
+        try:
+            page.goto(address)
+            page.locator(".component", has_text="lamp <b>of</b> a vendor").click()
+            page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
+            page.get_by_text("this robot has no camera").wait_for()
+            assert not page.locator("#stick").is_visible()
+            assert not page.get_by_text("Arm", exact=True).is_visible()
+        finally:
+            background.run(component.close())
 
 
 UNNAMED = """() => {
