@@ -223,10 +223,9 @@ CommandTimeout: TypeAlias = Annotated[float, Field(gt=0.0, le=3600.0)] | Literal
 def _check_command_timeout(value: object) -> object:
     """One sentence instead of one for each type that it can have."""
     for each in value.values() if isinstance(value, Mapping) else (value,):
-        if each != "off" and not (type(each) in (int, float) and 0.0 < each <= 3600.0):
-            raise ValueError(
-                f'{each!r} is neither seconds (above 0, up to 3600) nor "off"; a table has these by service'
-            )
+        is_number = isinstance(each, int | float) and not isinstance(each, bool) and 0.0 < each <= 3600.0
+        if each != "off" and not is_number:
+            raise ValueError(f'{each!r} is neither seconds (above 0, up to 3600) nor "off"; or write a table of these')
     return value
 
 

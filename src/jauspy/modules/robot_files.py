@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import replace
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
@@ -25,7 +25,7 @@ from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
-from jauspy.toml_lines import line_of
+from jauspy.toml_lines import line_prefix
 from jauspy.user_files import read_file, read_toml
 
 SUFFIX: Final = ".toml"
@@ -59,7 +59,7 @@ def load(name_or_path: str | Path) -> RobotConfig:
     except ValidationError as error:
         text = source.read_text()
         problems = "\n".join(
-            f"  {_line(text, each['loc'])}{explain(each, RobotConfig)}"
+            f"  {line_prefix(text, each['loc'])}{explain(each, RobotConfig)}"
             for each in _causes(error.errors(include_url=False))
         )
         raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
@@ -67,12 +67,6 @@ def load(name_or_path: str | Path) -> RobotConfig:
     if config.can is not None:
         config.can.set_file(str(source))
     return config
-
-
-def _line(text: str, keys: Sequence[str | int]) -> str:
-    """`line 12: `, or nothing for a key that is not in the file but in one that it extends."""
-    number = line_of(text, keys)
-    return "" if number is None else f"line {number}: "
 
 
 def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
@@ -147,7 +141,7 @@ def with_place(error: ConfigError, file: str) -> ConfigError:
     if not file or key is None or key[1] not in RobotConfig.model_fields:
         return error
     keys = [int(part) if part.isdigit() else part for part in re.findall(r"[\w-]+", key[0])]
-    return ConfigError(f"{file}: {_line(read_file(Path(file)).decode(), keys)}{error}")
+    return ConfigError(f"{file}: {line_prefix(read_file(Path(file)).decode(), keys)}{error}")
 
 
 def _robot_model(config: RobotConfig) -> RobotModel:
