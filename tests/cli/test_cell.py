@@ -113,3 +113,9 @@ def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
     found = runner.invoke(app, arguments)
     assert found.exit_code == 1
     assert "NOT KEPT" in found.stdout
+
+
+def test_films_and_windows_are_of_cells_that_are_simulated_here(given: dict[str, bool]) -> None:
+    found = runner.invoke(app, ["cell", "assemble", "--connect", "127.0.0.1:3990", "--view"])
+    assert found.exit_code == 2
+    assert "leave out --connect" in found.output

@@ -184,12 +184,17 @@ FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "
 
 
 async def run_one(
-    task: str, seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None
+    task: str,
+    seed: int,
+    disturbances: Disturbances | None = None,
+    *,
+    film: Path | None = None,
+    view: bool = False,
 ) -> Measured:
-    """One run. A task that raises is a failure with that reason."""
+    """One run; `film` is a file, `view` opens a window. A task that raises is a failure with that reason."""
     begun = time.perf_counter()
     camera = FILMED_BY.get(task, "overview")
-    async with simulated(seed, disturbances, film=film, camera=camera) as session:
+    async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
         start = session.cell.now()
         try:
             found = await TASKS[task](session, seed)

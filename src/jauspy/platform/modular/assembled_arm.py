@@ -200,7 +200,7 @@ class AssembledArm(ModularArm):
                 self._fade_from = self._last_torques
             self._fade += dt
             torques = self._fade_from + smooth_step(self._fade / FADE_TIME) * (torques - self._fade_from)
-        torques = np.clip(torques, -self._torque_limits, self._torque_limits)
+        torques = np.minimum(np.maximum(torques, -self._torque_limits), self._torque_limits)  # `clip` takes longer
         self._last_torques = torques
         for drive, reading, torque in zip(self._drives, self._readings, torques.tolist(), strict=True):
             if reading.powered:
@@ -229,7 +229,7 @@ class AssembledArm(ModularArm):
         """What to add to the torques so that each of two bases carries half of the arm: then either may let go."""
         q = self._measured.q
         if self._other is None:
-            return np.zeros_like(q)
+            return np.zeros(len(q))
         self._sharing = min(1.0, self._sharing + dt / SHARING_TIME)
         carried = np.empty_like(q)
         carried[self._other_index] = self._other.gravity(q[self._other_index])
