@@ -2,7 +2,8 @@
 
     python tools/draw_cell_tasks.py [-o FOLDER] [TASK ...]
 
-runs each task and writes cell_TASK.jpg with its pictures side by side. Needs GL (MUJOCO_GL=egl) and a minute for each.
+runs each task and writes cell_TASK.jpg with its pictures side by side; `assemble` also cell.jpg, one picture for the
+README. Needs GL (MUJOCO_GL=egl) and a minute for each task.
 """
 
 from __future__ import annotations
@@ -22,6 +23,7 @@ from jauspy.cell.tasks import FILMED_BY, TASKS
 TARGET: Final = Path(__file__).parents[1] / "docs" / "assets"
 SIZE: Final = 1280, 720
 WIDTH: Final = 640
+COVER_WIDTH: Final = 960
 SEED: Final = 7
 
 
@@ -31,6 +33,9 @@ class Plan(NamedTuple):
     times: tuple[float, ...]
     columns: int = 2
 
+
+COVER: Final = "assemble", 2
+"""The task, and the number of its picture, of cell.jpg."""
 
 PLANS: Final = {
     "assemble": Plan((3.0, 20.0, 40.0, 61.0)),
@@ -67,6 +72,8 @@ async def draw(task: str, folder: Path) -> None:
     plan = PLANS[task]
     async with simulated(SEED) as session:
         pictures = await take(session, task, plan.times)
+    if task == COVER[0]:
+        side_by_side([pictures[COVER[1]]], 1, COVER_WIDTH).save(folder / "cell.jpg", **COMPRESSION)
     path = folder / f"cell_{task}.jpg"
     side_by_side(pictures, plan.columns, WIDTH).save(path, **COMPRESSION)
     print(f"{path}: {path.stat().st_size // 1000} kB")

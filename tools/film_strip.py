@@ -16,6 +16,9 @@ from PIL import Image
 COMPRESSION: Final[dict[str, Any]] = {"quality": 86, "optimize": True, "progressive": True}
 """Of the JPEG files of the documentation."""
 
+GAP: Final = 8
+"""Pixels between two pictures."""
+
 
 def pictures(film: Path, times: Sequence[float]) -> list[Image.Image]:
     """The picture that is shown at each of these times (s); the last one for times after the end."""
@@ -35,10 +38,11 @@ def side_by_side(pictures: Sequence[Image.Image], columns: int, width: int) -> I
     """One picture of all, row by row, each `width` pixels wide."""
     height = round(width * pictures[0].height / pictures[0].width)
     rows = -(-len(pictures) // columns)
-    strip = Image.new("RGB", (width * columns, height * rows), "white")
+    strip = Image.new("RGB", ((width + GAP) * columns - GAP, (height + GAP) * rows - GAP), "white")
     for number, picture in enumerate(pictures):
         row, column = divmod(number, columns)
-        strip.paste(picture.resize((width, height), Image.Resampling.LANCZOS), (column * width, row * height))
+        smaller = picture.resize((width, height), Image.Resampling.LANCZOS)
+        strip.paste(smaller, (column * (width + GAP), row * (height + GAP)))
     return strip
 
 
