@@ -108,7 +108,10 @@ def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
     found = runner.invoke(app, arguments)
     assert found.exit_code == 0, found.output
     assert "NOT KEPT" not in found.stdout
-    assert "not kept" not in (tmp_path / "index.html").read_text()
+    page = (tmp_path / "index.html").read_text()
+    assert "not kept" not in page
+    assert "worth it from 6 orders on" in page
+    assert "https://" not in page.replace("http://www.w3.org", ""), "it opens without a network"
     given["car"] = False
     found = runner.invoke(app, arguments)
     assert found.exit_code == 1

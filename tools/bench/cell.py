@@ -23,6 +23,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.cell.modular import FIVE_JOINTS
 from jauspy.modules import robot_files
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Snapshot
@@ -31,7 +32,6 @@ from jauspy.platform.modular.arm import ModularArm
 from jauspy.platform.modular.cell import Conveyor
 from jauspy_sim.assembly import TIMESTEP
 from jauspy_sim.cell.robot import SimulatedCell
-from jauspy_sim.cell.staging import build_arm
 
 RATE = 25
 SIZE = 1280, 720
@@ -48,7 +48,7 @@ def open_cell() -> SimulatedCell:
     assert model.cell is not None
     setup = replace(model.cell, pose_error=(0.01, 0.087), seed=1)
     cell = SimulatedCell.open(replace(model, cell=setup), "cell")
-    build_arm(cell)
+    cell.prepare("platform_1/top", FIVE_JOINTS)
     return cell
 
 

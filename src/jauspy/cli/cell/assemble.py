@@ -37,7 +37,7 @@ def assemble(
         )
     from dataclasses import asdict
 
-    from jauspy.cell import assembly_run, tasks
+    from jauspy.cell import tasks
     from jauspy.cell.measured import Measured
     from jauspy.cell.session import NONE, connected
     from jauspy.cli.cell.tables import assembly_table
@@ -47,7 +47,7 @@ def assemble(
 
     async def elsewhere() -> Measured:
         async with connected(make_ocu(id, connect, 3.0, operator=operator_key)) as session:
-            return await assembly_run.assemble(session, seed)
+            return await tasks.assemble(session, seed)
 
     found = run(here() if connect is None else elsewhere())
     if found is None:
