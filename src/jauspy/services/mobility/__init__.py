@@ -7,8 +7,12 @@ from jauspy.services.mobility.reference_frames import GlobalPose
 from jauspy.services.mobility.vector_drivers import GlobalVectorDriver, LocalVectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
 from jauspy.services.mobility.velocity_state_driver import VelocityStateDriver
-from jauspy.services.mobility.waypoint_drivers import GlobalWaypointDriver, LocalWaypointDriver
-from jauspy.services.mobility.waypoint_list_drivers import GlobalWaypointListDriver, LocalWaypointListDriver
+from jauspy.services.mobility.waypoint_drivers import (
+    GlobalWaypointDriver,
+    GlobalWaypointListDriver,
+    LocalWaypointDriver,
+    LocalWaypointListDriver,
+)
 
 __all__ = [
     "AccelerationStateSensor",
