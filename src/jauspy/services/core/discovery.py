@@ -28,7 +28,7 @@ from jauspy.messages.core import (
     SubsystemRec,
 )
 from jauspy.protocol.addressing import HERE, Location
-from jauspy.services import older_versions
+from jauspy.services.definitions import OLDER_VERSION, answered_in_older_version
 from jauspy.services.service import Service, ServiceHost
 
 MAX_COMPONENTS: Final = 256
@@ -387,7 +387,7 @@ def offered_services(host: ServiceHost) -> list[OfferedService]:
     """The services of a component and all they inherit from; older versions of them if it lists those."""
     keys = {(urn, definition.version) for urn, definition in host.definitions.items()}
     if host.older_versions:
-        keys |= {(urn, older_versions.VERSION) for urn in older_versions.answered(host.definitions, host.inputs)}
+        keys |= {(urn, OLDER_VERSION) for urn in answered_in_older_version(host.definitions, host.inputs)}
     offers = []
     for urn, version in keys:
         major, _, minor = version.partition(".")
