@@ -18,9 +18,8 @@ from jauspy.logs import get_logger
 from jauspy.modules.audit import AuditLog
 from jauspy.modules.cell_hosts import is_present
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.faults import FaultMonitor, reason
 from jauspy.modules.hosts import Announcement, check_parts, host_of
-from jauspy.modules.loads import LoadMonitor, overloads
+from jauspy.modules.monitors import FaultMonitor, LoadMonitor, overloads, reason
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import robot_model
