@@ -22,13 +22,13 @@ pytest.importorskip("canopen", reason="canopen is not installed")
 import av
 import cv2
 import yaml
+from jauspy.modules.localization_config import LocalizationConfig
 
 from jauspy.cli.can_bus import on_bus
 from jauspy.cli.demo import grasp, plan
 from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
 from jauspy.cli.demo.report import DemoState
-from jauspy.modules.localization_config import LocalizationConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.node import NodeConfig, NodeManager
