@@ -22,7 +22,6 @@ pytest.importorskip("canopen", reason="canopen is not installed")
 import av
 import cv2
 import yaml
-from jauspy.modules.localization_config import LocalizationConfig
 
 from jauspy.cli.can_bus import on_bus
 from jauspy.cli.demo import grasp, plan
@@ -31,6 +30,7 @@ from jauspy.cli.demo.grasp import Grasp
 from jauspy.cli.demo.report import DemoState
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load, robot_model
+from jauspy.modules.vehicle_config import LocalizationConfig
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames

@@ -28,7 +28,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.schema.model import Schema
-from jauspy.services.core.defaults import with_core_services
+from jauspy.services.core import with_core_services
 from jauspy.services.host import Host
 from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services

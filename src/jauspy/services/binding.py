@@ -21,7 +21,7 @@ from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines, short_name, walk_states
-from jauspy.services.core.defaults import INHERITED_DEFAULTS
+from jauspy.services.core import INHERITED_DEFAULTS
 from jauspy.services.deferred import Deferred
 from jauspy.services.definitions import definitions_of, schema_for
 from jauspy.services.service import BoundServices, Service
