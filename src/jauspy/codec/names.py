@@ -6,6 +6,7 @@ import keyword
 import re
 import unicodedata
 from collections.abc import Callable, Iterable
+from functools import lru_cache
 from typing import Final
 
 from jauspy.ids import service_set
@@ -38,6 +39,7 @@ def plain(name: str) -> str:
     return "".join(letter for letter in decomposed if not unicodedata.combining(letter))
 
 
+@lru_cache(maxsize=4096)
 def snake(name: str) -> str:
     """`PropulsiveLinearEffortX` to `propulsive_linear_effort_x`; `""` when there is no letter or digit in it."""
     text = _ACRONYM_THEN_WORD.sub(r"\1_\2", _DIMENSIONS.sub("d_", plain(name)))

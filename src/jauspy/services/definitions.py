@@ -11,7 +11,7 @@ from jauspy import messages
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
-from jauspy.schema.inheritance import ParentOf, is_a, lineage, most_derived_first, parents_among
+from jauspy.schema.inheritance import ParentOf, lineage, most_derived_first, parents_among
 from jauspy.schema.loader import Wanted, load_needed, versions_of
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import check_behavior
@@ -72,8 +72,9 @@ def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Def
     found: dict[str, Definition] = {}
     # Services with the fewest versions, and services that no other one inherits from, choose first.
     services = sorted(services, key=lambda service: len(_versions(service, schema)))
+    inherited = _inherited(services, schema, parent_of)
     for service in services:
-        if service.version is not None or not _inherited(service.urn, services, schema, parent_of):
+        if service.version is not None or service.urn not in inherited:
             _add(found, _choose(found, service, schema, parent_of), parent_of)
     for service in services:
         if service.urn not in found:
@@ -106,13 +107,13 @@ def _fits(found: Mapping[str, Definition], definition: Definition, parent_of: Pa
     return all(found.get(each.id, each).version == each.version for each in lineage(definition, parent_of))
 
 
-def _inherited(urn: str, services: Iterable[Service], schema: Schema, parent_of: ParentOf[Definition]) -> bool:
-    """True when another of the services has this one as an ancestor, and so chooses its version."""
-    return any(
-        is_a(_lookup(schema, service.urn, service.version, service.urn), urn, parent_of)
-        for service in services
-        if service.urn != urn
-    )
+def _inherited(services: Iterable[Service], schema: Schema, parent_of: ParentOf[Definition]) -> set[str]:
+    """The ids of all ancestors of the services; the version of an ancestor is chosen by what inherits from it."""
+    found: set[str] = set()
+    for service in services:
+        definition = _lookup(schema, service.urn, service.version, type(service).__name__)
+        found |= {each.id for each in lineage(definition, parent_of) if each.id != service.urn}
+    return found
 
 
 def _add(found: dict[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> None:
