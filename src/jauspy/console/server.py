@@ -249,10 +249,16 @@ def make_app(console: Console) -> FastAPI:
 
     @app.websocket("/ws/stop/{token}")
     async def stop(page: WebSocket, token: str) -> None:
-        """`stop 101`, `stop all`, `release 101`: a connection of its own, which nothing else waits for."""
+        """`stop 101`, `stop all`, `release 101`: a connection of its own, which nothing else waits for.
+
+        `leave` tells that the page is closed or loaded again; one that only falls silent may reconnect.
+        """
         if not await _accepted(page, console, token):
             return
         async for text in _messages(page):
+            if text == "leave":
+                console.forget(token)
+                return
             verb, _, target = text.partition(" ")
             if verb not in ("stop", "release") or not (target == "all" or (target.isdecimal() and len(target) < 6)):
                 await page.send_text(f"not understood: {printable(text)}")
