@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import time
 
 import numpy as np
 import pytest
@@ -12,6 +13,8 @@ pytest.importorskip("mujoco", reason="needs the extra `sim`")
 from jauspy.cell.assembly import FIVE_JOINTS, Assembler, AssemblyResult
 from jauspy.cell.session import Disturbances, simulated
 from jauspy.cell.tasks import run_one
+from jauspy.errors import ConfigError
+from jauspy_sim.cell.robot import SimulatedCell
 
 
 def test_a_client_sees_the_parts_and_moves_the_arm() -> None:
@@ -46,3 +49,25 @@ def test_each_task_succeeds(task: str, seed: int) -> None:
     """With seed 7 the gripper fails to lift the car at the first attempt."""
     found = asyncio.run(run_one(task, seed))
     assert found.success, found.failure
+
+
+def test_a_cell_that_is_watched_is_no_faster_than_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    shown = []
+    monkeypatch.setattr(SimulatedCell, "view", lambda _: shown.append("a window"))
+
+    async def watch() -> tuple[float, float]:
+        async with simulated(3, view=True) as session:
+            begun, start = session.true.time, time.monotonic()
+            await session.cell.sleep(0.3)
+            return session.true.time - begun, time.monotonic() - start
+
+    simulated_time, taken = asyncio.run(watch())
+    assert shown == ["a window"]
+    assert taken > simulated_time - 0.03
+
+
+async def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("DISPLAY", raising=False)
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    with pytest.raises(ConfigError, match="there is no display"):
+        await run_one("lift", 0, view=True)

@@ -108,8 +108,17 @@ def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
     found = runner.invoke(app, arguments)
     assert found.exit_code == 0, found.output
     assert "NOT KEPT" not in found.stdout
-    assert "not kept" not in (tmp_path / "index.html").read_text()
+    page = (tmp_path / "index.html").read_text()
+    assert "not kept" not in page
+    assert "worth it from 6 orders on" in page
+    assert "https://" not in page.replace("http://www.w3.org", ""), "it opens without a network"
     given["car"] = False
     found = runner.invoke(app, arguments)
     assert found.exit_code == 1
     assert "NOT KEPT" in found.stdout
+
+
+def test_films_and_windows_are_of_cells_that_are_simulated_here(given: dict[str, bool]) -> None:
+    found = runner.invoke(app, ["cell", "assemble", "--connect", "127.0.0.1:3990", "--view"])
+    assert found.exit_code == 2
+    assert "leave out --connect" in found.output

@@ -11,7 +11,9 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from jauspy.cli import console
+from jauspy.cli.cell.kitting import WAYS, break_even
 from jauspy.cli.cell.options import OUTPUT, Jobs, Out, check_extra
+from jauspy.cli.cell.trials import with_progress
 from jauspy.cli.processes import run
 
 if TYPE_CHECKING:
@@ -102,7 +104,8 @@ def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> 
     from jauspy.cell.trials import run_trials, summarised
 
     console.note(f"{count} runs of {task}")
-    found = sorted(run_trials(task, range(count), jobs=jobs), key=lambda each: each.seed)
+    results = run_trials(task, range(count), jobs=jobs)
+    found = sorted(with_progress(task, count, results), key=lambda each: each.seed)
     (out / f"trials-{task}.json").write_text(json.dumps([asdict(each) for each in found], indent=1))
     summary = summarised(found)
     plot = out / f"trials-{task}.svg"
@@ -147,13 +150,14 @@ def _kitting(out: Path, seeds: int, jobs: int | None) -> tuple[Promise, Section]
     from jauspy.cell.trials import mean_of, run_trials
 
     console.note(f"{seeds} kitting orders, each way")
-    table: list[Sequence[str]] = [("way", "runs", "mean score", "mean time of an order, s", "building, s")]
-    done = True
-    for task in ("kitting", "kitting-arm"):
-        found = list(run_trials(task, range(seeds), jobs=jobs))
+    table: list[Sequence[str]] = [("way", "runs", "mean score", "of", "mean time of an order, s", "building, s")]
+    results: dict[str, list[Measured]] = {}
+    for task, way in WAYS.items():
+        results[task] = found = list(with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)))
         (out / f"{task}.json").write_text(json.dumps([asdict(each) for each in found], indent=1))
-        done = done and all(each.success for each in found)
-        figures = [f"{mean_of(found, name):.2f}" for name in ("score", "order_time", "build_time")]
-        table.append((task, str(len(found)), *figures))
+        figures = [f"{mean_of(found, name):.2f}" for name in ("score", "most_points", "order_time", "build_time")]
+        table.append((way, str(len(found)), *figures))
+    done = all(each.success for found in results.values() for each in found)
+    conclusion = break_even(results["kitting"], results["kitting-arm"])
     promise = Promise("kitting orders, with and without a modular arm", "measured both ways", f"{seeds} each", done)
-    return promise, Section("Kitting", "Orders in the style of ARIAC 2018, scored by its rules.", table)
+    return promise, Section("Kitting", f"Orders in the style of ARIAC 2018, scored by its rules. {conclusion}", table)
