@@ -38,6 +38,12 @@ def line_of(text: str, keys: Sequence[str | int]) -> int | None:
     return found
 
 
+def line_prefix(text: str, keys: Sequence[str | int]) -> str:
+    """`line 12: `, or nothing for a key that is not in the file, but for example in one that it extends."""
+    number = line_of(text, keys)
+    return "" if number is None else f"line {number}: "
+
+
 def _names(text: str) -> tuple[str | int, ...]:
     return tuple(part.strip("\"'") for part in _PART.findall(text))
 

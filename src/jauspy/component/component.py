@@ -6,6 +6,7 @@ import asyncio
 import math
 import random
 import signal
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
-from typing import Final, Literal, Self, TypeAlias, TypeVar
+from typing import Any, Final, Literal, Self, TypeAlias, TypeVar
 
 from jauspy.arguments import check_text, described
 from jauspy.codec.message import Message
@@ -506,8 +507,15 @@ def run(*components: Component) -> None:
 
 
 async def _serve(components: tuple[Component, ...]) -> None:
+    await until_signalled(asyncio.gather(*(component.run() for component in components)))
+
+
+async def until_signalled(serving: asyncio.Future[Any]) -> None:
+    """Wait for `serving`; Ctrl-C, SIGTERM and SIGHUP (unless ignored, as by nohup) cancel it, which is no error then.
+
+    In the main thread; in another one signals do nothing.
+    """
     loop = asyncio.get_running_loop()
-    serving = asyncio.gather(*(component.run() for component in components))
     stopped = False
 
     def stop() -> None:
@@ -516,8 +524,10 @@ async def _serve(components: tuple[Component, ...]) -> None:
         serving.cancel()
 
     numbers = [signal.SIGINT, signal.SIGTERM]
-    if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # as by nohup
+    if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:
         numbers.append(signal.SIGHUP)
+    if threading.current_thread() is not threading.main_thread():
+        numbers.clear()
     for number in numbers:
         loop.add_signal_handler(number, stop)
     try:

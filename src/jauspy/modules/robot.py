@@ -11,7 +11,7 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time
+from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time, until_signalled
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
@@ -23,7 +23,7 @@ from jauspy.modules.hosts import Announcement, check_parts, host_of
 from jauspy.modules.loads import LoadMonitor, overloads
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robot_files import robot_model
+from jauspy.modules.robot_files import robot_model, with_place
 from jauspy.modules.running import RunningModules
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
@@ -74,6 +74,7 @@ class RobotRunner:
         view: bool = False,
     ) -> None:
         self._backend = None if isinstance(backend, str) else backend
+        self._backend_file = config.file if backend is None else ""
         name = backend if isinstance(backend, str) or backend is None else backend.name
         self.config = config.model_copy(update={"backend": name or config.backend, "world": world or config.world})
         self._transports = transports
@@ -218,7 +219,10 @@ class RobotRunner:
         await self._stack.aclose()
 
     async def run(self) -> None:
-        """Open, run until cancelled, close. Raises the robot's exception if it fails."""
+        """Open, run until Ctrl-C or SIGTERM, close (the robot stops). Raises the robot's exception if it fails."""
+        await until_signalled(asyncio.ensure_future(self._run()))
+
+    async def _run(self) -> None:
         async with self:
             await self.wait()
 
@@ -265,8 +269,14 @@ class RobotRunner:
             if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
                 _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
 
+    def _find_backend(self) -> Backend:
+        try:
+            return backends.find(self.config.backend)
+        except ConfigError as error:
+            raise with_place(ConfigError(f"backend: {error}"), self._backend_file) from error
+
     def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
-        backend = self._backend or backends.find(self.config.backend)
+        backend = self._backend or self._find_backend()
         try:
             robot = backend.open(model, self.config.world)
         except JausError:
