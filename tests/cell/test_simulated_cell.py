@@ -10,10 +10,13 @@ import pytest
 
 pytest.importorskip("mujoco", reason="needs the extra `sim`")
 
+from jauspy.cell import session as session_module
 from jauspy.cell.assembly import FIVE_JOINTS, Assembler, AssemblyResult
 from jauspy.cell.session import Disturbances, simulated
 from jauspy.cell.tasks import run_one
 from jauspy.errors import ConfigError
+from jauspy.platform.contract import Robot
+from jauspy.virtual.environment import VirtualTime
 from jauspy_sim.cell.robot import SimulatedCell
 
 
@@ -64,6 +67,25 @@ def test_a_cell_that_is_watched_is_no_faster_than_the_clock(monkeypatch: pytest.
     simulated_time, taken = asyncio.run(watch())
     assert shown == ["a window"]
     assert taken > simulated_time - 0.03
+
+
+@pytest.mark.slow
+def test_motions_of_a_cell_that_is_slower_than_the_clock_arrive(monkeypatch: pytest.MonkeyPatch) -> None:
+    class SlowTime(VirtualTime):
+        def __init__(self, robot: Robot) -> None:
+            super().__init__(robot)
+            self._step /= 3.0
+
+    monkeypatch.setattr(session_module, "VirtualTime", SlowTime)
+
+    async def move() -> None:
+        async with simulated(3) as session:
+            ur10 = Assembler(session.cell, session.layout)
+            ur10.at = await session.cell.posture()
+            await ur10.park()
+            assert await session.cell.posture() == pytest.approx(ur10.at, abs=0.005)
+
+    asyncio.run(move())
 
 
 async def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:
