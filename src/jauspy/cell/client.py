@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import math
 from collections import defaultdict, deque
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import AsyncExitStack
 from itertools import pairwise
 from typing import Any, Final, Self
@@ -14,7 +14,7 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, averaged, offset_between
-from jauspy.cell.interface import GRIPPER, SeenPart
+from jauspy.cell.interface import GRIPPER, SeenPart, T
 from jauspy.cell.layout import Layout
 from jauspy.cell.motion import Path, profile
 from jauspy.errors import ConfigError, JausError, RequestError
@@ -76,10 +76,16 @@ class MotionFailed(RequestError):
 
 
 class CellClient:
-    """`async with CellClient(ocu, config, model) as cell:`. Takes control of what it commands, and releases it."""
+    """`async with CellClient(ocu, config, model) as cell:`. Takes control of what it commands, and releases it.
 
-    def __init__(self, ocu: OCU, config: RobotConfig, model: RobotModel, layout: Layout) -> None:
+    With `threads` it computes in another thread, so that planning never delays the renewal of control.
+    """
+
+    def __init__(
+        self, ocu: OCU, config: RobotConfig, model: RobotModel, layout: Layout, *, threads: bool = False
+    ) -> None:
         self.layout = layout
+        self._threads = threads
         self._ocu = ocu
         self._config = config
         self._geometry = manipulator_geometry(model.description.chain(layout.group.base, layout.group.tip))
@@ -119,6 +125,16 @@ class CellClient:
     async def sleep(self, seconds: float) -> None:
         """Wait."""
         await asyncio.sleep(seconds)
+
+    async def compute(self, function: Callable[[], T]) -> T:
+        """The value of a function that may take seconds; on virtual time no time passes meanwhile."""
+        if not self._threads:
+            return function()
+        computing = asyncio.ensure_future(asyncio.to_thread(function))
+        try:
+            return await asyncio.shield(computing)
+        finally:
+            await asyncio.wait({computing})
 
     # --- the UR10 -------------------------------------------------------------------------------------------------
 
