@@ -16,9 +16,7 @@ from jauspy.modules.camera_config import CameraConfig
 from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
-from jauspy.modules.light_config import LightConfig
-from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
-from jauspy.modules.wheels_config import WheelsConfig
+from jauspy.modules.vehicle_config import GnssConfig, LightConfig, LocalizationConfig, WheelsConfig
 from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup

@@ -14,7 +14,7 @@ from lxml import etree
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from jauspy.config_errors import explain
+from jauspy.config_errors import explain, line_prefix
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
@@ -25,7 +25,6 @@ from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
-from jauspy.toml_lines import line_prefix
 from jauspy.user_files import read_file, read_toml
 
 SUFFIX: Final = ".toml"

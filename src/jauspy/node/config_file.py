@@ -11,10 +11,9 @@ from typing import Any, Final
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
-from jauspy.config_errors import explain, models_in
+from jauspy.config_errors import explain, line_prefix, models_in
 from jauspy.errors import ConfigError
 from jauspy.node.config import NodeConfig
-from jauspy.toml_lines import line_prefix
 from jauspy.user_files import read_toml
 
 _WIDTH: Final = 100
