@@ -113,7 +113,12 @@ def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
 def required_method(definition: model.Service, name: str) -> RequiredMethod:
     """One required method, by the name (dotted or not) in the behaviour that calls it."""
     short = short_name(name)
-    return next((each for each in required_methods(definition) if each.jsidl == short), RequiredMethod(short, "action"))
+    return _required_by_name(definition).get(short) or RequiredMethod(short, "action")
+
+
+@cache
+def _required_by_name(definition: model.Service) -> dict[str, RequiredMethod]:
+    return {each.jsidl: each for each in required_methods(definition)}
 
 
 def _add_transition(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
