@@ -7,7 +7,8 @@ import socket
 import subprocess
 import tempfile
 import time
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Mapping
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -16,6 +17,8 @@ from tests.helpers.ports import unused_port
 from tests.node.hosts.switch import Switch
 
 from jauspy.logs import LIMIT
+from jauspy.modules import robot_files
+from jauspy.modules.package_paths import PackagePaths
 from jauspy.transport import age
 
 for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
@@ -23,6 +26,27 @@ for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
 
 settings.register_profile("any machine", deadline=None, suppress_health_check=[HealthCheck.too_slow])
 settings.load_profile("any machine")
+
+
+def _expanding_once() -> None:
+    """Expand each robot that comes with jauspy once in a test run: its files do not change, and xacro takes 70 ms."""
+    expand, folder = robot_files.expand, str(robot_files._FOLDER)
+
+    @cache
+    def expanded(path: str, arguments: frozenset[tuple[str, str]]) -> str:
+        return expand(path, None, dict(arguments), with_places=True)
+
+    def instead(
+        path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None, *, with_places: bool
+    ) -> str:
+        if path.startswith(folder):
+            return expanded(path, frozenset((arguments or {}).items()))
+        return expand(path, packages, arguments, with_places=with_places)
+
+    robot_files.expand = instead
+
+
+_expanding_once()
 
 
 @pytest.fixture(autouse=True)

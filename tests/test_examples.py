@@ -122,6 +122,34 @@ async def test_backend(node_manager: LocalNode) -> None:
     await stop(program)
 
 
+TELLS_THE_END = """
+import asyncio, backend, sys
+
+class Robot(backend.TrackedRobot):
+    def close(self):
+        super().close()
+        print("closed with efforts", self.drive.motors.efforts)
+
+backend.TrackedRobot = Robot
+asyncio.run(backend.main(sys.argv[1]))
+"""
+
+
+async def test_a_backend_that_systemd_ends_stops_its_motors(node_manager: LocalNode) -> None:
+    program = await asyncio.create_subprocess_exec(
+        sys.executable, "-c", TELLS_THE_END, node_manager.local, cwd=EXAMPLES, stdout=asyncio.subprocess.PIPE
+    )
+    await until(lambda: node_manager.components, within=60.0)
+    async with node_manager.ocu("42.1.1") as ocu:
+        driver = (await ocu.discover(subsystem=101)).service("mobility:PrimitiveDriver")
+        async with driver.control(authority=200):
+            await driver.resume()
+            await driver.send(SetWrenchEffort(propulsive_linear_effort_x=40.0))
+            program.send_signal(signal.SIGTERM)
+            output, _ = await program.communicate()
+    assert (program.returncode, output.decode()) == (0, "closed with efforts (0.0, 0.0)\n")
+
+
 async def test_conformance_profile(node_manager: LocalNode) -> None:
     async with node_manager.robot():
         profile = ("conformance_profile:PROFILE", "--target", "101.1.102", "--connect", node_manager.local)

@@ -8,9 +8,16 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, Final
 
 import av
 from PIL import Image
+
+COMPRESSION: Final[dict[str, Any]] = {"quality": 86, "optimize": True, "progressive": True}
+"""Of the JPEG files of the documentation."""
+
+GAP: Final = 8
+"""Pixels between two pictures."""
 
 
 def pictures(film: Path, times: Sequence[float]) -> list[Image.Image]:
@@ -27,6 +34,18 @@ def pictures(film: Path, times: Sequence[float]) -> list[Image.Image]:
     return found + [Image.fromarray(last.to_ndarray(format="rgb24"))] * (len(times) - len(found))
 
 
+def side_by_side(pictures: Sequence[Image.Image], columns: int, width: int) -> Image.Image:
+    """One picture of all, row by row, each `width` pixels wide."""
+    height = round(width * pictures[0].height / pictures[0].width)
+    rows = -(-len(pictures) // columns)
+    strip = Image.new("RGB", ((width + GAP) * columns - GAP, (height + GAP) * rows - GAP), "white")
+    for number, picture in enumerate(pictures):
+        row, column = divmod(number, columns)
+        smaller = picture.resize((width, height), Image.Resampling.LANCZOS)
+        strip.paste(smaller, (column * (width + GAP), row * (height + GAP)))
+    return strip
+
+
 def main() -> None:
     """Write the strip."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -37,14 +56,7 @@ def main() -> None:
     parser.add_argument("--width", type=int, default=480, metavar="PIXELS", help="of each picture")
     options = parser.parse_args()
     found = pictures(options.film, sorted(options.times))
-    width = options.width
-    height = round(width * found[0].height / found[0].width)
-    rows = -(-len(found) // options.columns)
-    strip = Image.new("RGB", (width * options.columns, height * rows), "white")
-    for number, picture in enumerate(found):
-        row, column = divmod(number, options.columns)
-        strip.paste(picture.resize((width, height), Image.Resampling.LANCZOS), (column * width, row * height))
-    strip.save(options.file, quality=86, optimize=True, progressive=True)
+    side_by_side(found, options.columns, options.width).save(options.file, **COMPRESSION)
     print(f"{options.file}: {options.file.stat().st_size // 1000} kB")
 
 

@@ -21,9 +21,9 @@ import mujoco
 import numpy as np
 from PIL import Image
 
+from jauspy.cli.new.robot import first_file
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
-from jauspy.modules.first_file import first_file
 from jauspy.modules.package_paths import PackagePaths
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, JointGroup, Target

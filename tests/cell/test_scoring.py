@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.cell.kitting import MAX_ANGLE, MAX_DISTANCE, drawn_order, score
-from jauspy.cell.measured import Measured
+from jauspy.cell.measured import Measured, figure_text
 from jauspy.cell.page import Promise, Section, page
 from jauspy.cell.trials import summarised, wilson
 
@@ -66,3 +66,21 @@ def test_the_page_has_everything_inside_and_is_escaped(tmp_path: Path) -> None:
     assert "&lt;b&gt;" in text
     assert "data:image/svg+xml;base64," in text
     assert 'class="yes">kept' in text
+
+
+@pytest.mark.parametrize(
+    ("name", "value", "text"),
+    [
+        ("clearance", 0.0104, "10.4 mm"),
+        ("driven", 2.63, "2.63 m"),
+        ("largest_tilt", 0.01, "0.573 degrees"),
+        ("ap angle UR10", 0.01, "0.573 degrees"),
+        ("ap UR10", 0.0001, "0.1 mm"),
+        ("settled_pid", 2.87, "2.87 s"),
+        ("settled_sooner", 7.36, "7.36"),
+        ("overshoot_model", 0.15, "0.15 rad/s"),
+        ("retries", 2.0, "2"),
+    ],
+)
+def test_figures_have_units(name: str, value: float, text: str) -> None:
+    assert figure_text(name, value) == text

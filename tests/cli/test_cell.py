@@ -17,7 +17,14 @@ from jauspy.cell import iso9283, swing, tasks, trials
 from jauspy.cell.measured import Measured
 from jauspy.cli.main import app
 
-FIGURES = {"score": 12.0, "order_time": 30.0, "build_time": 55.0, "largest_error": 0.001, "most_points": 12.0}
+FIGURES = {"score": 12.0, "order_time": 30.0, "build_time": 55.0, "largest_error": 0.001, "most_points": 12.0} | {
+    "settled_sooner": 7.4,
+    "settled_model": 0.39,
+    "settled_pid": 2.87,
+    "overshoot_ratio": 0.28,
+    "improvement": 450.0,
+    "improvement on reports": 1.3,
+}
 runner = CliRunner()
 
 
@@ -108,8 +115,19 @@ def test_everything_once(given: dict[str, bool], tmp_path: Path) -> None:
     found = runner.invoke(app, arguments)
     assert found.exit_code == 0, found.output
     assert "NOT KEPT" not in found.stdout
-    assert "not kept" not in (tmp_path / "index.html").read_text()
+    page = (tmp_path / "index.html").read_text()
+    assert "not kept" not in page
+    assert "worth it from 6 orders on" in page
+    assert "7.4 times sooner (0.39 s, not 2.87 s), 0.28 of the overshoot" in page
+    assert ">1 mm<" in page, "figures have units"
+    assert "https://" not in page.replace("http://www.w3.org", ""), "it opens without a network"
     given["car"] = False
     found = runner.invoke(app, arguments)
     assert found.exit_code == 1
     assert "NOT KEPT" in found.stdout
+
+
+def test_films_and_windows_are_of_cells_that_are_simulated_here(given: dict[str, bool]) -> None:
+    found = runner.invoke(app, ["cell", "assemble", "--connect", "127.0.0.1:3990", "--view"])
+    assert found.exit_code == 2
+    assert "leave out --connect" in found.output

@@ -145,7 +145,7 @@ def test_invalid_file_error_names_file_key_and_fix(tmp_path):
     done = run("--config", str(file))
     assert done.returncode == 1
     assert f"{file}: is not a configuration of a node manager" in done.stderr
-    assert "prot = 3795: there is no such key; known here are: address," in done.stderr
+    assert "line 1: prot = 3795: there is no such key; known here are: address," in done.stderr
 
 
 def test_status_of_a_running_node_manager_is_printed(node_manager, free_port, local_root):

@@ -194,7 +194,8 @@ def test_up_stops_in_order_and_leaves_no_process(robot, local_root, number, stat
     assert len(robot.family) == 1
     robot.process.send_signal(number)
     _, err = robot.process.communicate(timeout=20)
-    assert (robot.process.returncode, err) == (status, "")
+    said = [line for line in err.splitlines() if "a step of the robot took" not in line]  # on a machine that is busy
+    assert (robot.process.returncode, said) == (status, [])
     assert_gone(robot.family)
     assert not list(local_root.iterdir())
 

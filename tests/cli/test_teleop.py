@@ -14,8 +14,7 @@ from types import SimpleNamespace
 import pytest
 from tests.helpers.command_line import JAUSPY, jauspy
 
-from jauspy.cli.gamepad import ABS_RX, ABS_X, ABS_Y, BTN_TL, EV_ABS, EV_KEY, Gamepad
-from jauspy.cli.teleop import HOLD, Keys, Speeds
+from jauspy.cli.teleop import ABS_RX, ABS_X, ABS_Y, BTN_TL, EV_ABS, EV_KEY, HOLD, Gamepad, Keys, Speeds
 from jauspy.testing.assertions import until
 
 

@@ -10,8 +10,7 @@ pytest.importorskip("numpy", reason="the extra 'cloud' is not installed")
 
 import numpy as np
 
-from jauspy.cloud.depth import DepthSettings
-from jauspy.cloud.depth_worker import coloured_points
+from jauspy.cloud.depth import DepthSettings, coloured_points
 from jauspy.platform.camera import DepthFrame
 
 FOV = math.radians(90.0)

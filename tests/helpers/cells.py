@@ -9,9 +9,17 @@ from typing import Any
 from jauspy.modules import robot_files
 from jauspy.platform.description import RobotModel
 from jauspy_sim.cell.robot import SimulatedCell
-from jauspy_sim.cell.staging import ARM, GAP, build_arm, put, put_on
+from jauspy_sim.cell.start import GAP, put, put_on
 
 __all__ = ["ARM", "GAP", "build_arm", "cell_model", "open_cell", "put", "put_on", "small_cell"]
+
+ARM = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
+"""The arm of five joints of the included cell, from its base up."""
+
+
+def build_arm(cell: SimulatedCell, parts: Sequence[str] = ARM) -> None:
+    """Have an arm there."""
+    cell.prepare("platform_1/top", parts)
 
 
 def cell_model(**changes: Any) -> RobotModel:

@@ -13,7 +13,7 @@ from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform, jaus_frame
 from jauspy.geometry.vectors import X, Z, rotation_about
-from jauspy.modules.mounting import joint_of
+from jauspy.modules.hosts import joint_of
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.services.environment_sensing import JointMount
 

@@ -33,6 +33,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load
 from jauspy.platform.kinematic import KinematicBackend
 from jauspy.protocol.endpoint import Endpoint
+from jauspy.testing import until
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 ROBOT, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)
@@ -161,7 +162,7 @@ async def test_stops_everything_when_a_transport_cannot_be_opened(runner, hub, m
 
 async def test_runs_until_cancelled(runner, client):
     task = asyncio.create_task(runner.run())
-    await asyncio.sleep(0)
+    await until(lambda: runner.components)
     client.tell(QueryIdentification(query_type=4))
     await client.answer()
     task.cancel()

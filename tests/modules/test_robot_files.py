@@ -1,9 +1,13 @@
 """Robots as TOML files, and what is said about mistakes in them."""
 
+from pathlib import Path
+
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.robot_files import known, load
+from jauspy.modules.robot import RobotRunner
+from jauspy.modules.robot_files import known, load, robot_model
+from jauspy.transport import LoopbackTransport
 
 GOOD = """
 name = "mine"
@@ -236,3 +240,38 @@ def test_extends_inherits_keys(write):
 def test_cyclic_extends_is_an_error(write):
     with pytest.raises(ConfigError, match=r"robot\.toml: extends = '\./robot\.toml': .*not lead back"):
         load(write('extends = "./robot.toml"'))
+
+
+def test_what_does_not_match_the_urdf_is_told_with_file_and_line(tmp_path):
+    examples = Path(__file__).parents[2] / "examples"
+    (tmp_path / "tracked.urdf").write_bytes((examples / "tracked.urdf").read_bytes())
+    file = tmp_path / "mine.toml"
+    text = (examples / "tracked.toml").read_text()
+
+    file.write_text(text.replace('["left"]', '["leftt"]'))
+    with pytest.raises(ConfigError) as caught:
+        robot_model(load(file))
+    assert str(caught.value).startswith(f"{file}: line 14: tracks.left: 'leftt' is not a prismatic joint of the URDF")
+
+    file.write_text(text.replace("tracked.urdf", "none.urdf"))
+    with pytest.raises(ConfigError) as caught:
+        robot_model(load(file))
+    assert str(caught.value) == f"{file}: line 3: urdf: {tmp_path / 'none.urdf'}: there is no such file"
+
+
+async def test_a_backend_that_is_not_installed_is_told_with_file_and_line_or_as_it_was_given(tmp_path):
+    examples = Path(__file__).parents[2] / "examples"
+    config = load(examples / "tracked.toml")
+    with pytest.raises(ConfigError, match=r"tracked\.toml: line 4: backend: no backend 'tracked'; installed are: "):
+        await RobotRunner(config, LoopbackTransport).open()
+    with pytest.raises(ConfigError, match=r"^backend: no backend 'other'; installed are: "):
+        await RobotRunner(config, LoopbackTransport, backend="other").open()
+
+
+@pytest.mark.parametrize("value", ['"never"', "0", "true", '{ PrimitiveDriver = "never" }'])
+def test_a_wrong_time_limit_of_commands_is_one_sentence(write, value):
+    with pytest.raises(ConfigError) as caught:
+        load(write(f"{GOOD}command_timeout = {value}\n"))
+    (problem,) = str(caught.value).splitlines()[1:]
+    assert 'is neither seconds (above 0, up to 3600) nor "off"' in problem
+    assert problem.startswith("  line 14: modules[0].command_timeout = ")

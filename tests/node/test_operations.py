@@ -14,11 +14,10 @@ from pathlib import Path
 import dpkt
 import pytest
 
-from jauspy.cli.node_manager import JsonLines
+from jauspy.cli.node_manager import JsonLines, SystemdNotifier
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, metrics, mirror, status
-from jauspy.node.systemd import SystemdNotifier
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters

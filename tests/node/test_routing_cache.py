@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.node import NodeConfig, NodeManager, routing_cache
-from jauspy.node.routing_cache import RoutingCache
+from jauspy.node import NodeConfig, NodeManager, manager
+from jauspy.node.manager import RoutingCache
 from jauspy.protocol import judp, junior
 from jauspy.protocol.addressing import LocalPort, Port, UdpPort
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
@@ -39,7 +39,7 @@ class CountingRouter:
         self.router = Router("/tmp", sources=SourceChecks(SourceLimits(check_address)), changed=self._changed)
         self.cache = RoutingCache(self.router, self._open if cached else lambda _: None)
 
-    def _open(self, port: LocalPort | UdpPort) -> routing_cache.Send:
+    def _open(self, port: LocalPort | UdpPort) -> manager.Send:
         def send(datagram: bytes) -> None:
             self.cached += 1
             self.out.append((port, datagram))
@@ -119,7 +119,7 @@ async def test_routing_is_the_same_with_and_without_cache(seed: int, check_addre
 
 
 async def test_cached_routes_expire(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(routing_cache, "CACHE_LIFETIME", 0.0)
+    monkeypatch.setattr(manager, "CACHE_LIFETIME", 0.0)
     router = CountingRouter(cached=True)
     now = asyncio.get_running_loop().time()
     port = LocalPort(f"/tmp/{int(HERE)}")
@@ -133,7 +133,7 @@ async def test_cached_routes_expire(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 async def test_unknown_destinations_are_not_cached(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(routing_cache, "MAX_ROUTES", 3)
+    monkeypatch.setattr(manager, "MAX_ROUTES", 3)
     router = CountingRouter(cached=True)
     now = asyncio.get_running_loop().time()
     sender = JausID(101, 1, 1)

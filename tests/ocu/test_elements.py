@@ -21,7 +21,7 @@ from jauspy.messages.core import (
 from jauspy.messages.mobility import ExecuteList, ReportActiveElement, SetGlobalWaypoint, SetLocalWaypoint
 from jauspy.ocu.lists import ACTIVE_ELEMENT_INTERVAL
 from jauspy.services.core import AccessControl, Discovery, Events, ListDriver, ListManager, Liveness, Management
-from jauspy.services.core.element_list import ElementList
+from jauspy.services.core.list_manager import ElementList
 from jauspy.testing import LocalNode, until
 
 ROBOT = JausID(101, 1, 1)

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.codec.lint_names import RULES as PYTHON_RULES
+from jauspy.cli.schema.lint import PYTHON_RULES
 from jauspy.errors import SchemaError
 from jauspy.schema import load_files
 from jauspy.schema.lint import RULES, lint

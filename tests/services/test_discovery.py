@@ -23,13 +23,14 @@ from jauspy.messages.core import (
     SubsystemRec,
 )
 from jauspy.protocol.header import MAX_PAYLOAD
-from jauspy.services.core import Discovery, Identity, Liveness, directory
-from jauspy.services.core.directory import MAX_COMPONENTS, OfferedService
+from jauspy.services.core import Discovery, Identity, Liveness, discovery
 from jauspy.services.core.discovery import (
+    MAX_COMPONENTS,
     MAX_FILTERS,
     MAX_REGISTRATION,
     MAX_REPORT,
     REGISTRATION_LIFETIME,
+    OfferedService,
     offered_services,
 )
 from jauspy.services.host import Host
@@ -160,10 +161,10 @@ def test_the_directory_is_bounded(rig) -> None:
     for node in range(1, 255):
         for component in (1, 2):
             rig.tell(f"101.{node}.{component}", RegisterServices([MANIPULATOR] * 255))
-    directory = rig.host.service(Discovery).directory
-    assert len(directory.all()) == MAX_COMPONENTS + 1
+    discovery = rig.host.service(Discovery).directory
+    assert len(discovery.all()) == MAX_COMPONENTS + 1
     assert rig.host.counters["registration_dropped"] > 0
-    assert directory.all()[JausID(101, 1, 5)] == ((MANIPULATOR.uri, 2, 0),)
+    assert discovery.all()[JausID(101, 1, 5)] == ((MANIPULATOR.uri, 2, 0),)
     rig.ask(A, services((255, 255)))
 
 
@@ -209,8 +210,8 @@ def test_typical_robot_is_reported_completely(rig, robot) -> None:
 
 
 def test_own_services_are_reported_as_far_as_they_fit(rig) -> None:
-    directory = rig.host.service(Discovery).directory
-    directory.register(rig.ID, [OfferedService(f"{number:02}".ljust(255, "x"), 1, 0) for number in range(60)])
+    discovery = rig.host.service(Discovery).directory
+    discovery.register(rig.ID, [OfferedService(f"{number:02}".ljust(255, "x"), 1, 0) for number in range(60)])
     report = rig.ask(A, services((255, 255)))
     assert len(listed(report)[1, 1]) == MAX_REPORT // 258
     assert len(report.encode()) <= MAX_PAYLOAD
@@ -262,12 +263,12 @@ def test_a_query_with_tens_of_thousands_of_wildcards_looks_each_component_up_onc
     flood(rig, MAX_COMPONENTS)
     looked_up = 0
 
-    def counted(id, _real=directory._addresses):
+    def counted(id, _real=discovery._addresses):
         nonlocal looked_up
         looked_up += 1
         return _real(id)
 
-    monkeypatch.setattr(directory, "_addresses", counted)
+    monkeypatch.setattr(discovery, "_addresses", counted)
     rig.ask(A, QueryServices([QueryServices.NodeSeq(QueriedNodeRec(255), [QueriedComponentRec(255)] * 255)] * 255))
     assert looked_up == MAX_COMPONENTS + 1
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from jauspy.messages.core import ElementRec, RejectElementRequest, ReportStatus
-from jauspy.services.core.element_list import ElementList
+from jauspy.services.core.list_manager import ElementList
 
 Code = RejectElementRequest.ResponseCode
 DATA = ElementRec.ElementData(0, ReportStatus(status=1, reserved=0))

@@ -8,8 +8,16 @@ from jauspy.schema.differences import compare_bodies
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.loader import load_builtin
 from jauspy.schema.model import Message
-from jauspy.services.older_versions import MANIPULATOR, MOBILITY, OLDER, RENAMED, SENSING, VERSION, answered
+from jauspy.services.definitions import (
+    OLDER_SERVICES,
+    OLDER_VERSION,
+    RENAMED_SERVICES,
+    answered_in_older_version,
+)
 
+MOBILITY = "urn:jaus:jss:mobility:"
+MANIPULATOR = "urn:jaus:jss:manipulator:"
+SENSING = "urn:jaus:jss:environmentSensing:"
 SCHEMA = load_builtin()
 PARENT_OF = parents_among(SCHEMA.services)
 HARMLESS = (
@@ -41,15 +49,15 @@ def ancestors(*urns: str) -> set[str]:
     return {each.id for urn in urns for each in lineage(SCHEMA.service(urn, None), PARENT_OF)}
 
 
-@pytest.mark.parametrize("urn", OLDER)
+@pytest.mark.parametrize("urn", OLDER_SERVICES)
 def test_messages_of_both_versions_are_the_same_on_the_wire(urn: str) -> None:
     newest: dict[int, Message] = {}
     for service in SCHEMA.services:
-        if service.version != VERSION and ":" in service.id:
+        if service.version != OLDER_VERSION and ":" in service.id:
             newest |= {message.code: message for message in (*service.inputs, *service.outputs)}
     changes = [
         f"{message.name}: {change}"
-        for code, message in messages(urn, VERSION).items()
+        for code, message in messages(urn, OLDER_VERSION).items()
         if code in newest
         for change in compare_bodies(message.body, newest[code].body)
         if change.kind == "wire" and not any(each in f"{change}" for each in HARMLESS)
@@ -60,19 +68,21 @@ def test_messages_of_both_versions_are_the_same_on_the_wire(urn: str) -> None:
 def test_a_service_is_listed_when_all_of_its_inputs_are_taken() -> None:
     driver = f"{MANIPULATOR}ManipulatorJointPositionDriver"
     needed = [driver, f"{MANIPULATOR}ManipulatorJointMotionProfile"]
-    assert driver not in answered(ancestors(*needed), inputs(*needed))  # it lacks QueryManipulatorSpecifications
+    assert driver not in answered_in_older_version(
+        ancestors(*needed), inputs(*needed)
+    )  # it lacks QueryManipulatorSpecifications
     needed.append(f"{MANIPULATOR}ManipulatorSpecificationService")
-    assert driver in answered(ancestors(*needed), inputs(*needed))
+    assert driver in answered_in_older_version(ancestors(*needed), inputs(*needed))
 
 
 def test_services_that_have_another_name_now_are_listed_under_the_old_one() -> None:
     driver = f"{MOBILITY}LocalWaypointListDriver"
-    found = set(answered(ancestors(driver), inputs(driver)))
+    found = set(answered_in_older_version(ancestors(driver), inputs(driver)))
     assert {driver, f"{MOBILITY}ListManager"} <= found
     assert f"{MANIPULATOR}ListManager" not in found
-    assert set(RENAMED) <= set(OLDER)
+    assert set(RENAMED_SERVICES) <= set(OLDER_SERVICES)
 
 
 @pytest.mark.parametrize("urn", [f"{MOBILITY}LocalVectorDriver", f"{SENSING}RangeSensor", f"{SENSING}AnalogVideo"])
 def test_services_with_other_messages_are_not_listed(urn: str) -> None:
-    assert urn not in set(answered(ancestors(urn), inputs(urn)))
+    assert urn not in set(answered_in_older_version(ancestors(urn), inputs(urn)))

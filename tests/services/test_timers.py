@@ -1,6 +1,6 @@
 from __future__ import annotations
 
-from jauspy.services.timers import Timers
+from jauspy.services.service import Timers
 
 
 def run(timers: Timers, now: float) -> None:

@@ -62,8 +62,10 @@ def test_the_window_follows_the_robot(tmp_path):
         stderr=subprocess.DEVNULL,
     ) as display:
         os.close(write)
-        number = os.read(read, 16).decode().strip()
-        os.close(read)
+        with os.fdopen(read) as told:
+            number = (
+                told.readline().strip()
+            )  # to the end of the line, which Xvfb writes separately: it ends if it cannot
         try:
             run = subprocess.run(
                 [sys.executable, "-c", SHOWN],

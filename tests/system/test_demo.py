@@ -28,9 +28,9 @@ from jauspy.cli.demo import grasp, plan
 from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
 from jauspy.cli.demo.report import DemoState
-from jauspy.modules.localization_config import LocalizationConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load, robot_model
+from jauspy.modules.vehicle_config import LocalizationConfig
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames

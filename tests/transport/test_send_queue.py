@@ -172,3 +172,17 @@ def test_what_a_sender_sends_to_all_and_to_one_stays_in_order() -> None:
     for data in sent:
         outbox.push(data)
     assert drained(outbox) == sent
+
+
+def test_answers_to_many_questions_of_one_do_not_displace_those_to_others() -> None:
+    outbox = SendQueue(limit=64)
+    flooder, operator = JausID.parse("43.1.1"), JausID.parse("42.1.1")
+    answers = [judp.pack(Packet(A, operator, b"\x02\x40", n)) for n in range(20)]
+    for number, answer in enumerate(answers):
+        outbox.push(answer)
+        for n in range(100):
+            outbox.push(judp.pack(Packet(A, flooder, b"\x02\x40", 1000 + 100 * number + n)))
+    left = drained(outbox)
+    assert len(left) == 64
+    assert [each for each in left if each in answers] == answers
+    assert left[-1] == judp.pack(Packet(A, flooder, b"\x02\x40", 2999)), "of the others, the newest are left"

@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tty
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final
 
@@ -107,6 +107,20 @@ class Stage:
 
     # --- processes ------------------------------------------------------------------------------------------------
 
+    @contextlib.contextmanager
+    def apart(self) -> Iterator[None]:
+        """Within this the attacker has the last processor and the victims have the others, as machines of their own."""
+        processors = sorted(os.sched_getaffinity(0))
+        victims = [each.pid for each in self.victims] + ([self._operator.pid] if self._operator else [])
+        try:
+            if len(processors) > 1:
+                os.sched_setaffinity(0, processors[-1:])
+                _confine(victims, processors[:-1])
+            yield
+        finally:
+            os.sched_setaffinity(0, processors)
+            _confine(victims, processors)
+
     def _start_robot(self) -> None:
         settings = self._settings("robot")
         if self.layout.keyed:
@@ -167,6 +181,14 @@ class Stage:
         assert process.stdout is not None
         wait_for(process.stdout, "ready", "operator")
         return process
+
+
+def _confine(processes: Iterable[int], processors: Iterable[int]) -> None:
+    """Let all threads of these processes run on these processors only."""
+    for process in processes:
+        for thread in Path(f"/proc/{process}/task").iterdir():
+            with contextlib.suppress(ProcessLookupError):
+                os.sched_setaffinity(int(thread.name), processors)
 
 
 def _end(process: subprocess.Popen[bytes]) -> None:

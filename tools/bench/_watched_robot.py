@@ -17,8 +17,7 @@ from typing import NamedTuple
 from jauspy.geometry.poses import Twist
 from jauspy.ids import JausID
 from jauspy.modules import robot_files
-from jauspy.modules.proxies import DriveProxy
-from jauspy.modules.realtime import RealTime
+from jauspy.modules.realtime import DriveProxy, RealTime
 from jauspy.modules.robot import RobotRunner
 from jauspy.platform.commands import DriveEffort
 from jauspy.platform.contract import Command, PartId, Robot

@@ -23,18 +23,21 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
+from jauspy.cell.modular import FIVE_JOINTS
 from jauspy.modules import robot_files
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Snapshot
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.arm import ModularArm
 from jauspy.platform.modular.cell import Conveyor
+from jauspy.worker_process import lower_priority
 from jauspy_sim.assembly import TIMESTEP
 from jauspy_sim.cell.robot import SimulatedCell
-from jauspy_sim.cell.staging import build_arm
 
 RATE = 25
 SIZE = 1280, 720
+NICENESS = 10
+"""Of the process that films, as those of cameras have it: physics comes first."""
 HALF_MOTION = 1.5
 """Seconds from one end of the arms' motions to the other."""
 
@@ -48,7 +51,7 @@ def open_cell() -> SimulatedCell:
     assert model.cell is not None
     setup = replace(model.cell, pose_error=(0.01, 0.087), seed=1)
     cell = SimulatedCell.open(replace(model, cell=setup), "cell")
-    build_arm(cell)
+    cell.prepare("platform_1/top", FIVE_JOINTS)
     return cell
 
 
@@ -130,6 +133,7 @@ def film(camera: Camera, path: Path, ready: Event, stop: Event) -> None:
     """Film in a process of its own until `stop`; then append the number of pictures to the file's name."""
     import av  # noqa: PLC0415 - of the extra video
 
+    lower_priority(NICENESS)
     session = camera.open()
     session.look(*SIZE)
     pictures = 0

@@ -39,7 +39,7 @@ BELT_SPEED: Final = 0.12
 """m/s."""
 DRIVE_EFFORT: Final = 35.0
 """Percent."""
-DRIVE_TIME: Final = 8.0
+DRIVE_TIME: Final = 4.0
 """Seconds of the drive off the conveyor."""
 MOVED: Final = 0.8
 """Metres that the car must have driven."""

@@ -1,9 +1,25 @@
-"""What was measured of one run, as plain values for tables and files."""
+"""What was measured of one run, as plain values for tables and files, and the text of a value with its unit."""
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass, field
-from typing import Any
+from typing import Any, Final
+
+UNITS: Final[dict[str, tuple[str, ...]]] = {
+    "rad": ("ap angle", "rp angle", "largest_tilt", "arm_error"),
+    "m": ("ap", "rp", "clearance", "largest_error", "off_x", "off_y", "placement", "driven"),
+    "s": ("lift_time", "there", "back", "build_time", "load_time", "order_time", "saved_by_schedule", "settled"),
+    "": ("settled_sooner", "overshoot_ratio"),
+    "m/s": ("release_speed",),
+    "rad/s": ("overshoot",),
+    "kg": ("payload",),
+    "N": ("car_force", "arm_force"),
+    "N m": ("arm_moment",),
+}
+"""The unit of figures whose names begin like this; the longest beginning counts. Others are numbers."""
+SMALL: Final = 0.1
+"""Metres below which a length is shown in millimetres."""
 
 
 @dataclass(slots=True)
@@ -29,3 +45,14 @@ class Measured:
         found = asdict(self)
         del found["wall"]
         return found
+
+
+def figure_text(name: str, value: float) -> str:
+    """A figure for people: with its unit, small lengths in millimetres, angles in degrees."""
+    matches = [(len(start), unit) for unit, starts in UNITS.items() for start in starts if name.startswith(start)]
+    unit = max(matches)[1] if matches else ""
+    if unit == "rad":
+        value, unit = math.degrees(value), "degrees"
+    elif unit == "m" and abs(value) < SMALL:
+        value, unit = 1000.0 * value, "mm"
+    return f"{value:.3g} {unit}".rstrip()

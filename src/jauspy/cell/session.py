@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import time
 from collections.abc import AsyncIterator
 from contextlib import AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass
@@ -19,6 +20,7 @@ from jauspy.modules.config import RobotConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.platform import backends
+from jauspy.platform.contract import Robot
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
 
@@ -36,6 +38,20 @@ class Disturbances:
 
 
 NONE: Final = Disturbances(0.0, 0.0, 0.0)
+
+
+class WatchedTime(VirtualTime):
+    """Virtual time that is never faster than the clock, so that one can watch."""
+
+    def __init__(self, robot: Robot) -> None:
+        super().__init__(robot)
+        self._due = time.monotonic()
+
+    def _advance(self) -> None:
+        super()._advance()
+        now = time.monotonic()
+        time.sleep(max(0.0, self._due - now))
+        self._due = max(self._due, now) + self._step
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,11 +90,16 @@ def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> Rob
 
 @asynccontextmanager
 async def simulated(
-    seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None, camera: str = "overview"
+    seed: int,
+    disturbances: Disturbances | None = None,
+    *,
+    film: Path | None = None,
+    camera: str = "overview",
+    view: bool = False,
 ) -> AsyncIterator[Session]:
     """A simulated cell on virtual time, with a client that controls it; the same seed gives the same run.
 
-    `camera` is the name of the one that films.
+    `camera` is the name of the one that films; `view` opens a window, and the cell is then no faster than the clock.
     """
     config = configured(seed, disturbances or Disturbances())
     model = robot_files.robot_model(config)
@@ -86,7 +107,8 @@ async def simulated(
     backend = WatchedBackend(backends.find(config.backend))
     async with AsyncExitStack() as stack:
         network = await stack.enter_async_context(VirtualNetwork(seed=seed))
-        runner = RobotRunner(config, network.transport, backend=backend, realtime=VirtualTime)
+        realtime = WatchedTime if view else VirtualTime
+        runner = RobotRunner(config, network.transport, backend=backend, realtime=realtime, view=view)
         await stack.enter_async_context(runner)
         assert backend.robot is not None
         judge = Judge(backend.robot)
@@ -105,5 +127,5 @@ async def connected(ocu: OCU, robot: str = ROBOT) -> AsyncIterator[Session]:
     config = robot_files.load(robot)
     model = robot_files.robot_model(config)
     layout = Layout(model)
-    async with ocu, CellClient(ocu, config, model, layout) as cell:
+    async with ocu, CellClient(ocu, config, model, layout, threads=True) as cell:
         yield Session(cell, layout)

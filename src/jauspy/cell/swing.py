@@ -174,7 +174,7 @@ def plot_swing(comparison: SwingComparison, path: Path) -> None:
     labels = {ArmController.PID: "PID for each joint", ArmController.MODEL: "model of the arm"}
     both = comparison.pid, comparison.model
     longest = min(OBSERVED, 1.3 * max(each.settled for each in both))
-    with figure(path, columns=4, size=(18.0, 5.0)) as axes:
+    with figure(path, columns=4, size=(13.0, 4.0)) as axes:
         for column, (axis, name) in enumerate(zip(axes, names, strict=True)):
             for each in both:
                 rows = each.speeds if column == 3 else each.rates[:, column]
@@ -183,7 +183,7 @@ def plot_swing(comparison: SwingComparison, path: Path) -> None:
             axis.set_xlim(0.0, longest)
             axis.set_xlabel("seconds after the release")
             axis.set_title(f"angular velocity, {name}" if column == 3 else f"angular velocity about {name}")
-        axes[0].set_ylabel("rad/s (last module, by its IMU)")
+        axes[0].set_ylabel("rad/s, by the IMU of the last module")
         axes[3].set_yscale("log")
         axes[3].set_ylim(1e-3, None)
         axes[3].axhline(AT_REST, color="#2f7d4f", lw=1.2)

@@ -9,9 +9,9 @@ from pathlib import Path
 from typing import Any, Final, TypeAlias
 
 from jauspy.cell.assembly import Assembler
-from jauspy.cell.assembly_run import assemble
 from jauspy.cell.car import MOVED, CarTask
 from jauspy.cell.frames import offset_between
+from jauspy.cell.judge import Placement
 from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
 from jauspy.cell.measured import Measured
@@ -38,6 +38,38 @@ async def prepared(session: Session, parts: Sequence[str]) -> ArmOperator:
     arm = await ArmOperator.found(session.cell, session.layout, parts, BASE)
     await arm.ready()
     return arm
+
+
+async def assemble(session: Session, seed: int) -> Measured:
+    """Build the arm with five joints, and measure how the parts sit."""
+    result = await Assembler(session.cell, session.layout, seed=seed).build()
+    found = Measured(seed, "assemble", not result.failure, result.failure, result.duration)
+    placements = _placements(session)
+    for row in result.parts:
+        placed = placements.get(row.part)
+        line = asdict(row)
+        line |= {"error": placed.distance, "error_tilt": placed.tilt, "error_turn": placed.turn} if placed else {}
+        found.rows.append(line)
+    joined = [placements[row.part] for row in result.parts if row.part in placements]
+    found.values = {
+        "parts": float(len(joined) if placements else sum(row.joint_force > 0.0 for row in result.parts)),
+        "retries": float(result.retries),
+        "clearance": result.clearance.distance,
+        "largest_error": max((each.distance for each in joined), default=0.0),
+        "largest_tilt": max((each.tilt for each in joined), default=0.0),
+        "saved_by_schedule": result.timeline.saved,
+    }
+    if found.success and placements and len(joined) < len(result.parts):
+        found.success = False
+        found.failure = f"only {len(joined)} of {len(result.parts)} parts are attached in the end"
+    return found
+
+
+def _placements(session: Session) -> dict[str, Placement]:
+    if session.judge is None:
+        return {}
+    judge = session.judge
+    return {part: judge.placement(at, part) for at, part in judge.attached().items() if at != "gripper"}
 
 
 async def lift(session: Session, seed: int) -> Measured:
@@ -184,12 +216,17 @@ FILMED_BY: Final[dict[str, str]] = {"assemble": "platforms", "lift": "target", "
 
 
 async def run_one(
-    task: str, seed: int, disturbances: Disturbances | None = None, *, film: Path | None = None
+    task: str,
+    seed: int,
+    disturbances: Disturbances | None = None,
+    *,
+    film: Path | None = None,
+    view: bool = False,
 ) -> Measured:
-    """One run. A task that raises is a failure with that reason."""
+    """One run; `film` is a file, `view` opens a window. A task that raises is a failure with that reason."""
     begun = time.perf_counter()
     camera = FILMED_BY.get(task, "overview")
-    async with simulated(seed, disturbances, film=film, camera=camera) as session:
+    async with simulated(seed, disturbances, film=film, camera=camera, view=view) as session:
         start = session.cell.now()
         try:
             found = await TASKS[task](session, seed)

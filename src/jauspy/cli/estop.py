@@ -69,7 +69,8 @@ def estop(
     disobedient = [str(id) for id, report in found.items() if not obeys(report, release=release)]
     if disobedient:
         why = (
-            "another client has set an emergency, too, or this is not the id that set it (--id)"
+            "another client has set an emergency, too, this is not the id that set it (--id), "
+            "or robots require an operator's key (--operator-key)"
             if release
             else "stop the robot by other means"
         )

@@ -13,9 +13,8 @@ import yaml
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message
-from jauspy.codec.names import members
+from jauspy.codec.names import members, unit_symbol
 from jauspy.codec.registry import NO_HINTS, Hints, Registry
-from jauspy.codec.unit_symbols import unit_symbol
 from jauspy.codec.wire import FLOATS, limits
 from jauspy.errors import ConfigError, EncodeError
 from jauspy.messages import registry as public

@@ -1,14 +1,20 @@
-"""Point clouds of a depth camera, published by a worker process."""
+"""Point clouds of a depth camera: a worker process (`run`) measures, computes points and publishes them."""
 
 from __future__ import annotations
 
+import math
+import time
+from collections import Counter
 from dataclasses import dataclass
 from typing import Final
 
+import numpy as np
+
+from jauspy.cloud.message import XYZ_RGB
 from jauspy.cloud.socket import CloudPublisher
 from jauspy.logs import get_logger
-from jauspy.platform.camera import Camera
-from jauspy.worker_process import SupervisedWorker
+from jauspy.platform.camera import Camera, CameraSession, DepthFrame
+from jauspy.worker_process import CountersReport, Parent, SupervisedWorker, WorkerReady
 
 NICENESS: Final = 5
 """Nice value above that of the robot's process, so that clouds never delay control."""
@@ -46,7 +52,7 @@ class DepthProcess(SupervisedWorker):
     """
 
     def __init__(self, stream: DepthStream) -> None:
-        super().__init__("jauspy.cloud.depth_worker", NICENESS, f"depth camera {stream.camera.setup.name}", _LOG)
+        super().__init__("jauspy.cloud.depth", NICENESS, f"depth camera {stream.camera.setup.name}", _LOG)
         self._stream = stream
 
     async def open(self) -> None:
@@ -64,3 +70,65 @@ class DepthProcess(SupervisedWorker):
 
     def _on_started(self) -> None:
         self._send(self._stream)
+
+
+COUNTER_INTERVAL: Final = 1.0
+"""Seconds between two reports of the counters."""
+
+
+def run(stream: DepthStream, parent: Parent) -> None:
+    """Publish clouds until the parent closes the connection."""
+    with CloudPublisher(stream.address) as publisher:
+        camera = stream.camera.open()
+        try:
+            parent.send(WorkerReady(camera.description))
+            _publish(stream, camera, publisher, parent)
+        finally:
+            camera.close()
+
+
+def _publish(stream: DepthStream, camera: CameraSession, publisher: CloudPublisher, parent: Parent) -> None:
+    counters: Counter[str] = Counter()
+    period = 1.0 / stream.settings.rate
+    due = reported_at = time.monotonic()
+    while True:
+        for _ in parent.receive(max(0.0, due - time.monotonic())):
+            pass
+        if parent.ended:
+            return
+        skipped = max(0, int((time.monotonic() - due) / period))
+        due += period * (1 + skipped)
+        counters["skipped"] += skipped
+        counters["points"] += _publish_cloud(stream, camera, publisher)
+        counters["published"] += 1
+        if time.monotonic() - reported_at >= COUNTER_INTERVAL:
+            reported_at = time.monotonic()
+            parent.send(CountersReport(dict(counters)))
+
+
+def _publish_cloud(stream: DepthStream, camera: CameraSession, publisher: CloudPublisher) -> int:
+    """Publish one cloud; returns its number of points."""
+    setup, settings = stream.camera.setup, stream.settings
+    frame = camera.measure(settings.width, settings.height)
+    points = coloured_points(frame, setup.fov, settings)
+    age = time.monotonic() - frame.taken
+    publisher.publish(points, setup.link, time.time() - age, XYZ_RGB)
+    return len(points) // (4 * XYZ_RGB)
+
+
+def coloured_points(frame: DepthFrame, fov: float, settings: DepthSettings) -> bytes:
+    """The pixels in range as points, in the frame of the camera's link.
+
+    `fov` is the horizontal field of view in radians. Returns float32 rows of shape (points, 6): x, y, z in metres, and
+    red, green, blue from 0 to 1.
+    """
+    along = frame.distances
+    rows, columns = np.nonzero((along >= settings.min_distance) & (along <= settings.max_distance))
+    height, width = along.shape
+    pixel = 2.0 * math.tan(fov / 2.0) / width
+    points = np.empty((len(rows), 6), "<f4")
+    points[:, 0] = x = along[rows, columns]
+    points[:, 1] = x * (pixel * ((width - 1) / 2.0 - columns))
+    points[:, 2] = x * (pixel * ((height - 1) / 2.0 - rows))
+    points[:, 3:] = frame.image[rows, columns] * np.float32(1.0 / 255.0)
+    return points.tobytes()

@@ -1,4 +1,4 @@
-"""JAUS names to Python names: `Velocity_X` to `velocity_x`, `CONTROL ACCEPTED` to `CONTROL_ACCEPTED`."""
+"""JAUS names to Python names: `Velocity_X` to `velocity_x`, `CONTROL ACCEPTED` to `CONTROL_ACCEPTED`; unit symbols."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import keyword
 import re
 import unicodedata
 from collections.abc import Callable, Iterable
+from functools import lru_cache
+from typing import Final
 
 from jauspy.ids import service_set
 
@@ -37,6 +39,7 @@ def plain(name: str) -> str:
     return "".join(letter for letter in decomposed if not unicodedata.combining(letter))
 
 
+@lru_cache(maxsize=4096)
 def snake(name: str) -> str:
     """`PropulsiveLinearEffortX` to `propulsive_linear_effort_x`; `""` when there is no letter or digit in it."""
     text = _ACRONYM_THEN_WORD.sub(r"\1_\2", _DIMENSIONS.sub("d_", plain(name)))
@@ -130,3 +133,30 @@ def module_alias(name: str) -> str:
 def version_key(version: str) -> tuple[int, ...]:
     """Sort key of versions, for `1.1` and `v1_1` alike."""
     return tuple(int(part) for part in version.replace("v", "").replace("_", ".").split(".") if part.isdigit())
+
+
+_SYMBOLS: Final = {
+    "one": "",
+    "meter": "m",
+    "meter per second": "m/s",
+    "meter per second squared": "m/s²",
+    "radian": "rad",
+    "radian per second": "rad/s",
+    "second": "s",
+    "minute": "min",
+    "hertz": "Hz",
+    "percent": "%",
+    "rotations per minute": "rpm",
+    "newton": "N",
+    "newton meter": "N·m",
+    "degree Celsius": "°C",
+    "volt": "V",
+    "ampere": "A",
+    "pascal": "Pa",
+    "kilogram": "kg",
+}
+
+
+def unit_symbol(units: str) -> str:
+    """`m/s` for `meter per second`; units without a symbol are returned unchanged."""
+    return _SYMBOLS.get(units, units)

@@ -6,6 +6,7 @@ import asyncio
 import math
 import random
 import signal
+import threading
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping
@@ -13,13 +14,12 @@ from dataclasses import dataclass
 from datetime import UTC, datetime
 from pathlib import Path
 from types import TracebackType
-from typing import Final, Literal, Self, TypeAlias, TypeVar
+from typing import Any, Final, Literal, Self, TypeAlias, TypeVar
 
 from jauspy.arguments import check_text, described
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.component.acknowledgements import Acknowledgements
-from jauspy.component.event_loop import ErrorGuard, LoopTimer
 from jauspy.component.inbox import Inbox, may_wait
 from jauspy.errors import ConfigError, ProtocolError, TransportError
 from jauspy.ids import JausID, component_id
@@ -29,7 +29,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.protocol.header import Ack, Broadcast, Packet, Priority
 from jauspy.schema.model import Schema
-from jauspy.services.core.defaults import with_core_services
+from jauspy.services.core import with_core_services
 from jauspy.services.host import Host
 from jauspy.services.messaging import Outgoing
 from jauspy.services.service import Service, check_services
@@ -37,6 +37,59 @@ from jauspy.transport import LocalTransport, Transport
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import AddressedTransport, ClashAwareTransport, LocatingTransport
 from jauspy.transport.connect import DEFAULT_ROOT, transport_for
+
+
+class ErrorGuard:
+    """A `with` block that logs and counts exceptions, so that the component goes on; reusable, not to be nested."""
+
+    __slots__ = ("_counters", "_name")
+
+    def __init__(self, name: str, counters: Counter[str]) -> None:
+        self._name = name
+        self._counters = counters
+
+    def __enter__(self) -> None:
+        return None
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> bool:
+        if not isinstance(error, Exception):
+            return False
+        self._counters["internal_error"] += 1
+        _LOG.error("%s: %s", self._name, error, exc_info=error)
+        return True
+
+
+class LoopTimer:
+    """Calls `on_timeout` once at the time (s) that was set last, by `clock`; uses one timer handle of the loop."""
+
+    def __init__(self, on_timeout: Callable[[], None], clock: Callable[[], float]) -> None:
+        self._on_timeout = on_timeout
+        self._clock = clock
+        self._handle: asyncio.TimerHandle | None = None
+        self._at: float | None = None
+
+    def set(self, loop: asyncio.AbstractEventLoop, at: float | None) -> None:
+        """Set the time, None for never; the same time as before costs nothing."""
+        if self._handle is not None:
+            if at == self._at:
+                return
+            self._handle.cancel()
+            self._handle = None
+        if at is not None:
+            self._handle, self._at = loop.call_later(max(0.0, at - self._clock()), self._expire), at
+
+    def cancel(self) -> None:
+        """Cancel the timer, if it is set."""
+        if self._handle is not None:
+            self._handle.cancel()
+            self._handle = None
+
+    def _expire(self) -> None:
+        self._handle = None
+        self._on_timeout()
+
 
 S = TypeVar("S", bound=Service)
 
@@ -506,8 +559,15 @@ def run(*components: Component) -> None:
 
 
 async def _serve(components: tuple[Component, ...]) -> None:
+    await until_signalled(asyncio.gather(*(component.run() for component in components)))
+
+
+async def until_signalled(serving: asyncio.Future[Any]) -> None:
+    """Wait for `serving`; Ctrl-C, SIGTERM and SIGHUP (unless ignored, as by nohup) cancel it, which is no error then.
+
+    In the main thread; in another one signals do nothing.
+    """
     loop = asyncio.get_running_loop()
-    serving = asyncio.gather(*(component.run() for component in components))
     stopped = False
 
     def stop() -> None:
@@ -516,8 +576,10 @@ async def _serve(components: tuple[Component, ...]) -> None:
         serving.cancel()
 
     numbers = [signal.SIGINT, signal.SIGTERM]
-    if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:  # as by nohup
+    if signal.getsignal(signal.SIGHUP) is not signal.SIG_IGN:
         numbers.append(signal.SIGHUP)
+    if threading.current_thread() is not threading.main_thread():
+        numbers.clear()
     for number in numbers:
         loop.add_signal_handler(number, stop)
     try:

@@ -148,6 +148,12 @@ class ArmPanel:
         for row in self._rows.values():
             row.touched = False
 
+    def _follow_reached(self, wanted: dict[str, float]) -> None:
+        """The motion is over; what was entered meanwhile stays."""
+        for name, value in wanted.items():
+            if name in self._rows and self._rows[name].wanted == value:
+                self._rows[name].touched = False
+
     def _move_joints(self) -> None:
         wanted = {name: row.wanted for name, row in self._rows.items() if row.touched}
         if not wanted:
@@ -162,7 +168,7 @@ class ArmPanel:
 
     async def _moved(self, arm: Manipulator, wanted: dict[str, float]) -> None:
         await arm.move(wanted, float(self._share.value) / 100.0)
-        self._follow_measured()
+        self._follow_reached(wanted)
 
     # --- tool -----------------------------------------------------------------------------------------------------
 
@@ -267,7 +273,7 @@ class _JointRow:
             step = 0.01 if joint.is_revolute else 0.001
             self._slider = ui.slider(
                 min=round(self._low, 3), max=round(self._high, 3), step=step, value=position, on_change=self._slid
-            )
+            ).props(f'aria-label="{printable(joint.name)}"')
         self.measured(position)
 
     @property

@@ -12,8 +12,8 @@ from typing import Any, Final
 from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, join
 from jauspy.codec.layout import Composite, Grid, Repeat, Union
 from jauspy.codec.message import Message
+from jauspy.codec.names import unit_symbol
 from jauspy.codec.registry import Registry
-from jauspy.codec.unit_symbols import unit_symbol
 from jauspy.errors import ConfigError
 from jauspy.ocu.replies import report_of
 from jauspy.ocu.subsystems import ComponentInfo

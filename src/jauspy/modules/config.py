@@ -7,7 +7,7 @@ from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
-from pydantic import AfterValidator, Field, ModelWrapValidatorHandler, model_validator
+from pydantic import AfterValidator, BeforeValidator, Field, ModelWrapValidatorHandler, PrivateAttr, model_validator
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
@@ -16,9 +16,7 @@ from jauspy.modules.camera_config import CameraConfig
 from jauspy.modules.can_config import CanConfig
 from jauspy.modules.cell_config import CellConfig
 from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
-from jauspy.modules.light_config import LightConfig
-from jauspy.modules.localization_config import GnssConfig, LocalizationConfig
-from jauspy.modules.wheels_config import WheelsConfig
+from jauspy.modules.vehicle_config import GnssConfig, LightConfig, LocalizationConfig, WheelsConfig
 from jauspy.platform.camera import Quality
 from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
@@ -220,6 +218,15 @@ def _check_single_component(text: str) -> str:
 CommandTimeout: TypeAlias = Annotated[float, Field(gt=0.0, le=3600.0)] | Literal["off"]
 
 
+def _check_command_timeout(value: object) -> object:
+    """One sentence instead of one for each type that it can have."""
+    for each in value.values() if isinstance(value, Mapping) else (value,):
+        is_number = isinstance(each, int | float) and not isinstance(each, bool) and 0.0 < each <= 3600.0
+        if each != "off" and not is_number:
+            raise ValueError(f'{each!r} is neither seconds (above 0, up to 3600) nor "off"; or write a table of these')
+    return value
+
+
 class ModuleConfig(StrictConfig):
     """One capability module: a JAUS component."""
 
@@ -241,7 +248,9 @@ class ModuleConfig(StrictConfig):
     access_control: AccessControlConfig = AccessControlConfig()
     registrants: Registrants = "machine"
     """Whose registrations the module's Discovery lists: those of components on its machine, or of its subsystem."""
-    command_timeout: CommandTimeout | Mapping[str, CommandTimeout] = DEFAULT_TIMEOUT
+    command_timeout: Annotated[
+        CommandTimeout | Mapping[str, CommandTimeout], BeforeValidator(_check_command_timeout)
+    ] = DEFAULT_TIMEOUT
     """Seconds after which an effort, velocity or vector ends unless the client sends a further command, or "off": one
     value for all services of the module, or a table by service."""
     announce_to: Annotated[str, AfterValidator(_check_single_component)] | None = None
@@ -374,6 +383,17 @@ class RobotConfig(StrictConfig):
     """Point clouds that are published whenever the robot runs."""
     video_targets: Annotated[tuple[Annotated[Network, AfterValidator(_check_target)], ...], Field(max_length=64)] = ()
     """Networks and addresses into which any client may have video sent, beside its own machine."""
+
+    _file: str = PrivateAttr(default="")
+
+    @property
+    def file(self) -> str:
+        """The file that it was read from, for error messages; empty if there is none."""
+        return self._file
+
+    def set_file(self, file: str) -> None:
+        """Set the file that it was read from."""
+        self._file = file
 
     @model_validator(mode="wrap")
     @classmethod

@@ -5,20 +5,25 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from datetime import datetime
+from functools import reduce
+from operator import matmul
 from typing import Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.denavit_hartenberg import manipulator_geometry, pan_tilt_frame
 from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
+from jauspy.geometry.urdf import JointKind
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.modules import catalogue
 from jauspy.modules.catalogue import Context, Stoppable
 from jauspy.modules.cell_hosts import car_chassis, car_of, cell_context
 from jauspy.modules.config import CAR, IN_CELLS, ModuleConfig, RobotConfig
-from jauspy.modules.mounting import frame_of, mounted_camera, mounted_force_torque_sensors, mounted_lidars
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import DriveBase, RobotParts
-from jauspy.platform.description import RobotModel
+from jauspy.platform.description import GroupSetup, RobotModel
+from jauspy.platform.joints import JointGroup, joint_positions
 from jauspy.platform.localization import Localization, LocalizedDrive
 from jauspy.protocol.header import Broadcast, Packet
 from jauspy.services.command_timeout import ContinuousCommands
@@ -26,8 +31,12 @@ from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liv
 from jauspy.services.environment_sensing import (
     DigitalVideo,
     DigitalVideoCapabilities,
+    JointMount,
+    MountedForceTorqueSensor,
+    MountedLidar,
     StillImage,
     StillImageData,
+    VideoCamera,
     VideoSource,
     VideoStreams,
 )
@@ -41,6 +50,72 @@ from jauspy.services.manipulator import (
 )
 from jauspy.services.mobility import GlobalPose, Vehicle
 from jauspy.services.service import Service
+
+
+def mounted_lidars(config: RobotConfig, model: RobotModel, robot: RobotParts) -> tuple[MountedLidar, ...]:
+    """The lidars, in the order of the robot's description."""
+    tree, groups = FrameTree(model.description), robot.groups
+    links = ((lidar, lidar.setup.link) for lidar in robot.lidars.values())
+    return tuple(
+        MountedLidar(frame_of(tree, link, groups), tree.is_fixed(link), joint_of(config, model, link), lidar=lidar)
+        for lidar, link in links
+    )
+
+
+def mounted_force_torque_sensors(model: RobotModel, robot: RobotParts) -> tuple[MountedForceTorqueSensor, ...]:
+    """The sensors of force and torque, in the order of the robot's description."""
+    tree = FrameTree(model.description)
+    return tuple(
+        MountedForceTorqueSensor(sensor, frame_of(tree, sensor.setup.link, robot.groups))
+        for sensor in robot.force_torque.values()
+    )
+
+
+def mounted_camera(config: RobotConfig, model: RobotModel, source: VideoSource, robot: RobotParts) -> VideoCamera:
+    """A camera; one outside of the robot is mounted nowhere on it."""
+    if source.setup.outside is not None:
+        return VideoCamera(Transform, is_fixed=False, source=source)
+    tree, link = FrameTree(model.description), source.setup.link
+    return VideoCamera(
+        frame_of(tree, link, robot.groups), tree.is_fixed(link), joint_of(config, model, link), source=source
+    )
+
+
+def frame_of(tree: FrameTree, link: str, groups: Mapping[str, JointGroup]) -> Callable[[], Transform]:
+    """Returns a link's present frame in the root link's frame (REP-103)."""
+    if tree.is_fixed(link):
+        fixed = tree.pose(link)
+        return lambda: fixed
+    return lambda: tree.pose(link, joint_positions(groups.values()))
+
+
+def joint_of(config: RobotConfig, model: RobotModel, link: str) -> JointMount | None:
+    """The last joint before a link, if a CM-MAN or a CM-VIS moves it; None for one that is fixed, or on a finger."""
+    description = model.description
+    moving = [each for each in description.chain(description.root(), link) if each.kind is not JointKind.FIXED]
+    for module in config.modules if moving else ():
+        group = model.groups.get(module.moves or "")
+        if module.type in {"CM-MAN", "CM-VIS"} and group is not None and moving[-1].name in group.joints:
+            number = 1 + group.joints.index(moving[-1].name)
+            frame = _joint_frame(module, model, group, number).inverse() @ _at_zero(model, group.base, link)
+            return JointMount(config.id_of(module), number, frame @ JAUS_FROM_REP_103)
+    return None
+
+
+def _joint_frame(module: ModuleConfig, model: RobotModel, group: GroupSetup, number: int) -> Transform:
+    """Frame of a joint in the group's base link with all joints at zero, as in the specification of the arm or unit."""
+    chain = model.description.chain(group.base, group.tip)
+    if module.type == "CM-VIS":
+        return pan_tilt_frame(chain)
+    found = manipulator_geometry(chain)
+    return reduce(matmul, (link.frame(link.zero_position) for link in found.links[:number]), found.base)
+
+
+def _at_zero(model: RobotModel, base: str, link: str) -> Transform:
+    """The frame of `link` in that of `base`, with all joints at zero."""
+    tree = FrameTree(model.description)
+    return tree.pose(base).inverse() @ tree.pose(link)
+
 
 NO_VIDEOS: Final[Mapping[str, VideoSource]] = {}
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from contextlib import AsyncExitStack, suppress
 from datetime import UTC, datetime
 from functools import partial
@@ -11,20 +11,18 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final, Self
 
-from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time
-from jauspy.errors import ConfigError, JausError
+from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time, until_signalled
+from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.modules.audit import AuditLog
 from jauspy.modules.cell_hosts import is_present
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.faults import FaultMonitor, reason
 from jauspy.modules.hosts import Announcement, check_parts, host_of
-from jauspy.modules.loads import LoadMonitor, overloads
+from jauspy.modules.monitors import FaultMonitor, LoadMonitor, overloads, reason
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
-from jauspy.modules.robot_files import robot_model
-from jauspy.modules.running import RunningModules
+from jauspy.modules.robot_files import robot_model, with_place
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot, Viewable
@@ -33,7 +31,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
 from jauspy.protocol.delivery import Delivery
-from jauspy.services.core import FailureRecovery, Identity
+from jauspy.services.core import Discovery, FailureRecovery, Identity
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.environment_sensing import DigitalResourceDiscovery
 from jauspy.services.host import Host
@@ -42,6 +40,100 @@ from jauspy.transport import Transport
 from jauspy.video.camera_process import CameraProcess
 
 _LOG: Final = get_logger("jauspy.robot")
+
+CHECK_PERIOD: Final = 0.05
+"""Seconds between two checks which modules have power."""
+
+RETRY_DELAY: Final = 1.0
+"""Seconds until a component that could not be opened is tried again."""
+
+
+class RunningModules:
+    """Opens the components of the modules that are present, and closes those of modules that are not.
+
+    The Discovery of each reports the services of all that are open. `make` makes the component of a module;
+    `is_present` says whether a module is there now.
+    """
+
+    def __init__(
+        self,
+        modules: Iterable[ModuleConfig],
+        make: Callable[[ModuleConfig], Component],
+        is_present: Callable[[ModuleConfig], bool],
+    ) -> None:
+        self._modules = tuple(modules)
+        self._make = make
+        self._is_present = is_present
+        self._components: dict[int, Component] = {}
+        self._tried: dict[int, float] = {}
+
+    @property
+    def open(self) -> tuple[tuple[Component, ModuleConfig], ...]:
+        """The components that are open, with their modules, in the order of the configuration."""
+        return tuple((self._components[at], self._modules[at]) for at in sorted(self._components))
+
+    def hosts(self) -> list[Host]:
+        """The hosts of the components that are open."""
+        return [component.host for component, _ in self.open]
+
+    async def start(self) -> None:
+        """Open the components of the modules that are present. Raises `TransportError` if one cannot be opened."""
+        for at, module in enumerate(self._modules):
+            if self._is_present(module):
+                await self._open(at)
+
+    async def follow(self) -> None:
+        """Open and close components as modules appear and disappear, until cancelled."""
+        while True:
+            await asyncio.sleep(CHECK_PERIOD)
+            await self.update()
+
+    async def update(self) -> None:
+        """Open and close components once; one that cannot be opened is logged, and tried again later."""
+        now = asyncio.get_running_loop().time()
+        for at, module in enumerate(self._modules):
+            present, component = self._is_present(module), self._components.get(at)
+            if component is not None and not present:
+                await self._close(at)
+            elif component is None and present and now - self._tried.get(at, -RETRY_DELAY) >= RETRY_DELAY:
+                await asyncio.sleep(0)  # making one takes 20 ms, and others may wait for the event loop
+                try:
+                    await self._open(at)
+                except TransportError as error:
+                    self._tried[at] = now
+                    _LOG.warning("%s %s cannot be opened: %s", module.type, module.part or "", error)
+
+    async def close(self) -> None:
+        """Close all components, the last one first. May be called twice."""
+        for at in sorted(self._components, reverse=True):
+            await self._close(at)
+
+    async def _open(self, at: int) -> None:
+        component = self._make(self._modules[at])
+        others = self.hosts()
+        await component.open()
+        self._components[at] = component
+        self._tried.pop(at, None)
+        _list_each_other(component.host, others)
+
+    async def _close(self, at: int) -> None:
+        component = self._components[at]
+        for host in self.hosts():
+            if host is not component.host and (discovery := host.service(Discovery)) is not None:
+                discovery.remove_local(component.id)
+        await component.close()
+        del self._components[at]
+
+
+def _list_each_other(new: Host, others: Iterable[Host]) -> None:
+    """Have the Discovery of each report the services of the other."""
+    others = list(others)
+    if (discovery := new.service(Discovery)) is not None:
+        discovery.add_local(others)
+    for other in others:
+        if (discovery := other.service(Discovery)) is not None:
+            discovery.add_local([new])
+
 
 HEARTBEAT_TIMEOUT: Final = 1.0
 """Seconds without a heartbeat of the event loop after which the robot is stopped."""
@@ -74,6 +166,7 @@ class RobotRunner:
         view: bool = False,
     ) -> None:
         self._backend = None if isinstance(backend, str) else backend
+        self._backend_file = config.file if backend is None else ""
         name = backend if isinstance(backend, str) or backend is None else backend.name
         self.config = config.model_copy(update={"backend": name or config.backend, "world": world or config.world})
         self._transports = transports
@@ -218,7 +311,10 @@ class RobotRunner:
         await self._stack.aclose()
 
     async def run(self) -> None:
-        """Open, run until cancelled, close. Raises the robot's exception if it fails."""
+        """Open, run until Ctrl-C or SIGTERM, close (the robot stops). Raises the robot's exception if it fails."""
+        await until_signalled(asyncio.ensure_future(self._run()))
+
+    async def _run(self) -> None:
         async with self:
             await self.wait()
 
@@ -265,8 +361,14 @@ class RobotRunner:
             if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
                 _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
 
+    def _find_backend(self) -> Backend:
+        try:
+            return backends.find(self.config.backend)
+        except ConfigError as error:
+            raise with_place(ConfigError(f"backend: {error}"), self._backend_file) from error
+
     def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
-        backend = self._backend or backends.find(self.config.backend)
+        backend = self._backend or self._find_backend()
         try:
             robot = backend.open(model, self.config.world)
         except JausError:

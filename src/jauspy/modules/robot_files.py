@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import re
+from collections.abc import Mapping
 from dataclasses import replace
 from importlib.resources import as_file, files
 from importlib.resources.abc import Traversable
@@ -13,7 +14,7 @@ from lxml import etree
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
-from jauspy.config_errors import explain
+from jauspy.config_errors import explain, line_prefix
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
@@ -24,7 +25,6 @@ from jauspy.modules.package_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
-from jauspy.toml_lines import line_of
 from jauspy.user_files import read_file, read_toml
 
 SUFFIX: Final = ".toml"
@@ -58,19 +58,14 @@ def load(name_or_path: str | Path) -> RobotConfig:
     except ValidationError as error:
         text = source.read_text()
         problems = "\n".join(
-            f"  {_line(text, each['loc'])}{explain(each, RobotConfig)}"
+            f"  {line_prefix(text, each['loc'])}{explain(each, RobotConfig)}"
             for each in _causes(error.errors(include_url=False))
         )
         raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
+    config.set_file(str(source))
     if config.can is not None:
         config.can.set_file(str(source))
     return config
-
-
-def _line(text: str, keys: Sequence[str | int]) -> str:
-    """`line 12: `, or nothing for a key that is not in the file but in one that it extends."""
-    number = line_of(text, keys)
-    return "" if number is None else f"line {number}: "
 
 
 def _causes(problems: list[ErrorDetails]) -> list[ErrorDetails]:
@@ -129,7 +124,26 @@ MAX_AXIS_COSINE: Final = 1e-3
 
 
 def robot_model(config: RobotConfig) -> RobotModel:
-    """Return the model of a robot. Raises `ConfigError` with the key that does not match the URDF."""
+    """Return the model of a robot. Raises `ConfigError` with file, line and key that do not match the URDF."""
+    try:
+        return _robot_model(config)
+    except ConfigError as error:
+        raise with_place(error, config.file) from error
+
+
+_KEY: Final = re.compile(r"(\w+)((?:\.[\w-]+|\[\d+\])*)[: ]")
+
+
+def with_place(error: ConfigError, file: str) -> ConfigError:
+    """The error with the robot's file and the line of the key with which it begins, as in `tracks.left: ...`."""
+    key = _KEY.match(str(error))
+    if not file or key is None or key[1] not in RobotConfig.model_fields:
+        return error
+    keys = [int(part) if part.isdigit() else part for part in re.findall(r"[\w-]+", key[0])]
+    return ConfigError(f"{file}: {line_prefix(read_file(Path(file)).decode(), keys)}{error}")
+
+
+def _robot_model(config: RobotConfig) -> RobotModel:
     description = read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))), config.xacro_arguments)
     description = _with_limits(description, config.joint_limits)
     if config.tracks is not None:
@@ -202,9 +216,7 @@ def _can_setup(
     try:
         return can_setup(config, description, tracks, groups)
     except ConfigError as error:
-        key = str(error).partition(":")[0].partition(" ")[0]
-        text = read_file(Path(config.file)).decode() if config.file else ""
-        return f"{config.file or 'the robot'}: {_line(text, key.split('.'))}{error}"
+        return str(with_place(error, config.file))
 
 
 def read_urdf(path: str, packages: PackagePaths, arguments: Mapping[str, str] | None = None) -> RobotDescription:

@@ -11,7 +11,7 @@ from typing import Any, Final
 from pydantic import BaseModel, ValidationError
 from pydantic.fields import FieldInfo
 
-from jauspy.config_errors import explain, models_in
+from jauspy.config_errors import explain, line_prefix, models_in
 from jauspy.errors import ConfigError
 from jauspy.node.config import NodeConfig
 from jauspy.user_files import read_toml
@@ -22,7 +22,7 @@ _WIDTH: Final = 100
 def load(path: Path | None, overrides: Mapping[str, Any] | None = None) -> NodeConfig:
     """The settings of a TOML file; `overrides` that are not None, as of the command line, take precedence.
 
-    Raises `ConfigError` that names the file, the key and its permitted values.
+    Raises `ConfigError` that names the file, the line, the key and its permitted values.
     """
     given = {key: value for key, value in (overrides or {}).items() if value is not None}
     if path is None:
@@ -31,7 +31,12 @@ def load(path: Path | None, overrides: Mapping[str, Any] | None = None) -> NodeC
     try:
         return NodeConfig.model_validate(data | given)
     except ValidationError as error:
-        problems = "".join(f"\n  {explain(problem, NodeConfig)}" for problem in error.errors(include_url=False))
+        text = path.read_text()
+        problems = "".join(
+            f"\n  {'' if problem['loc'][:1] and problem['loc'][0] in given else line_prefix(text, problem['loc'])}"
+            f"{explain(problem, NodeConfig)}"
+            for problem in error.errors(include_url=False)
+        )
         raise ConfigError(f"{path}: is not a configuration of a node manager:{problems}") from None
 
 

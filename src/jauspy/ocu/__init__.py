@@ -8,7 +8,7 @@ from jauspy.ocu.control import Control
 from jauspy.ocu.discovery import Appeared, Changed, Vanished
 from jauspy.ocu.driving import Progress
 from jauspy.ocu.gripper import Gripper
-from jauspy.ocu.joint_lists import joint_efforts, joint_positions, joint_velocities, metres
+from jauspy.ocu.joints import joint_efforts, joint_positions, joint_velocities, metres
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.ocu.robot_control import RobotControl

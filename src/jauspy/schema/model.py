@@ -369,6 +369,9 @@ class Service:
     behavior: Behavior | None = None
     where: Location | None = None
 
+    def __hash__(self) -> int:
+        return hash((self.id, self.version))  # a service has thousands of parts
+
     @property
     def key(self) -> tuple[str, str]:
         """Id and version; unique in a schema."""

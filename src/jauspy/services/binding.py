@@ -9,7 +9,7 @@ from __future__ import annotations
 import inspect
 from collections.abc import Callable, Container, Iterable, Mapping
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, lru_cache
 from operator import attrgetter
 from typing import Final, Literal, TypeAlias
 
@@ -21,7 +21,7 @@ from jauspy.schema import behavior, model
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import MergedState, Owned, merge_machines, short_name, walk_states
-from jauspy.services.core.defaults import INHERITED_DEFAULTS
+from jauspy.services.core import INHERITED_DEFAULTS
 from jauspy.services.deferred import Deferred
 from jauspy.services.definitions import definitions_of, schema_for
 from jauspy.services.service import BoundServices, Service
@@ -113,7 +113,12 @@ def required_methods(definition: model.Service) -> tuple[RequiredMethod, ...]:
 def required_method(definition: model.Service, name: str) -> RequiredMethod:
     """One required method, by the name (dotted or not) in the behaviour that calls it."""
     short = short_name(name)
-    return next((each for each in required_methods(definition) if each.jsidl == short), RequiredMethod(short, "action"))
+    return _required_by_name(definition).get(short) or RequiredMethod(short, "action")
+
+
+@cache
+def _required_by_name(definition: model.Service) -> dict[str, RequiredMethod]:
+    return {each.jsidl: each for each in required_methods(definition)}
 
 
 def _add_transition(found: dict[str, RequiredMethod], transition: model.Transition, outputs: set[str]) -> None:
@@ -168,7 +173,8 @@ class Binder:
     def __init__(
         self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: SendReply
     ) -> None:
-        self._parent_of = parents_among(definitions.values())
+        parent_of = parents_among(definitions.values())
+        self._lineages = {id: lineage(definition, parent_of) for id, definition in definitions.items()}
         self._services = services
         self._reply = reply
         self.problems: list[str] = []
@@ -211,7 +217,7 @@ class Binder:
         if not transition.parameters:
             return ANY_MESSAGE
         wanted = transition.parameters[0].type
-        line = lineage(owner, self._parent_of)
+        line = self._lineages[owner.id]
         # Outputs come last: a service may be the client of another one of its own kind.
         for message in (*(m for each in line for m in each.inputs), *(m for each in line for m in each.outputs)):
             if message.name == wanted:
@@ -293,7 +299,7 @@ class Binder:
 
     def _method(self, owner: model.Service, dotted: str, what: str) -> Callable[..., object]:
         name = method_name(short_name(dotted))
-        for definition in lineage(owner, self._parent_of):
+        for definition in self._lineages[owner.id]:
             service = self._services[definition.id]
             method = getattr(service, name, None)
             if (
@@ -319,7 +325,7 @@ class Binder:
         literals = _literals(arguments) if quoted else list(arguments)
         code = literals[0] if literals else None
         getters: list[Callable[[Trigger], object]] = []
-        for parameter in inspect.signature(method).parameters.values():
+        for parameter in _parameters(method):
             if parameter.name in _GETTERS and parameter.kind is parameter.POSITIONAL_OR_KEYWORD:
                 getters.append(_GETTERS[parameter.name])
             elif parameter.name == "code" and parameter.kind is parameter.POSITIONAL_OR_KEYWORD:
@@ -335,6 +341,18 @@ class Binder:
             case [first, second]:
                 return lambda trigger: method(first(trigger), second(trigger))
         return lambda trigger: method(*[get(trigger) for get in getters])
+
+
+def _parameters(method: Callable[..., object]) -> tuple[inspect.Parameter, ...]:
+    """The parameters with which a bound method or another callable is called."""
+    if inspect.ismethod(method):
+        return _parameters_of_function(method.__func__)[1:]
+    return tuple(inspect.signature(method).parameters.values())
+
+
+@lru_cache(maxsize=4096)
+def _parameters_of_function(function: Callable[..., object]) -> tuple[inspect.Parameter, ...]:
+    return tuple(inspect.signature(function).parameters.values())
 
 
 def _is_inherited_hook(service: Service, name: str) -> bool:

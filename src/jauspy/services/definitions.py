@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from difflib import get_close_matches
+from functools import cache
+from typing import Final
 
 from jauspy import messages
 from jauspy.codec.registry import Registry
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
-from jauspy.schema.inheritance import ParentOf, is_a, lineage, most_derived_first
+from jauspy.schema.inheritance import ParentOf, lineage, most_derived_first, parents_among
 from jauspy.schema.loader import Wanted, load_needed, versions_of
 from jauspy.schema.model import Schema, Service as Definition
 from jauspy.schema.state_tree import check_behavior
@@ -70,8 +72,9 @@ def definitions_of(services: Iterable[Service], schema: Schema) -> dict[str, Def
     found: dict[str, Definition] = {}
     # Services with the fewest versions, and services that no other one inherits from, choose first.
     services = sorted(services, key=lambda service: len(_versions(service, schema)))
+    inherited = _inherited(services, schema, parent_of)
     for service in services:
-        if service.version is not None or not _inherited(service.urn, services, schema, parent_of):
+        if service.version is not None or service.urn not in inherited:
             _add(found, _choose(found, service, schema, parent_of), parent_of)
     for service in services:
         if service.urn not in found:
@@ -104,13 +107,13 @@ def _fits(found: Mapping[str, Definition], definition: Definition, parent_of: Pa
     return all(found.get(each.id, each).version == each.version for each in lineage(definition, parent_of))
 
 
-def _inherited(urn: str, services: Iterable[Service], schema: Schema, parent_of: ParentOf[Definition]) -> bool:
-    """True when another of the services has this one as an ancestor, and so chooses its version."""
-    return any(
-        is_a(_lookup(schema, service.urn, service.version, service.urn), urn, parent_of)
-        for service in services
-        if service.urn != urn
-    )
+def _inherited(services: Iterable[Service], schema: Schema, parent_of: ParentOf[Definition]) -> set[str]:
+    """The ids of all ancestors of the services; the version of an ancestor is chosen by what inherits from it."""
+    found: set[str] = set()
+    for service in services:
+        definition = _lookup(schema, service.urn, service.version, type(service).__name__)
+        found |= {each.id for each in lineage(definition, parent_of) if each.id != service.urn}
+    return found
 
 
 def _add(found: dict[str, Definition], definition: Definition, parent_of: ParentOf[Definition]) -> None:
@@ -138,3 +141,65 @@ def _suggestion(schema: Schema, urn: str) -> str:
     meant = (by_end or get_close_matches(urn, known, 1, 0.9))[:1]
     own = "one of your own is given by `definitions=jauspy.load(...)`"
     return f"did you mean {meant[0]}? {own}" if meant else own
+
+
+_CORE: Final = "urn:jaus:jss:core:"
+_MOBILITY: Final = "urn:jaus:jss:mobility:"
+_MANIPULATOR: Final = "urn:jaus:jss:manipulator:"
+_SENSING: Final = "urn:jaus:jss:environmentSensing:"
+OLDER_VERSION: Final = "1.0"
+
+OLDER_SERVICES: Final[tuple[str, ...]] = (
+    *(f"{_CORE}{name}" for name in ("Transport", "Events", "AccessControl", "Management")),
+    *(f"{_CORE}{name}" for name in ("Discovery", "Time", "Liveness", "Liveliness")),
+    *(f"{_MOBILITY}{name}" for name in ("PrimitiveDriver", "VelocityStateSensor", "VelocityStateDriver")),
+    *(f"{_MOBILITY}{name}" for name in ("AccelerationStateSensor", "LocalPoseSensor", "GlobalPoseSensor")),
+    *(f"{_MOBILITY}{name}" for name in ("LocalWaypointDriver", "GlobalWaypointDriver", "GlobalVectorDriver")),
+    *(f"{_MOBILITY}{name}" for name in ("ListManager", "LocalWaypointListDriver", "GlobalWaypointListDriver")),
+    *(f"{_MANIPULATOR}Manipulator{name}" for name in ("JointPositionSensor", "JointVelocitySensor")),
+    *(f"{_MANIPULATOR}Manipulator{name}" for name in ("JointForceTorqueSensor", "ActuatorForceTorqueDriver")),
+    *(f"{_MANIPULATOR}Manipulator{name}" for name in ("JointPositionDriver", "JointVelocitiesDriver")),
+    *(f"{_MANIPULATOR}Manipulator{name}" for name in ("EndEffectorPoseSensor", "EndEffectorVelocityStateSensor")),
+    *(f"{_MANIPULATOR}Manipulator{name}" for name in ("EndEffectorPoseDriver", "EndEffectorVelocityStateDriver")),
+    *(f"{_MANIPULATOR}Manipulator{name}" for name in ("JointPositionsListDriver", "EndEffectorPoseListDriver")),
+    *(f"{_MANIPULATOR}{name}" for name in ("ListManager", "PrimitiveManipulator", "PrimitiveEndEffector")),
+    *(f"{_MANIPULATOR}{name}" for name in ("PrimitivePanTilt", "PanTiltJointPositionSensor")),
+    *(f"{_MANIPULATOR}{name}" for name in ("PanTiltJointVelocitySensor", "PanTiltJointPositionDriver")),
+    f"{_MANIPULATOR}PanTiltJointVelocitiesDriver",
+    *(f"{_SENSING}{name}" for name in ("VisualSensor", "DigitalVideo", "StillImage")),
+)
+"""The services whose version 1.0 can be listed beside 1.1 and 2.0, for clients that look for it only (ADR 118).
+
+A message that both versions have is the same on the wire, so a component that answers the inputs of the older version
+lists it too. Left out are the services whose messages differ: LocalVectorDriver, RangeSensor and AnalogVideo.
+"""
+
+
+RENAMED_SERVICES: Final = {
+    f"{_CORE}Liveliness": (f"{_CORE}Liveness",),
+    f"{_MOBILITY}ListManager": (f"{_MOBILITY}LocalWaypointListDriver", f"{_MOBILITY}GlobalWaypointListDriver"),
+    f"{_MANIPULATOR}ListManager": (f"{_MANIPULATOR}ManipulatorListDriver",),
+    f"{_MANIPULATOR}ManipulatorJointVelocitiesDriver": (f"{_MANIPULATOR}ManipulatorJointVelocityDriver",),
+    f"{_MANIPULATOR}ManipulatorJointPositionsListDriver": (f"{_MANIPULATOR}ManipulatorJointPositionListDriver",),
+    f"{_MANIPULATOR}PanTiltJointVelocitiesDriver": (f"{_MANIPULATOR}PanTiltJointVelocityDriver",),
+}
+"""Those that have another name now: one of these services does the same."""
+
+
+def answered_in_older_version(services: Collection[str], inputs: Collection[int]) -> Iterator[str]:
+    """The services whose version 1.0 is answered by a component with these services and inputs, which are message ids.
+
+    A service is left out when the component lacks one of its inputs, or of those that it inherits.
+    """
+    for urn, codes in _older_inputs().items():
+        if not set(RENAMED_SERVICES.get(urn, (urn,))).isdisjoint(services) and codes.issubset(inputs):
+            yield urn
+
+
+@cache
+def _older_inputs() -> dict[str, frozenset[int]]:
+    """The message ids that version 1.0 of each service takes, with those that it inherits."""
+    schema = load_needed(frozenset((urn, OLDER_VERSION) for urn in OLDER_SERVICES))
+    parent_of = parents_among(schema.services)
+    lines = {urn: lineage(schema.service(urn, OLDER_VERSION), parent_of) for urn in OLDER_SERVICES}
+    return {urn: frozenset(message.code for each in line for message in each.inputs) for urn, line in lines.items()}

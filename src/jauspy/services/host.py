@@ -17,9 +17,8 @@ from jauspy.services.binding import bind_services
 from jauspy.services.core.management import Management
 from jauspy.services.definitions import registry_for
 from jauspy.services.messaging import InputDecoder, Outgoing
-from jauspy.services.service import Service, ServiceHost
+from jauspy.services.service import Service, ServiceHost, Timers
 from jauspy.services.state_machine import Trigger, TriggerOutcome
-from jauspy.services.timers import Timers
 
 MAX_BACKGROUND_TIMERS: Final = 8
 """Timers that may wait, such as events of clients without control, of which so many are run in one turn."""

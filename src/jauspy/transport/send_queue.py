@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import OrderedDict, deque
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from itertools import islice
 from typing import Final, TypeAlias
 
@@ -23,10 +23,12 @@ PRIORITY_SHARE: Final = 1 / 8
 LOW_PRIORITY_TURN: Final = 16
 """Every 16th datagram is one of the lowest priority, so that these are late, but not starved."""
 MAX_CANDIDATES: Final = 8
-"""Flows that are compared with the one that was longest lately, to find the one that loses a datagram."""
+"""Senders, and destinations of a sender, that are compared with the one that had most lately, to find who loses a
+datagram."""
 _CONTROL_PRIORITY: Final = PRIORITIES - 1
+_DESTINATION: Final = slice(5, 9)
 _SOURCE: Final = slice(9, 13)
-"""The id of the source in a datagram with one packet."""
+"""The ids of destination and source in a datagram with one packet."""
 
 _Entry: TypeAlias = tuple[bytes, float]
 _Send: TypeAlias = Callable[[bytes], object]
@@ -61,12 +63,62 @@ class QueueMemory:
             self._counters.drop("queue_memory", "the queues of all destinations are too long")
 
 
+class _Flow:
+    """Datagrams of one sender, in order."""
+
+    __slots__ = ("_counts", "_most", "entries")
+
+    def __init__(self) -> None:
+        self.entries: deque[_Entry] = deque()
+        self._counts: dict[bytes, int] | None = None
+        """How many there are for each destination, since the first one that was too much."""
+        self._most = b""
+        """The destination that has, or lately had, most."""
+
+    def append(self, datagram: bytes, since: float) -> None:
+        self.entries.append((datagram, since))
+        if self._counts is not None:
+            self._count(self._counts, datagram)
+
+    def pop(self) -> bytes:
+        datagram, _ = self.entries.popleft()
+        if self._counts is not None:
+            self._forget(self._counts, datagram)
+        return datagram
+
+    def pop_excess(self) -> bytes:
+        """Remove the oldest datagram for a destination that has many: it does not displace answers to others."""
+        counts = self._counts
+        if counts is None:
+            counts = self._counts = {}
+            for datagram, _ in self.entries:
+                self._count(counts, datagram)
+        to = max(_candidates(counts, self._most), key=counts.__getitem__)
+        at, datagram = next((n, each) for n, (each, _) in enumerate(self.entries) if each[_DESTINATION] == to)
+        del self.entries[at]
+        self._forget(counts, datagram)
+        return datagram
+
+    def _count(self, counts: dict[bytes, int], datagram: bytes) -> None:
+        to = datagram[_DESTINATION]
+        counts[to] = counts.get(to, 0) + 1
+        if counts[to] > counts.get(self._most, 0):
+            self._most = to
+
+    def _forget(self, counts: dict[bytes, int], datagram: bytes) -> None:
+        to = datagram[_DESTINATION]
+        if counts[to] == 1:
+            del counts[to]
+        else:
+            counts[to] -= 1
+
+
 class _Flows:
     """Datagrams of one priority: those of a sender in order, and of each sender one in turn."""
 
     def __init__(self) -> None:
         self.length = 0
-        self._flows: OrderedDict[bytes, deque[_Entry]] = OrderedDict()
+        self._flows: OrderedDict[bytes, _Flow] = OrderedDict()
         self._longest = b""
         """The sender that has, or lately had, most."""
 
@@ -75,49 +127,60 @@ class _Flows:
         source = datagram[_SOURCE]
         flow = self._flows.get(source)
         if flow is None:
-            flow = self._flows[source] = deque()
-        flow.append((datagram, now))
+            flow = self._flows[source] = _Flow()
+        flow.append(datagram, now)
         self.length += 1
-        if len(flow) > len(self._flows.get(self._longest, ())):
-            self._longest = source
+        if source != self._longest:
+            longest = self._flows.get(self._longest)
+            if longest is None or len(flow.entries) > len(longest.entries):
+                self._longest = source
 
     def peek(self) -> bytes:
         """The datagram whose turn it is."""
-        return next(iter(self._flows.values()))[0][0]
+        return next(iter(self._flows.values())).entries[0][0]
 
     def pop(self) -> bytes:
         """Remove the datagram whose turn it is."""
-        source = next(iter(self._flows))
-        self._flows.move_to_end(source)
-        return self._remove(source)
+        source, flow = next(iter(self._flows.items()))
+        if len(self._flows) > 1:
+            self._flows.move_to_end(source)
+        return self._removed(source, flow, flow.pop())
 
     def pop_excess(self) -> bytes:
-        """Remove the oldest datagram of a sender that has many."""
-        candidates = [*islice(self._flows, MAX_CANDIDATES), *((self._longest,) if self._longest in self._flows else ())]
-        return self._remove(max(candidates, key=lambda source: len(self._flows[source])))
+        """Remove a datagram of a sender that has many."""
+        source = max(_candidates(self._flows, self._longest), key=lambda source: len(self._flows[source].entries))
+        flow = self._flows[source]
+        return self._removed(source, flow, flow.pop_excess())
 
     def pop_stale(self, oldest: float) -> list[bytes]:
         """Remove commands from before `oldest` that may not be late."""
         found: list[bytes] = []
         for source, flow in [*self._flows.items()]:
-            if flow[0][1] >= oldest:
+            if flow.entries[0][1] >= oldest:
                 continue
-            kept = deque(each for each in flow if each[1] >= oldest or judp.may_be_late(each[0]))
-            found += (datagram for datagram, since in flow if since < oldest and not judp.may_be_late(datagram))
-            if kept:
+            kept = _Flow()
+            for datagram, since in flow.entries:
+                if since >= oldest or judp.may_be_late(datagram):
+                    kept.append(datagram, since)
+                else:
+                    found.append(datagram)
+            if kept.entries:
                 self._flows[source] = kept
             else:
                 del self._flows[source]
         self.length -= len(found)
         return found
 
-    def _remove(self, source: bytes) -> bytes:
-        flow = self._flows[source]
-        datagram, _ = flow.popleft()
-        if not flow:
+    def _removed(self, source: bytes, flow: _Flow, datagram: bytes) -> bytes:
+        if not flow.entries:
             del self._flows[source]
         self.length -= 1
         return datagram
+
+
+def _candidates(known: Collection[bytes], most: bytes) -> list[bytes]:
+    """Some of them, with the one that lately had most: comparing all would take too long in a flood."""
+    return [*islice(known, MAX_CANDIDATES), *((most,) if most in known else ())]
 
 
 class SendQueue:
@@ -155,7 +218,8 @@ class SendQueue:
     def drop_one(self) -> None:
         """Remove a datagram of the lowest priority that has more than its share, or of the lowest.
 
-        It is the oldest of the sender that has most of them: who floods the queue loses his own.
+        It is of the sender that has most of them, and of these the oldest for the destination that has most: who floods
+        the queue loses his own, and so does who asks a component for more answers than it can send.
         """
         filled = (each for each in self._priorities if each.length > PRIORITY_SHARE * self._limit)
         flows = next(filled, None) or next(each for each in self._priorities if each.length)
@@ -196,11 +260,11 @@ class SendQueue:
             count -= 1
 
     def _next(self) -> _Flows:
-        low, standard, high, urgent = self._priorities
-        order = (urgent, high, standard, low)
-        if self._turn == LOW_PRIORITY_TURN - 1:
-            order = (low, standard, high, urgent)
-        return next(each for each in order if each.length)
+        order = self._priorities if self._turn == LOW_PRIORITY_TURN - 1 else reversed(self._priorities)
+        for each in order:
+            if each.length:
+                return each
+        raise IndexError("the queue is empty")
 
     def _resize(self, count: int, size: int) -> None:
         by = size + count * DATAGRAM_OVERHEAD

@@ -36,6 +36,9 @@ MEASURE_EVERY: Final = 2
 OVERLOAD_MEASUREMENTS: Final = 2
 """Measurements over which force and moment are averaged before they count as an overload: 16 ms."""
 
+HALF_ANGLE: Final = np.array((1.0, 0.5))
+"""What the rows of a weld measure of force and moment: those of the rotation act on half the angle."""
+
 PLATE_RADIUS: Final = 0.02
 """Metres: a plate must lie on the face of a box with this radius."""
 
@@ -73,6 +76,8 @@ class SimulatedConnector(VacuumConnector):
         """True while an attempt fails by itself: until it is disabled."""
         self.load = (0.0, 0.0)
         """Newtons, newton metres."""
+        self.enabled = False
+        """Whether its pump runs."""
         self._state = ConnectorState()
 
     @cached_property
@@ -98,17 +103,12 @@ class SimulatedConnector(VacuumConnector):
         )
         return self._state
 
-    @property
-    def enabled(self) -> bool:
-        """Whether its pump runs."""
-        return self._state.enabled
-
     def set(self, enabled: bool) -> None:
         """Start the pump, or let air in; without power neither happens."""
         if not self._state.powered:
             self.change(error=ConnectorError.NO_POWER, last_error=f"{self.part} has no power")
             return
-        if enabled is self._state.enabled:
+        if enabled is self.enabled:
             return
         if enabled:
             self.change(enabled=True, error=ConnectorError.NO_CONTACT, last_error="nothing is in contact")
@@ -118,6 +118,7 @@ class SimulatedConnector(VacuumConnector):
     def change(self, **fields: object) -> None:
         """Change its state."""
         self._state = replace(self._state, **fields)  # type: ignore[arg-type]  # names are those of the class
+        self.enabled = self._state.enabled
 
 
 class Attachments:
@@ -321,8 +322,7 @@ class Attachments:
             return
         welds = data.efc_id[: 6 * rows : 6]
         forces = data.efc_force[: 6 * rows].reshape(rows, 2, 3)
-        # the rotational rows act on half the angle
-        loads = np.sqrt(np.einsum("nij,nij->ni", forces, forces)) * (1.0, 0.5)
+        loads = np.sqrt(np.einsum("nij,nij->ni", forces, forces)) * HALF_ANGLE
         mean = self._loads[welds]
         mean += (loads - mean) / OVERLOAD_MEASUREMENTS
         self._loads[welds] = mean

@@ -24,9 +24,8 @@ from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
 from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, SimulatedPower
 from jauspy_sim.cell.payload import Payload
-from jauspy_sim.cell.prepared import put_on_each_other
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
-from jauspy_sim.cell.start import disturb
+from jauspy_sim.cell.start import disturb, put_on_each_other
 from jauspy_sim.cell.truth import Truth
 from jauspy_sim.joints import SimulatedJoints
 from jauspy_sim.viewer import Viewer

@@ -1,16 +1,24 @@
-"""Where the parts of a cell are at the start: their poses of the file, with errors that are drawn with a seed."""
+"""Where the parts of a cell are at the start: their poses of the file, with errors that are drawn with a seed.
+
+And arms that are there before a task begins: parts put on each other, as no robot could: at once, and exactly.
+"""
 
 from __future__ import annotations
 
 import math
-from typing import Final
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Final
 
 import mujoco
 import numpy as np
 
-from jauspy.geometry.poses import Transform
+from jauspy.errors import ConfigError
+from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.vectors import Vector, Z, add, difference, dot, quaternion, rotation_about, scaled
 from jauspy.platform.modular.parts import CellSetup, PlacedPart
+
+if TYPE_CHECKING:
+    from jauspy_sim.cell.robot import SimulatedCell
 
 MAX_DRAWS: Final = 200
 """Draws for one part until it does not overlap another."""
@@ -20,6 +28,11 @@ MAX_OVERLAP: Final = 0.002
 
 STEEP: Final = 0.1
 """Sine of a slope from which on parts slide down; they then start above the edge on which they come to rest."""
+
+GAP: Final = 0.0003
+"""Metres between plates that are put on each other: contact, without overlap."""
+ATTACH_TIME: Final = 0.008
+"""Seconds: two control cycles."""
 
 
 def disturb(model: mujoco.MjModel, data: mujoco.MjData, cell: CellSetup, random: np.random.Generator) -> None:
@@ -73,3 +86,35 @@ def _overlaps(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> bool:
         if contact.dist < -MAX_OVERLAP and tree in model.body_treeid[model.geom_bodyid[contact.geom]]:
             return True
     return False
+
+
+def put(cell: SimulatedCell, name: str, pose: Transform) -> None:
+    """Put a part somewhere in the world, at rest."""
+    joint = cell.model.joint(name)
+    position, dof = int(joint.qposadr[0]), int(joint.dofadr[0])
+    cell.data.qpos[position : position + 7] = (*pose.position, *quaternion(pose.rotation))
+    cell.data.qvel[dof : dof + 6] = 0.0
+    mujoco.mj_kinematics(cell.model, cell.data)
+
+
+def put_on(cell: SimulatedCell, connector: str, name: str, error: Transform = IDENTITY) -> None:
+    """Put a part in front of a connector, with its plate in contact, and enable the connector."""
+    offset = Transform(position=(0.0, 0.0, GAP)) @ error
+    put(cell, name, cell.truth.connector(connector) @ offset)
+    cell.connectors[connector].set(True)
+
+
+def put_on_each_other(
+    cell: SimulatedCell, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None
+) -> None:
+    """Put parts on a connector, each on the last one's first connector, and have them attached.
+
+    `errors` are poses of parts on their connectors, by part. Raises `ConfigError` for a part that does not attach.
+    """
+    for name in parts:
+        put_on(cell, connector, name, (errors or {}).get(name, IDENTITY))
+        cell.advance(ATTACH_TIME)
+        state = cell.connectors[connector].state()
+        if state.attached_to != name:
+            raise ConfigError(f"{name} was put on {connector} and is not attached: {state.last_error}")
+        connector = f"{name}/{next(iter(cell.setup.type_of(name).connectors), '')}"

@@ -1,4 +1,7 @@
-"""Valid messages as fast as one process can send them: of standard priority, and of the highest."""
+"""Valid messages as fast as one process can send them: of standard priority, and of the highest.
+
+The attacker has a processor of its own, as on a machine of its own, and the victims have the others.
+"""
 
 from __future__ import annotations
 
@@ -10,6 +13,7 @@ from ..arena import ROBOT, STRANGER, Arena
 from ..attack import Attack, Attacker, Bounds, Layout
 
 UNLIMITED = 1e9
+BOUNDS = Bounds(lost=0.05, silence=2.0)
 
 
 def run(arena: Arena, priority: Priority) -> None:
@@ -18,8 +22,9 @@ def run(arena: Arena, priority: Priority) -> None:
     datagrams = [
         judp.pack(Packet(STRANGER, ROBOT, QueryLocalPose(0x1FF).encode(), number, priority)) for number in range(4096)
     ]
-    for number in arena.paced(UNLIMITED):
-        arena.send(sock, datagrams[number % len(datagrams)])
+    with arena.stage.apart():
+        for number in arena.paced(UNLIMITED):
+            arena.send(sock, datagrams[number % len(datagrams)])
 
 
 def _standard(arena: Arena) -> None:
@@ -30,13 +35,13 @@ def _urgent(arena: Arena) -> None:
     run(arena, Priority.SAFETY_CRITICAL)
 
 
-STANDARD = Attack("flood", Attacker.REMOTE, "datagrams", _standard, Bounds(lost=1.0, silence=60.0))
-URGENT = Attack("urgent-flood", Attacker.REMOTE, "datagrams", _urgent, Bounds(lost=1.0, silence=60.0))
+STANDARD = Attack("flood", Attacker.REMOTE, "datagrams", _standard, BOUNDS)
+URGENT = Attack("urgent-flood", Attacker.REMOTE, "datagrams", _urgent, BOUNDS)
 LIMITED = Attack(
     "limited-urgent-flood",
     Attacker.REMOTE,
     "datagrams",
     _urgent,
-    Bounds(lost=1.0, silence=60.0),
+    Bounds(lost=0.25, silence=2.0),  # all of it is read, so that the receive buffer overflows
     layout=Layout(settings={"rate_limit": 500.0}),
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.cell.options import Exact, Record, Seed, check_extra, millimetres
+from jauspy.cli.cell.options import Exact, Record, Seed, View, check_extra, millimetres
 from jauspy.cli.client import make_ocu
 from jauspy.cli.options import Connect, Json, OperatorKey, OwnId
 from jauspy.cli.processes import run
@@ -16,6 +16,7 @@ def assemble(
     seed: Seed = 0,
     exact: Exact = False,
     record: Record = None,
+    view: View = False,
     connect: Connect = None,
     id: OwnId = None,
     operator_key: OperatorKey = None,
@@ -30,19 +31,23 @@ def assemble(
     Exit status 1 when the arm could not be built; the reason is printed, and the cell is left at rest.
     """
     check_extra()
+    if connect is not None and (record or view or exact):
+        raise typer.BadParameter(
+            "--record, --view and --exact are for a cell that is simulated here; leave out --connect"
+        )
     from dataclasses import asdict
 
-    from jauspy.cell import assembly_run, tasks
+    from jauspy.cell import tasks
     from jauspy.cell.measured import Measured
     from jauspy.cell.session import NONE, connected
     from jauspy.cli.cell.tables import assembly_table
 
     async def here() -> Measured:
-        return await tasks.run_one("assemble", seed, NONE if exact else None, film=record)
+        return await tasks.run_one("assemble", seed, NONE if exact else None, film=record, view=view)
 
     async def elsewhere() -> Measured:
         async with connected(make_ocu(id, connect, 3.0, operator=operator_key)) as session:
-            return await assembly_run.assemble(session, seed)
+            return await tasks.assemble(session, seed)
 
     found = run(here() if connect is None else elsewhere())
     if found is None:

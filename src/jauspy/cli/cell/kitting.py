@@ -11,6 +11,7 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Jobs, Out, Seeds, check_extra
+from jauspy.cli.cell.trials import with_progress
 
 if TYPE_CHECKING:
     from jauspy.cell.measured import Measured
@@ -25,21 +26,17 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT) -> None:
     time of both ways, and from how many orders on building the arm is worth its time.
     """
     check_extra()
-    from rich.progress import Progress
     from rich.table import Table
 
     from jauspy.cell.trials import mean_of, run_trials
 
     out.mkdir(parents=True, exist_ok=True)
     results: dict[str, list[Measured]] = {}
-    with Progress(console=console.stderr()) as progress:
-        for task, way in WAYS.items():
-            bar = progress.add_task(way, total=seeds)
-            results[task] = []
-            for each in run_trials(task, range(seeds), jobs=jobs):
-                results[task].append(each)
-                (out / f"{task}.json").write_text(json.dumps([asdict(every) for every in results[task]], indent=1))
-                progress.update(bar, advance=1)
+    for task, way in WAYS.items():
+        results[task] = []
+        for each in with_progress(way, seeds, run_trials(task, range(seeds), jobs=jobs)):
+            results[task].append(each)
+            (out / f"{task}.json").write_text(json.dumps([asdict(every) for every in results[task]], indent=1))
     table = Table(title=f"{seeds} orders", title_justify="left")
     for heading in ("way", "runs", "score", "of", "time of an order, s", "building, s", "largest error, mm"):
         table.add_column(heading)

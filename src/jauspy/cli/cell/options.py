@@ -19,6 +19,9 @@ Seed = Annotated[
 Record = Annotated[
     Path | None, typer.Option("--record", metavar="FILE", help="Film the task, as .mp4. Needs the extra 'video'.")
 ]
+View = Annotated[
+    bool, typer.Option("--view", help="Show the task in MuJoCo's window, no faster than the clock; needs a display.")
+]
 Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="Directory of plots, films and results.")]
 Jobs = Annotated[
     int | None, typer.Option("--jobs", "-j", min=1, metavar="N", help="Processes at once. Default: one a core.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from jauspy.cell.measured import Measured
+from jauspy.cell.measured import Measured, figure_text
 from jauspy.cell.trials import Summary, mean_of
 from jauspy.cli.cell.options import degrees, millimetres
 
@@ -52,7 +52,7 @@ def values_table(found: Measured) -> Table:
     if found.duration:
         table.add_row("time of the cell", f"{found.duration:.1f} s{speed}")
     for name, value in found.values.items():
-        table.add_row(name.replace("_", " "), f"{value:.4g}")
+        table.add_row(name.replace("_", " "), figure_text(name, value))
     for row in found.rows:
         if "event" in row:
             table.add_row("", row["event"])
@@ -77,7 +77,8 @@ def trials_table(summary: Summary, results: Sequence[Measured]) -> Table:
     table.add_row("simulated time", f"{summary.speed:.1f} times real time in each process")
     for name in sorted({name for each in results for name in each.values}):
         values = [each.values[name] for each in results if name in each.values]
-        table.add_row(name.replace("_", " "), f"mean {mean_of(results, name):.4g}, most {max(values):.4g}")
+        mean, most = figure_text(name, mean_of(results, name)), figure_text(name, max(values))
+        table.add_row(name.replace("_", " "), f"mean {mean}, most {most}")
     for seed, reason in summary.failures:
         table.add_row(f"[red]seed {seed}[/]", reason)
     return table

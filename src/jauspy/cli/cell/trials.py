@@ -3,13 +3,30 @@
 from __future__ import annotations
 
 import json as json_module
+from collections.abc import Iterable, Iterator
 from dataclasses import asdict
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Exact, Jobs, Out, Seeds, check_extra
+
+if TYPE_CHECKING:
+    from jauspy.cell.measured import Measured
+
+
+def with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterator[Measured]:
+    """Pass results on, and show a progress bar with the number of failures."""
+    from rich.progress import Progress
+
+    failed = 0
+    with Progress(console=console.stderr()) as progress:
+        bar = progress.add_task(what, total=total)
+        for each in results:
+            failed += not each.success
+            progress.update(bar, advance=1, description=f"{what}, {failed} failed" if failed else what)
+            yield each
 
 
 def trials(
@@ -36,9 +53,6 @@ def trials(
     noisy. Writes DIR/trials-TASK.json and a plot, DIR/trials-TASK.svg.
     """
     check_extra()
-    from rich.progress import Progress
-
-    from jauspy.cell.measured import Measured
     from jauspy.cell.plots import plot_trials
     from jauspy.cell.session import NONE
     from jauspy.cell.tasks import TASKS
@@ -50,14 +64,11 @@ def trials(
     found: list[Measured] = []
     out.mkdir(parents=True, exist_ok=True)
     path = out / f"trials-{task}.json"
-    with Progress(console=console.stderr()) as progress:
-        bar = progress.add_task(task, total=seeds)
-        disturbances = NONE if exact else None
-        for each in run_trials(task, range(first, first + seeds), disturbances, jobs=jobs, cluster=cluster):
-            found.append(each)
-            path.write_text(json_module.dumps([asdict(every) for every in found], indent=1))
-            failed = sum(not every.success for every in found)
-            progress.update(bar, advance=1, description=f"{task}, {failed} failed")
+    disturbances = NONE if exact else None
+    results = run_trials(task, range(first, first + seeds), disturbances, jobs=jobs, cluster=cluster)
+    for each in with_progress(task, seeds, results):
+        found.append(each)
+        path.write_text(json_module.dumps([asdict(every) for every in found], indent=1))
     found.sort(key=lambda each: each.seed)
     summary = summarised(found)
     path.write_text(json_module.dumps([asdict(each) for each in found], indent=1))

@@ -1,20 +1,333 @@
-"""`jauspy new robot`: a first TOML file for somebody's URDF."""
+"""`jauspy new robot`: a first TOML file for somebody's URDF. What the robot has is found in its joints, or guessed."""
 
 from __future__ import annotations
 
+import json
+import math
+import re
 from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Final
 
 import typer
 
 from jauspy.cli import console
 from jauspy.cli.new import write_new
 from jauspy.errors import ConfigError
-from jauspy.geometry.urdf import UNGUIDED, parse_tree
+from jauspy.geometry.frames import FrameTree
+from jauspy.geometry.urdf import UNGUIDED, Joint, JointKind, RobotDescription, inertials, parse_tree
 from jauspy.modules import robot_files
-from jauspy.modules.first_file import first_file, relative
 from jauspy.modules.package_paths import PackagePaths
+from jauspy.platform.joint_control import ROTOR_ACCELERATION
+from jauspy.platform.wheels import WheelJoints, WheelKind, wheel_setup
+
+BANDWIDTH: Final = 15.0
+"""Rad/s, of the position controllers: about the speed at which real arms follow."""
+
+GRAVITY: Final = 9.81
+
+GUESSED_MASS: Final = 2.0
+"""Kilograms of a link whose mass is not given."""
+
+GUESSED_SPEED: Final = {JointKind.PRISMATIC: 0.2}
+"""M/s; 1 rad/s for joints that turn."""
+
+WHEEL_SPEED: Final = 10.0
+"""Rad/s, of wheels without limits."""
+
+LEAST_EFFORT: Final = 5.0
+"""N m or N: guess for a joint that carries nothing."""
+
+MIN_LEVEL: Final = 0.9
+"""Cosine between the axle of a wheel and the y axis."""
+
+LIDAR_WORDS: Final = ("laser", "lidar", "velodyne", "hokuyo", "base_scan", "scan")
+MAX_GROUP: Final = 32
+MAX_CAMERAS: Final = 2
+FIRST_COMPONENT: Final = 102
+
+
+@dataclass(frozen=True, slots=True)
+class Chain:
+    """Joints that are commanded together."""
+
+    name: str
+    base: str
+    tip: str
+    joints: tuple[Joint, ...]
+
+
+def first_file(description: RobotDescription, urdf: str, subsystem: int, extra: Mapping[str, object]) -> str:
+    """The text of a TOML file; `urdf` is the path to be written, `extra` has further keys such as `package_path`."""
+    wheels = _wheels(description)
+    rolling = {*wheels.left, *wheels.right} if wheels else set()
+    used = rolling | {
+        joint.name for joint in description.joints.values() if joint.kind is JointKind.CONTINUOUS and wheels
+    }
+    chains = _chains(description, used)
+    masses = _Masses(description)
+    limits: dict[str, dict[str, float]] = {}
+    for joint in description.joints.values():
+        if joint.name in rolling or any(joint in chain.joints for chain in chains):
+            limits |= _missing_limits(joint, masses, rolls=joint.name in rolling)
+    lines = [
+        f"# {description.name}: a first file, made from its URDF. What is marked as a guess is worth a look.",
+        "",
+        f"name = {_text(re.sub(r'[^ -~]', '_', description.name)[:64] or 'robot')}",
+        f"urdf = {_text(urdf)}",
+        *(f"{key} = {_value(value)}" for key, value in extra.items()),
+        f"subsystem = {subsystem}",
+        "node = 1",
+        'backend = "sim"',
+        'world = "empty"         # or "yard", "rough", or the path of a world: .xml, .sdf, .toml',
+        "",
+    ]
+    number = FIRST_COMPONENT
+    if wheels:
+        lines += _module("CM-MOB", number, "drives the wheels")
+        number += 1
+    for chain in chains:
+        hand = chain.name.startswith("gripper")
+        own = "" if chain.name in ("arm", "gripper") else f'group = "{chain.name}"'
+        lines += _module("CM-EEF" if hand else "CM-MAN", number, f"moves the group {chain.name}", own)
+        number += 1
+    lidars, cameras = _sensors(description)
+    if lidars:
+        lines += _module("CM-SEN", number, "tells what the lidars measure")
+        number += 1
+    for name, _ in cameras:
+        lines += _module("CM-VIS", number, f"streams what the camera {name} sees", f'camera = "{name}"')
+        number += 1
+    if number == FIRST_COMPONENT:
+        lines += _module("CM-SEN", number, "nothing moves")
+    for name, link in lidars:
+        lines += [
+            "[[lidars]]              # a guess, by the link's name",
+            f'name = "{name}"',
+            f"link = {_text(link)}",
+            "",
+        ]
+    for name, link in cameras:
+        lines += ["[[cameras]]             # a guess, by the link's name", f'name = "{name}"']
+        lines += [f"link = {_text(link)}      # looks along x, z is up", ""]
+    if wheels:
+        lines += ["[wheels]                # a guess: the continuous joints on both sides with level axles"]
+        lines += ['type = "skid_steer"', f"left = {_value(wheels.left)}", f"right = {_value(wheels.right)}"]
+        lines += [f"radius = {wheels.radius}"] if wheels.radius else []
+        lines += [""]
+    for name, keys in limits.items():
+        lines += [f"[joint_limits.{_key(name)}]  # guesses: the URDF has none, or zero"]
+        lines += [f"{key} = {value}" for key, value in keys.items()]
+        lines += [""]
+    for chain in chains:
+        lines += _group(chain, limits, masses)
+    return "\n".join(lines).rstrip() + "\n"
+
+
+def _module(type_: str, component: int, comment: str, more: str = "") -> list[str]:
+    found = ["[[modules]]", f'type = "{type_}"', f"component = {component:<9} # {comment}"]
+    return [*found, more, ""] if more else [*found, ""]
+
+
+def _group(chain: Chain, limits: Mapping[str, Mapping[str, float]], masses: _Masses) -> list[str]:
+    lines = [f"[groups.{_key(chain.name)}]", f"base = {_text(chain.base)}", f"tip = {_text(chain.tip)}", "rate = 500.0"]
+    lines += ["joints = [               # gains: guesses from masses, lengths and efforts"]
+    for given in chain.joints:
+        joint = replace(given, effort=limits.get(given.name, {}).get("effort", given.effort))
+        inertia = masses.inertia(joint) + joint.effort / ROTOR_ACCELERATION
+        start = min(max(0.0, joint.lower), joint.upper)
+        p, d = inertia * BANDWIDTH**2, 2.0 * inertia * BANDWIDTH
+        position = f"{{ p = {_number(p)}, i = {_number(p)}, d = {_number(d)}, i_limit = {_number(joint.effort / 2)} }}"
+        velocity = f"{{ p = {_number(d)}, i = {_number(d * BANDWIDTH / 2)}, i_limit = {_number(joint.effort)} }}"
+        lines.append(
+            f"  {{ name = {_text(joint.name)}, start = {start}, position = {position}, velocity = {velocity} }},"
+        )
+    return [*lines, "]", ""]
+
+
+def _missing_limits(joint: Joint, masses: _Masses, *, rolls: bool) -> dict[str, dict[str, float]]:
+    found: dict[str, float] = {}
+    if joint.effort <= 0.0:
+        load = masses.total / 4.0 * 0.5 if rolls else 3.0 * masses.load(joint)
+        found["effort"] = float(_number(max(LEAST_EFFORT, load)))
+    if joint.velocity <= 0.0:
+        found["velocity"] = WHEEL_SPEED if rolls else GUESSED_SPEED.get(joint.kind, 1.0)
+    return {joint.name: found} if found else {}
+
+
+def _wheels(description: RobotDescription) -> WheelJoints | None:
+    """The wheels, if there are as many on the left as on the right."""
+    frames = FrameTree(description).poses()
+    sides: dict[str, list[str]] = {"left": [], "right": []}
+    heights = []
+    for joint in description.joints.values():
+        frame = frames[joint.child]
+        level = abs(frame.rotate(joint.axis)[1]) > MIN_LEVEL
+        if joint.kind is JointKind.CONTINUOUS and joint.mimics is None and level and abs(frame.position[1]) > 0.01:
+            sides["left" if frame.position[1] > 0.0 else "right"].append(joint.name)
+            heights.append(frame.position[2])
+    if not sides["left"] or len(sides["left"]) != len(sides["right"]) or len(sides["left"]) > 8:
+        return None
+    powered = {
+        name: replace(joint, effort=joint.effort or LEAST_EFFORT, velocity=joint.velocity or WHEEL_SPEED)
+        for name, joint in description.joints.items()
+    }
+    left, right = tuple(sides["left"]), tuple(sides["right"])
+    found = WheelJoints(WheelKind.SKID_STEER, left, right, (), None, 0.02)
+    height = round(abs(sum(heights) / len(heights)), 4) or 0.1
+    for radius in (None, height):
+        try:
+            wheel_setup(replace(description, joints=powered), replace(found, radius=radius))
+        except ConfigError:
+            continue
+        return replace(found, radius=radius)
+    return None
+
+
+def _chains(description: RobotDescription, used: Iterable[str]) -> list[Chain]:
+    """The chains of joints that move, without branches, the longest first."""
+    taken = set(used)
+    below: dict[str, list[Joint]] = {}
+    for joint in description.joints.values():
+        below.setdefault(joint.parent, []).append(joint)
+
+    def moving(link: str) -> list[Joint]:
+        """The nearest joints below a link that move by themselves."""
+        found: list[Joint] = []
+        for joint in below.get(link, []):
+            free = joint.is_independent and joint.name not in taken and joint.lower < joint.upper
+            found += [joint] if free else moving(joint.child)
+        return found
+
+    found: list[Chain] = []
+    starts = moving(description.root())
+    while starts:
+        start = starts.pop(0)
+        joints, link = [start], start.child
+        while len(following := moving(link)) == 1 and len(joints) < MAX_GROUP and not _is_hand(following[0], joints):
+            joints.append(following[0])
+            link = following[0].child
+        starts += following
+        found.append(Chain("", start.parent, _tip(below, link), tuple(joints)))
+    return _named(sorted(found, key=lambda chain: -len(chain.joints)))
+
+
+def _is_hand(joint: Joint, before: Sequence[Joint]) -> bool:
+    """True for a joint that opens a gripper at the end of an arm."""
+    words = ("finger", "gripper", "jaw", "knuckle", "hand")
+    named = any(word in text.lower() for word in words for text in (joint.name, joint.child))
+    return len(before) >= 3 and named and not any(word in before[-1].child.lower() for word in words)
+
+
+def _tip(below: Mapping[str, list[Joint]], link: str) -> str:
+    """The link at the end of a chain: the deepest one that is fixed to it and is called a tool, or else the last."""
+    pending, tools = [link], [link]
+    while pending:
+        for joint in below.get(pending.pop(), []):
+            if joint.kind is JointKind.FIXED:
+                pending.append(joint.child)
+                if re.search(r"tool|tcp|ee_|_ee|end_effector|grasp|hand_tcp|flange", joint.child.lower()):
+                    tools.append(joint.child)
+    return tools[-1]
+
+
+def _named(chains: list[Chain]) -> list[Chain]:
+    found, names = [], set[str]()
+    for chain in chains:
+        text = f"{chain.joints[0].name} {chain.joints[0].child}".lower()
+        if len(chain.joints) <= 2 and re.search("finger|gripper|jaw|knuckle", text):
+            name = "gripper"
+        elif "arm" not in names and len(chain.joints) >= 3:
+            name = "arm"
+        else:
+            name = re.sub(r"\W+", "_", chain.joints[0].child)[:60] or "group"
+        unique, number = name, 2
+        while unique in names:
+            unique, number = f"{name}_{number}", number + 1
+        names.add(unique)
+        found.append(replace(chain, name=unique))
+    return found
+
+
+def _sensors(description: RobotDescription) -> tuple[list[tuple[str, str]], list[tuple[str, str]]]:
+    """Names and links of lidars and cameras, by the names of the links."""
+    links = [joint.child for joint in description.joints.values()]
+    lidars = [
+        link for link in links if any(word in link.lower() for word in LIDAR_WORDS) and "mount" not in link.lower()
+    ]
+    plain = [link for link in links if "camera" in link.lower() and not re.search("optical|mount|depth", link.lower())]
+    first = [link for link in plain if link.lower().endswith(("camera_link", "camera", "rgb_frame"))] or plain
+    named = [(re.sub(r"\W+", "_", link)[:60], link) for link in first[:MAX_CAMERAS]]
+    return [("lidar", link) for link in lidars[:1]], named
+
+
+class _Masses:
+    """What joints carry, for guesses of gains."""
+
+    def __init__(self, description: RobotDescription) -> None:
+        known = {each.link: each.mass for each in inertials(description.urdf)}
+        self._mass = {link: known.get(link, 0.0) for link in description.links()}
+        if not any(self._mass.values()):
+            self._mass = dict.fromkeys(self._mass, GUESSED_MASS)
+        self._below: dict[str, list[Joint]] = {}
+        for joint in description.joints.values():
+            self._below.setdefault(joint.parent, []).append(joint)
+        self.total = sum(self._mass.values())
+
+    def inertia(self, joint: Joint) -> float:
+        """Of all that a joint moves, stretched out: kg m^2, or kg; a quarter of it, since arms are seldom stretched."""
+        slides = joint.kind is JointKind.PRISMATIC
+        found = sum(mass * (1.0 if slides else max(0.03, reach) ** 2) for mass, reach in self._carried(joint.child))
+        return found if slides else found / 4.0
+
+    def load(self, joint: Joint) -> float:
+        """The greatest torque or force by the weight of what a joint carries."""
+        slides = joint.kind is JointKind.PRISMATIC
+        return GRAVITY * sum(mass * (1.0 if slides else reach) for mass, reach in self._carried(joint.child))
+
+    def _carried(self, link: str, reach: float = 0.0) -> list[tuple[float, float]]:
+        """Masses, and how far their links are from the joint at most."""
+        found, pending = [], [(link, reach)]
+        while pending:
+            each, far = pending.pop()
+            found.append((self._mass[each], far + 0.05))
+            pending += [
+                (joint.child, far + math.hypot(joint.origin.x, joint.origin.y, joint.origin.z))
+                for joint in self._below.get(each, [])
+            ]
+        return found
+
+
+def _number(value: float) -> str:
+    """With three digits, as a float of TOML."""
+    text = f"{float(f'{value:.3g}'):.10f}".rstrip("0")
+    return f"{text}0" if text.endswith(".") else text
+
+
+def _text(value: str) -> str:
+    return json.dumps(value, ensure_ascii=False)
+
+
+def _key(name: str) -> str:
+    return name if re.fullmatch(r"[A-Za-z0-9_-]+", name) else _text(name)
+
+
+def _value(value: object) -> str:
+    if isinstance(value, Mapping):
+        return "{ " + ", ".join(f"{_key(str(key))} = {_value(each)}" for key, each in value.items()) + " }"
+    if isinstance(value, tuple | list):
+        return "[" + ", ".join(map(_value, value)) + "]"
+    return str(value) if isinstance(value, float | int) else _text(str(value))
+
+
+def relative(path: Path, folder: Path) -> str:
+    """A path as it is written in a file of that folder."""
+    try:
+        return str(path.resolve().relative_to(folder.resolve()))
+    except ValueError:
+        return str(path.resolve())
 
 
 def robot(

@@ -18,7 +18,7 @@ from jauspy.cli.definitions import definitions as message_definitions
 from jauspy.cli.examples import example
 from jauspy.cli.options import Json
 from jauspy.cli.schema.ls import Match, SchemasOption, as_object, definitions, find, set_of
-from jauspy.codec.unit_symbols import unit_symbol
+from jauspy.codec.names import unit_symbol
 from jauspy.codec.wire import CODES, FLOATS, limits
 from jauspy.errors import ConfigError
 from jauspy.schema import load_builtin, model as m

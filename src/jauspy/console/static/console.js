@@ -29,6 +29,9 @@ const jauspy = {
   clear(target) {
     jauspy.stopSocket?.send(`release ${target}`);
   },
+  leave() {
+    jauspy.stopSocket?.send("leave");
+  },
   say(text) {
     const line = document.getElementById("stop-answer");
     if (line) line.textContent = text;
@@ -153,10 +156,38 @@ const jauspy = {
     if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
   },
 
+  // --- sliders: what Quasar gives the focus has neither role nor name; it gets those of the slider around it ---------
+  nameSliders() {
+    for (const slider of document.querySelectorAll(".q-slider")) {
+      const focused = slider.querySelector(".q-slider__track-container");
+      focused.setAttribute("role", "slider");
+      slider.setAttribute("role", "group");
+      for (const { name, value } of slider.attributes) {
+        if (name.startsWith("aria-")) focused.setAttribute(name, value);
+      }
+    }
+  },
+  watchSliders() {
+    let planned = false;
+    const observer = new MutationObserver(() => {
+      if (planned) return;
+      planned = true;
+      setTimeout(() => {
+        planned = false;
+        jauspy.nameSliders();
+        observer.takeRecords(); // of these changes
+      }, 100);
+    });
+    observer.observe(document.body, { childList: true, subtree: true, attributeFilter: ["aria-valuenow", "aria-label"] });
+  },
+
   start(token) {
     jauspy.token = token;
     jauspy.connectStop();
     jauspy.listenToKeys();
+    jauspy.watchSliders();
     jauspy.restoreScheme();
+    addEventListener("pagehide", jauspy.leave);
+    addEventListener("pageshow", (event) => event.persisted && location.reload());
   },
 };

@@ -14,10 +14,9 @@ from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmSta
 from jauspy.platform.modular.connector import VacuumConnector
 from jauspy.platform.modular.control_laws import ControlLaw, Measured, ModelLaw, PidLaw, smooth_step
 from jauspy.platform.modular.drive import ServoDrive
-from jauspy.platform.modular.dynamics import ArmModel
+from jauspy.platform.modular.dynamics import ArmModel, PayloadEstimator
 from jauspy.platform.modular.graph import Attachment, Chain, attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup, ServoData
-from jauspy.platform.modular.payload import PayloadEstimator
 from jauspy.platform.modular.trajectory import Limits, Motion, MotionError, Setpoint, Shaper, plan_within_torques
 
 Array = NDArray[np.float64]
@@ -200,7 +199,7 @@ class AssembledArm(ModularArm):
                 self._fade_from = self._last_torques
             self._fade += dt
             torques = self._fade_from + smooth_step(self._fade / FADE_TIME) * (torques - self._fade_from)
-        torques = np.clip(torques, -self._torque_limits, self._torque_limits)
+        torques = np.minimum(np.maximum(torques, -self._torque_limits), self._torque_limits)  # `clip` takes longer
         self._last_torques = torques
         for drive, reading, torque in zip(self._drives, self._readings, torques.tolist(), strict=True):
             if reading.powered:
@@ -229,7 +228,7 @@ class AssembledArm(ModularArm):
         """What to add to the torques so that each of two bases carries half of the arm: then either may let go."""
         q = self._measured.q
         if self._other is None:
-            return np.zeros_like(q)
+            return np.zeros(len(q))
         self._sharing = min(1.0, self._sharing + dt / SHARING_TIME)
         carried = np.empty_like(q)
         carried[self._other_index] = self._other.gravity(q[self._other_index])

@@ -135,14 +135,16 @@ class ModelLaw:
         inertia = self._model.mass_matrix(q).diagonal()
         # the part of the torque that is controlled by the spring's: of a light load, whose oscillation is faster than
         # this control, less and less, down to none, when motor and load move as one
-        soft = self._square * inertia / (self._square * inertia + self._stiffness)
+        stiff = self._square * inertia
+        soft = stiff / (stiff + self._stiffness)
+        hard = 1.0 - soft
         deflection_rate = spring_rate / self._stiffness
         error = setpoint.q - q
         step = error * dt
         self._integral += step
         wanted = (
             setpoint.a
-            + self._velocity_gain * (setpoint.v - v - (1.0 - soft) * deflection_rate)
+            + self._velocity_gain * (setpoint.v - v - hard * deflection_rate)
             + self._position_gain * (error + self._integral / INTEGRAL_TIME)
         )
         torque = self._model.inverse_dynamics(q, v, wanted) + self.bias
@@ -159,11 +161,12 @@ class ModelLaw:
             + self._friction * (moving + sliding)
             + self._damping * rotor_velocity
             + self._rotor * wanted
-            + (1.0 - soft + soft * self._torque_gain) * (torque - spring)
+            + (hard + soft * self._torque_gain) * (torque - spring)
             + soft * self._rate_gain * (self._planned_rate - spring_rate)
         )
-        limited: Array = np.clip(motor, -self._limit, self._limit)
-        self._integral -= np.where(limited != motor, step, 0.0)
+        limited: Array = np.minimum(np.maximum(motor, -self._limit), self._limit)  # `clip` takes five times as long
+        if (saturated := limited != motor).any():
+            self._integral -= np.where(saturated, step, 0.0)
         return limited
 
     def take_over(self, torques: Array, setpoint: Setpoint, measured: Measured) -> None:

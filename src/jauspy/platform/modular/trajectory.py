@@ -39,7 +39,8 @@ class Shaper:
     """
 
     def __init__(self, setpoint: Setpoint, length: int) -> None:
-        self._rows = np.repeat(np.array(setpoint)[np.newaxis], max(1, length), axis=0)
+        self._rows = np.repeat(np.concatenate(setpoint)[np.newaxis], max(1, length), axis=0)
+        self._joints = len(setpoint.q)
         self._sum = self._rows.sum(axis=0)
         self._at = 0
         self._same = len(self._rows)
@@ -51,16 +52,16 @@ class Shaper:
 
     def advance(self, setpoint: Setpoint) -> Setpoint:
         """Take the next setpoint in, and return the mean."""
-        row = np.array(setpoint)
-        self._same = self._same + 1 if np.array_equal(row, self._rows[self._at - 1]) else 1
+        row = np.concatenate(setpoint)
+        self._same = self._same + 1 if (row == self._rows[self._at - 1]).all() else 1
         self._sum += row - self._rows[self._at]
         self._rows[self._at] = row
         self._at = (self._at + 1) % len(self._rows)
         if self.ended:
             self._sum = row * len(self._rows)  # without what rounding has left
             return setpoint
-        q, v, a = self._sum / len(self._rows)
-        return Setpoint(q, v, a)
+        mean, count = self._sum / len(self._rows), self._joints
+        return Setpoint(mean[:count], mean[count : 2 * count], mean[2 * count :])
 
 
 class MotionError(ValueError):

@@ -8,7 +8,6 @@ from jauspy.services.manipulator.end_effector import (
     EndEffectorVelocityStateSensor,
     PrimitiveEndEffector,
 )
-from jauspy.services.manipulator.joint_description import JointDescription
 from jauspy.services.manipulator.joints import (
     ActuatorForceTorqueDriver,
     JointForceTorqueSensor,
@@ -33,7 +32,12 @@ from jauspy.services.manipulator.pan_tilt import (
     PanTiltSpecification,
     PrimitivePanTilt,
 )
-from jauspy.services.manipulator.specification import JointMotionProfile, ManipulatorSpecification, ToolOffset
+from jauspy.services.manipulator.specification import (
+    JointDescription,
+    JointMotionProfile,
+    ManipulatorSpecification,
+    ToolOffset,
+)
 
 __all__ = [
     "ActuatorForceTorqueDriver",

@@ -1,14 +1,22 @@
 """Mobility services (AS6009) over the contracts of `jauspy.platform`."""
 
 from jauspy.services.mobility.driver import PrimitiveDriver
-from jauspy.services.mobility.motion_sensors import AccelerationStateSensor, VelocityStateSensor
-from jauspy.services.mobility.pose_sensors import GlobalPoseSensor, LocalPoseSensor
 from jauspy.services.mobility.reference_frames import GlobalPose
 from jauspy.services.mobility.vector_drivers import GlobalVectorDriver, LocalVectorDriver
 from jauspy.services.mobility.vehicle import Vehicle
+from jauspy.services.mobility.vehicle_sensors import (
+    AccelerationStateSensor,
+    GlobalPoseSensor,
+    LocalPoseSensor,
+    VelocityStateSensor,
+)
 from jauspy.services.mobility.velocity_state_driver import VelocityStateDriver
-from jauspy.services.mobility.waypoint_drivers import GlobalWaypointDriver, LocalWaypointDriver
-from jauspy.services.mobility.waypoint_list_drivers import GlobalWaypointListDriver, LocalWaypointListDriver
+from jauspy.services.mobility.waypoint_drivers import (
+    GlobalWaypointDriver,
+    GlobalWaypointListDriver,
+    LocalWaypointDriver,
+    LocalWaypointListDriver,
+)
 
 __all__ = [
     "AccelerationStateSensor",

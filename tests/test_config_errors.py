@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from jauspy.toml_lines import line_of
+from jauspy.config_errors import line_of
 
 TEXT = """\
 name = "crane"

@@ -11,7 +11,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 from jauspy.messages import manipulator as m
 from jauspy.modules.config import ModuleConfig
-from jauspy.modules.loads import LoadMonitor, overloads
+from jauspy.modules.monitors import LoadMonitor, overloads
 from jauspy.platform.contract import Snapshot
 from jauspy.platform.joints import ControlMode, Target
 

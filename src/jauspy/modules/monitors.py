@@ -1,16 +1,21 @@
-"""Faults of a robot's backend: the modules that are concerned go to Failure, and leave it by Reset."""
+"""What is watched for each module, ten times a second.
+
+Faults of the backend put the modules that they concern in Failure, which they leave by Reset. Loads that joints cannot
+carry are logged once, counted by the module, and shown by `jauspy up`.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from typing import Final
 
+from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
 from jauspy.modules.config import ModuleConfig
 from jauspy.modules.realtime import WHOLE_ROBOT, RealTime, described
 from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.commands import CHASSIS
-from jauspy.platform.contract import PartId
+from jauspy.platform.contract import PartId, Snapshot
 from jauspy.platform.joints import JointGroup
 from jauspy.platform.ranging import RangeFinder
 from jauspy.services.core import FailureRecovery
@@ -18,8 +23,8 @@ from jauspy.services.host import Host
 
 _LOG: Final = get_logger("jauspy.robot")
 
-PERIOD: Final = 0.1
-"""Seconds between two looks at the faults."""
+MONITOR_PERIOD: Final = 0.1
+"""Seconds between two looks at the faults of the backend, and at the loads of joints."""
 
 
 def uses(module: ModuleConfig, part: PartId) -> bool:
@@ -55,7 +60,7 @@ class FaultMonitor:
         self._check()
 
     def _check(self) -> None:
-        self._host.set_timer("faults", self._host.now + PERIOD, self._check)
+        self._host.set_timer("faults", self._host.now + MONITOR_PERIOD, self._check)
         found = reason(self._module, self._robot.faults)
         if found and found != self._reason:
             _LOG.error("%s (%s) is in Failure: %s; Reset tries again", self._host.id, self._module.type, found)
@@ -67,3 +72,43 @@ class FaultMonitor:
         for part in faults_of(self._module, self._robot.faults):
             self._robot.retry(part)
         self._reason = ""
+
+
+def overloads(module: ModuleConfig, joints: Mapping[str, tuple[Joint, ...]], snapshot: Snapshot) -> dict[str, str]:
+    """What the joints of the module cannot carry now, in words, by the name of the joint. `joints`: by group."""
+    if module.moves is None or module.moves not in joints:
+        return {}
+    known = {joint.name: joint for joint in joints[module.moves]}
+    found = snapshot.joints[module.moves].overloads
+    return {name: overload_text(known[name], load) for name, load in found.items()}
+
+
+def overload_text(joint: Joint, load: float) -> str:
+    """The load of a joint in words."""
+    unit = "N m" if joint.turns else "N"
+    return (
+        f"joint {joint.name} cannot carry its load ({load:.0f} {unit} of {joint.effort:.0f} {unit}): its brake holds; "
+        "put the load down, or move the joint where the load pulls it"
+    )
+
+
+class LoadMonitor:
+    """Looks at the loads of a module's joints: each that is too heavy is logged and counted once, as is its end."""
+
+    def __init__(self, host: Host, module: ModuleConfig, robot: RealTime) -> None:
+        self._host, self._module, self._robot = host, module, robot
+        self._joints = {name: group.joints for name, group in robot.groups.items()}
+        self._known: set[str] = set()
+        if module.moves is not None:
+            self._check()
+
+    def _check(self) -> None:
+        self._host.set_timer("loads", self._host.now + MONITOR_PERIOD, self._check)
+        found = overloads(self._module, self._joints, self._robot.snapshot)
+        for name, text in found.items():
+            if name not in self._known:
+                _LOG.warning("%s (%s): %s", self._host.id, self._module.type, text)
+                self._host.count("overload", text)
+        for name in self._known - set(found):
+            _LOG.info("%s (%s): joint %s carries its load again", self._host.id, self._module.type, name)
+        self._known = set(found)

@@ -1,13 +1,15 @@
-"""The table `[localization]` of a robot's TOML file: how the robot measures where it is."""
+"""Tables of a robot's TOML file about the vehicle: `[wheels]`, `[[lights]]`, `[localization]`."""
 
 from __future__ import annotations
 
 import math
-from typing import Annotated, Any, Literal, TypeAlias
+from typing import Annotated, Any, Literal, Self, TypeAlias
 
-from pydantic import Field
+from pydantic import Field, model_validator
 
-from jauspy.modules.config_base import StrictConfig
+from jauspy.geometry.urdf import RobotDescription
+from jauspy.modules.config_base import StrictConfig, UrdfName
+from jauspy.platform.lights import LampSetup, Switch
 from jauspy.platform.localization import (
     MICRO_G,
     RTK,
@@ -16,6 +18,72 @@ from jauspy.platform.localization import (
     LocalizationSetup,
     OdometrySetup,
 )
+from jauspy.platform.wheels import WheelJoints, WheelKind, WheelSetup, wheel_setup
+
+Joints: TypeAlias = tuple[Annotated[str, Field(min_length=1, max_length=80)], ...]
+
+
+class WheelsConfig(StrictConfig):
+    """A chassis on wheels: the continuous joints of its driven wheels; those that are not named roll freely."""
+
+    type: Literal["skid_steer", "ackermann", "mecanum"]
+    left: Annotated[Joints, Field(min_length=1, max_length=8)]
+    right: Annotated[Joints, Field(min_length=1, max_length=8)]
+    steered: Annotated[Joints, Field(max_length=8)] = ()
+    """Of an ackermann chassis: the revolute joints that turn the wheels of one axle."""
+    radius: Annotated[float, Field(gt=0.0, le=5.0)] | None = None
+    """Metres; by default that of the collision shape of each wheel."""
+    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 0.02
+    """Of rotor and gear of each driven wheel at the wheel, in kg m^2."""
+
+    @model_validator(mode="after")
+    def _check_names(self) -> Self:
+        names = (*self.left, *self.right, *self.steered)
+        if twice := sorted({name for name in names if names.count(name) > 1}):
+            raise ValueError(f"wheels: {', '.join(twice)} is there twice")
+        return self
+
+    def setup(self, description: RobotDescription) -> WheelSetup:
+        """Measure the wheels; raises `ConfigError` with the key that does not match the URDF."""
+        kind = WheelKind(self.type)
+        joints = WheelJoints(kind, self.left, self.right, self.steered, self.radius, self.inertia)
+        return wheel_setup(description, joints)
+
+
+Coordinate: TypeAlias = Annotated[float, Field(ge=-10.0, le=10.0)]
+
+
+class LightConfig(StrictConfig):
+    """A lamp that shines along the x axis of a link, in a round cone."""
+
+    name: UrdfName
+    link: UrdfName
+    switch: Switch
+    """The light of JAUS's IlluminationService that switches it."""
+    cone: Annotated[float, Field(ge=5.0, le=150.0)] = 60.0
+    """From one side of the cone to the other, in degrees."""
+    brightness: Annotated[float, Field(gt=0.0, le=1e6)] = 2000.0
+    """In lumens."""
+    position: tuple[Coordinate, Coordinate, Coordinate] = (0.0, 0.0, 0.0)
+    """In the frame of the link, in metres."""
+    tilt: Annotated[float, Field(ge=-90.0, le=90.0)] = 0.0
+    """Degrees below the x axis."""
+    on: bool = False
+    """Whether it is on at the start."""
+
+    def setup(self) -> LampSetup:
+        """Return the setup for the backend."""
+        return LampSetup(
+            self.name,
+            self.link,
+            self.switch,
+            math.radians(self.cone),
+            self.brightness,
+            self.position,
+            math.radians(self.tilt),
+            self.on,
+        )
+
 
 Fraction: TypeAlias = Annotated[float, Field(ge=0.0, le=0.5)]
 Rate: TypeAlias = Annotated[float, Field(gt=0.0, le=250.0)]
