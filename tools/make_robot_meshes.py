@@ -16,8 +16,9 @@ from pathlib import Path
 import numpy as np
 
 from mesh_shapes import Mesh, merged, mirrored
-from robot_parts import arms, chassis, gripper, tracks
+from robot_parts import arms, chassis, decals, gripper, tracks
 from robot_parts.dimensions import URDF, Dimensions, Look, read
+from robot_parts.tracks import Running
 
 HEADER = """<?xml version="1.0"?>
 <!-- What the links look like: written by tools/make_robot_meshes.py, as are the meshes. -->
@@ -38,10 +39,16 @@ def looks(size: Dimensions) -> dict[str, Look]:
     """The looks of links, in their frames."""
     left = tracks.moved(tracks.suspension(size), size.track_x, size.gauge / 2.0)
     right = {name: mirrored(mesh) for name, mesh in left.items()}
-    flipper = tracks.merge({"rubber": tracks.flipper_belt(size)}, tracks.flipper_frame(size))
+    flipper_belt = tracks.belt(tracks.flipper_loop(size), size.flipper_width)
+    flipper = tracks.merge({"rubber": flipper_belt}, tracks.flipper_frame(size))
     return {
         "base_link": tracks.merge(
-            chassis.body(size), left, right, chassis.camera_bracket(size), chassis.lidar_mast(size)
+            chassis.body(size),
+            left,
+            right,
+            *(tracks.plate_paint(size, turn) for turn in (decals.LEFT, decals.RIGHT)),
+            chassis.camera_bracket(size),
+            chassis.lidar_mast(size),
         ),
         "left_track": tracks.merge(
             {"rubber": tracks.belt(tracks.track_loop(size), size.belt_width)}, tracks.running_gear(size)
@@ -64,6 +71,14 @@ def looks(size: Dimensions) -> dict[str, Look]:
     }
 
 
+def moving(size: Dimensions) -> dict[str, dict[str, Running]]:
+    """What moves with the belts, by their links."""
+    return {
+        "left_track": tracks.track(size),
+        "left_flipper": tracks.treads(tracks.flipper_loop(size), size.flipper_width),
+    }
+
+
 def obj(mesh: Mesh) -> str:
     """A mesh as Wavefront OBJ: hundredths of millimetres, hundredths of unit normals."""
     mesh = merged(mesh)
@@ -78,7 +93,23 @@ def obj(mesh: Mesh) -> str:
     return "\n".join(lines) + "\n"
 
 
-def macros(made: dict[str, Look]) -> str:
+def running(link: str, name: str, part: Running, scale: str) -> list[str]:
+    """The lines of visuals that move with a belt; `jauspy_sim/treads.py` reads their attributes."""
+    attributes = {
+        "pitch": f"{part.pitch:.5g}" if part.pitch else "",
+        "radius": f"{part.radius:.5g}" if part.radius else "",
+        "way": "backward" if part.backward else "forward",
+    }
+    given = "".join(f' belt_{key}="{value}"' for key, value in attributes.items() if value)
+    origin = " ".join(f"{each:.5g}" for each in part.origin)
+    return [
+        f'    <visual{given}><origin xyz="{origin}"/><geometry><mesh filename="meshes/{link}_{name}.{material}.obj" '
+        f'scale="{scale}"/></geometry><material name="{material}"/></visual>'
+        for material in part.look
+    ]
+
+
+def macros(made: dict[str, Look], belts: dict[str, dict[str, Running]]) -> str:
     """The text of `looks.xacro`."""
     lines = [HEADER]
     for link, look in made.items():
@@ -86,6 +117,8 @@ def macros(made: dict[str, Look]) -> str:
             if name:
                 lines.append(f'  <xacro:macro name="look_{name}">')
                 lines += [f'    <xacro:look link="{link}" material="{material}"{scale}/>' for material in look]
+                for part in belts.get(link, {}).items():
+                    lines += running(link, *part, "1 -1 1" if scale else "1 1 1")
                 lines.append("  </xacro:macro>\n")
     return "\n".join([*lines[:-1], "  </xacro:macro>\n</robot>\n"])
 
@@ -96,17 +129,19 @@ def main() -> None:
     parser.add_argument("-o", "--output", type=Path, default=URDF, metavar="FOLDER")
     folder = parser.parse_args().output
     (folder / "meshes").mkdir(parents=True, exist_ok=True)
-    made = looks(read())
+    size = read()
+    made, belts = looks(size), moving(size)
     for old in (folder / "meshes").glob("*.obj"):
         old.unlink()
     sizes = []
-    for link, look in made.items():
+    parts = {f"{link}_{name}": part.look for link, found in belts.items() for name, part in found.items()}
+    for link, look in {**made, **parts}.items():
         for material, mesh in look.items():
             file = folder / "meshes" / f"{link}.{material}.obj"
             file.write_text(obj(mesh))
             sizes.append(file.stat().st_size)
-        print(f"{link:14} {sum(len(mesh.triangles) for mesh in look.values()):6} triangles")
-    (folder / "looks.xacro").write_text(macros(made))
+        print(f"{link:20} {sum(len(mesh.triangles) for mesh in look.values()):6} triangles")
+    (folder / "looks.xacro").write_text(macros(made, belts))
     print(f"{len(sizes)} meshes, {sum(sizes) / 1e6:.2f} MB")
 
 

@@ -23,6 +23,7 @@ from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.look import polish, show_solids, without_visuals
 from jauspy_sim.self_contacts import depth_below_base, exclude_touching
 from jauspy_sim.shapes import same_shape
+from jauspy_sim.treads import SIDES
 from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.wheel_joints import add_wheels
 from jauspy_sim.world_files import world_spec
@@ -80,7 +81,7 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
     """The compiled model of that robot at the origin of a world that is not compiled yet, which is changed."""
     if drawn:
         added = robot_spec(robot)
-        polish(added, robot.description)
+        polish(added, robot)
     else:
         _remove_scenery(spec)
         added = robot_spec(replace(robot, description=without_visuals(robot.description)))
@@ -89,6 +90,7 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
     if not drawn:
         show_solids(added, robot.description)
     spec.attach(added, prefix=prefix(robot.description.name), frame=frame)
+    spec.nuserdata = SIDES if robot.tracks else 0
     spec.option.timestep = TIMESTEP
     spec.option.integrator = mujoco.mjtIntegrator.mjINT_IMPLICITFAST
     spec.option.cone = mujoco.mjtCone.mjCONE_ELLIPTIC

@@ -25,6 +25,7 @@ from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
 from jauspy_sim.sensors import cast_rays
 from jauspy_sim.shared_model import ModelMemory, shared_model
+from jauspy_sim.treads import Treads
 from jauspy_sim.urdf import body_name
 
 _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
@@ -41,14 +42,16 @@ if TYPE_CHECKING:
 
 
 def state_of(data: mujoco.MjData, lamps: Sequence[Lamp] = ()) -> bytes:
-    """Positions of joints and of mocap bodies (qpos, mocap_pos, mocap_quat), and levels of lamps, as doubles."""
+    """What is drawn, as doubles: qpos, mocap_pos, mocap_quat, userdata (how far belts have run), levels of lamps."""
     levels = struct.pack(f"={len(lamps)}d", *(lamp.level for lamp in lamps))
-    return b"".join([data.qpos.tobytes(), data.mocap_pos.tobytes(), data.mocap_quat.tobytes(), levels])
+    return b"".join(
+        [data.qpos.tobytes(), data.mocap_pos.tobytes(), data.mocap_quat.tobytes(), data.userdata.tobytes(), levels]
+    )
 
 
 def state_size(model: mujoco.MjModel, lamps: int = 0) -> int:
     """The number of doubles in `state_of`."""
-    return int(model.nq + 7 * model.nmocap + lamps)
+    return int(model.nq + 7 * model.nmocap + model.nuserdata + lamps)
 
 
 class Renderer(Protocol):
@@ -146,6 +149,7 @@ class SimulatedCameraSession:
         self._levels: list[float] = []
         self._renderer, self._model = _renderer(camera)
         self._data = mujoco.MjData(self._model)
+        self._treads = Treads(self._model)
         self._darkness: Darkness | None = None
         if camera.time_of_day is not TimeOfDay.DAY:
             from jauspy_sim.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
@@ -259,10 +263,13 @@ class SimulatedCameraSession:
         joints, bodies = model.nq, model.nq + 3 * model.nmocap
         data.qpos[:] = numbers[:joints]
         data.mocap_pos[:] = numbers[joints:bodies].reshape(-1, 3)
-        lamps = bodies + 4 * model.nmocap
-        data.mocap_quat[:] = numbers[bodies:lamps].reshape(-1, 4)
+        belts = bodies + 4 * model.nmocap
+        lamps = belts + model.nuserdata
+        data.mocap_quat[:] = numbers[bodies:belts].reshape(-1, 4)
+        data.userdata[:] = numbers[belts:lamps]
         self._levels = numbers[lamps:].tolist()
         mujoco.mj_kinematics(model, data)
+        self._treads.place(data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
 

@@ -145,7 +145,10 @@ class TrackedDrive(SkidSteerDrive):
         self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
         names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
         self._belts = Belts(model, data, int(base.dofadr[0]), names)
-        self._belt_positions = [int(model.joint(name).qposadr[0]) for name in names]
+        self._run = view(data.userdata)
+        positions = [int(model.joint(name).qposadr[0]) for name in names]
+        self._driven_positions = list(enumerate((positions[0], positions[len(tracks.left)])))
+        self._belt_positions = positions
         driven = [f"{prefix}{side[0]}" for side in (tracks.left, tracks.right)]
         self._dofs = [int(model.joint(name).dofadr[0]) for name in driven]
         self._motors = [int(model.actuator(name).id) for name in driven]
@@ -167,6 +170,8 @@ class TrackedDrive(SkidSteerDrive):
         mujoco.mj_step1(self._model, self._data)
         self._belts.run_around()
         mujoco.mj_step2(self._model, self._data)
+        for side, position in self._driven_positions:
+            self._run[side] -= self._qpos[position]
         for position in self._belt_positions:
             self._qpos[position] = 0.0
 

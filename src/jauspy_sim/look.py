@@ -10,7 +10,9 @@ import mujoco
 from lxml import etree
 
 from jauspy.geometry.urdf import Element, RobotDescription
+from jauspy.platform.description import RobotModel
 from jauspy_sim.groups import VISUAL
+from jauspy_sim.treads import belted_links, mark
 
 GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "olive": (0.25, 0.3),
@@ -24,10 +26,11 @@ GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "red": (0.6, 0.6),
     "lens": (1.0, 0.95),
     "lamp": (0.9, 0.9),
+    "marking": (0.15, 0.2),
 }
 """Specular reflection and shininess of materials by their name in the URDF, which has no words for them."""
 
-SHADOWLESS: Final = frozenset({"amber", "black", "brass", "lamp", "lens", "red", "steel"})
+SHADOWLESS: Final = frozenset({"amber", "black", "brass", "lamp", "lens", "marking", "red", "steel"})
 """Materials of small parts, which are in the shadows of larger ones anyway; theirs would cost a fifth of a picture."""
 
 NO_SHADOW_ALPHA: Final = 0.999
@@ -49,18 +52,23 @@ def without_visuals(description: RobotDescription) -> RobotDescription:
     return replace(description, urdf=etree.tostring(root, encoding="unicode"))
 
 
-def polish(spec: mujoco.MjSpec, description: RobotDescription) -> None:
-    """Give the visual shapes of a robot the gloss of their materials."""
+def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
+    """Give the visual shapes of a robot the gloss of their materials, and have treads run with their belts."""
+    description = robot.description
+    belts = belted_links(description, robot.tracks) if robot.tracks else {}
     root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))
     for name in GLOSS:
         _add_material(spec, name)
     for link in root.findall("link"):
-        materials = [_material(visual) for visual in link.findall("visual")]
+        visuals = link.findall("visual")
         body = spec.body(str(link.get("name")))
         drawn = [] if body is None else [geom for geom in body.geoms if not (geom.contype or geom.conaffinity)]
-        if len(drawn) != len(materials):
+        if len(drawn) != len(visuals):
             continue  # a mesh with several colours of its own
-        for geom, material in zip(drawn, materials, strict=True):
+        for geom, visual in zip(drawn, visuals, strict=True):
+            material = _material(visual)
+            if (side := belts.get(str(link.get("name")))) is not None:
+                mark(geom, visual, side)
             if material in GLOSS and not geom.material:
                 geom.material = material
                 if material in SHADOWLESS:

@@ -13,7 +13,7 @@ from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.lights import switched_lamps
-from jauspy.platform.localizer import Localizer
+from jauspy.platform.localizer import Localizer, Turning
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
@@ -28,6 +28,9 @@ SETTLING_STEPS: Final = 250
 
 MAX_STEPS_AT_ONCE: Final = 2
 """Maximal number of physics steps in one call of MuJoCo."""
+
+SKIDDING: Final = 0.04
+"""Metres after one radian by which tracks shift the robot, besides what the turning point of its file explains."""
 
 ROUNDING: Final = 1e-9
 """Tolerance for rounding errors of times, as a fraction of a step."""
@@ -67,7 +70,8 @@ class SimulatedRobot:
         if self._tracked is not None:
             self._tracked.slip_width = SLIP_FACTOR * chassis_of(robot).track_separation
         if (measured := self._tracked or self._wheels) and not robot.localization.is_exact(default=False):
-            self._localizer = Localizer(robot.localization, measured)
+            turning = Turning(robot.tracks.turning_point, SKIDDING) if robot.tracks else Turning()
+            self._localizer = Localizer(robot.localization, measured, turning)
         located = () if self._localizer is None else (self._localizer,)
         self._sensors = (*self._lidars.values(), *self._force_torque.values(), *located)
         self._update_sensors()

@@ -11,6 +11,7 @@ from typing import Any, Final
 import mujoco
 
 from jauspy.errors import ConfigError
+from jauspy_sim.treads import Treads
 
 DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
 """Variables of the environment, one of which names a display."""
@@ -33,7 +34,7 @@ class Viewer:
         if not any(os.environ.get(name) for name in DISPLAYS):
             raise ConfigError("there is no display for a window: DISPLAY is not set; watch a camera instead")
         self._model, self._source, self._clock = model, data, clock
-        self._data = mujoco.MjData(model)
+        self._data, self._treads = mujoco.MjData(model), Treads(model)
         self._due = clock()
         self._copy()
         try:
@@ -66,7 +67,9 @@ class Viewer:
         model, data, source = self._model, self._data, self._source
         data.time = source.time
         data.qpos[:], data.mocap_pos[:], data.mocap_quat[:] = source.qpos, source.mocap_pos, source.mocap_quat
+        data.userdata[:] = source.userdata
         mujoco.mj_kinematics(model, data)
+        self._treads.place(data)
         mujoco.mj_comPos(model, data)
         mujoco.mj_camlight(model, data)
         mujoco.mj_tendon(model, data)

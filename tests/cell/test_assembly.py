@@ -10,6 +10,8 @@ from tests.helpers.fake_cell import FakeCell
 from jauspy.cell.assembly import FIVE_JOINTS, GRASPS, Assembler, AssemblyResult
 from jauspy.cell.interface import GRIPPER
 from jauspy.cell.layout import Layout
+from jauspy.cell.session import Session
+from jauspy.cell.tasks import assemble
 
 TWO = FIVE_JOINTS[:2]
 
@@ -100,3 +102,10 @@ async def test_without_any_part_it_ends_with_the_reason_and_at_rest(cell: FakeCe
 async def test_equal_seeds_give_equal_results(layout: Layout) -> None:
     one, other = await build(FakeCell(layout)), await build(FakeCell(layout))
     assert repr(one) == repr(other)
+
+
+@pytest.mark.slow
+async def test_parts_that_were_joined_are_counted_without_true_poses(layout: Layout) -> None:
+    found = await assemble(Session(FakeCell(layout), layout), 0)
+    assert found.success, found.failure
+    assert found.values["parts"] == 8.0

@@ -3,17 +3,26 @@
 from __future__ import annotations
 
 import asyncio
+import threading
 import time
+from functools import partial
 
 import numpy as np
 import pytest
 
 pytest.importorskip("mujoco", reason="needs the extra `sim`")
 
+from jauspy.cell import session as session_module
 from jauspy.cell.assembly import FIVE_JOINTS, Assembler, AssemblyResult
+from jauspy.cell.client import CellClient
+from jauspy.cell.layout import Layout
 from jauspy.cell.session import Disturbances, simulated
 from jauspy.cell.tasks import run_one
 from jauspy.errors import ConfigError
+from jauspy.modules import robot_files
+from jauspy.ocu import OCU
+from jauspy.platform.contract import Robot
+from jauspy.virtual.environment import VirtualTime
 from jauspy_sim.cell.robot import SimulatedCell
 
 
@@ -64,6 +73,33 @@ def test_a_cell_that_is_watched_is_no_faster_than_the_clock(monkeypatch: pytest.
     simulated_time, taken = asyncio.run(watch())
     assert shown == ["a window"]
     assert taken > simulated_time - 0.03
+
+
+@pytest.mark.slow
+def test_motions_of_a_cell_that_is_slower_than_the_clock_arrive(monkeypatch: pytest.MonkeyPatch) -> None:
+    class SlowTime(VirtualTime):
+        def __init__(self, robot: Robot) -> None:
+            super().__init__(robot)
+            self._step /= 3.0
+
+    monkeypatch.setattr(session_module, "VirtualTime", SlowTime)
+
+    async def move() -> None:
+        async with simulated(3) as session:
+            ur10 = Assembler(session.cell, session.layout)
+            ur10.at = await session.cell.posture()
+            await ur10.park()
+            assert await session.cell.posture() == pytest.approx(ur10.at, abs=0.005)
+
+    asyncio.run(move())
+
+
+async def test_a_running_cell_is_kept_under_control_while_motions_are_planned(layout: Layout) -> None:
+    config = robot_files.load("cell")
+    client = CellClient(OCU("42.1.1"), config, robot_files.robot_model(config), layout, threads=True)
+    renewed = threading.Event()
+    asyncio.get_running_loop().call_later(0.01, renewed.set)
+    assert await client.compute(partial(renewed.wait, 5.0))
 
 
 async def test_a_window_needs_a_display(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import logging
+import math
 import os
 import re
 import shutil
@@ -40,8 +41,6 @@ WAIT = 60_000
 """Milliseconds for anything to appear on a loaded machine."""
 STOP_TIME = 0.3
 """Seconds in which the robot stands."""
-COMMAND_TIMEOUT = 2.0
-"""Seconds after which the robot itself ends a command (`command_timeout` in inc1.toml)."""
 ATTEMPTS = 3
 """The shortest time counts: other processes of the machine only add to it."""
 MAX_LOAD = 2.0
@@ -105,11 +104,12 @@ class Speedometer:
             time.sleep(0.05)
         pytest.fail(f"the robot does not {'move' if moving else 'stand'}: {self.samples[-5:]}")
 
-    def time_to_stop(self, fault: float) -> float:
-        """Seconds from the fault until the robot stood."""
+    def time_to_stop(self, fault: float) -> float | None:
+        """Seconds from the fault until the robot stood; None if it stood before, as on a machine that is too slow."""
         self.wait(moving=False)
         before = [speed for at, speed in self.samples if fault - 0.2 < at <= fault]
-        assert any(abs(speed) >= STANDS for speed in before), "the robot moved when the fault came"
+        if not any(abs(speed) >= STANDS for speed in before):
+            return None
         return max([at - fault for at, speed in self.samples if abs(speed) >= STANDS and at > fault], default=0.0)
 
 
@@ -190,22 +190,25 @@ def fault_time(page: Any) -> float:
     return float(page.evaluate("window.faultAt")) / 1000
 
 
-def assert_stands_in_time(what: str, attempt: Callable[[], float], limit: float = STOP_TIME) -> None:
-    """`attempt` drives, brings the fault about, and returns the seconds until the robot stood."""
+def assert_stands_in_time(what: str, attempt: Callable[[], float | None]) -> None:
+    """`attempt` drives, brings the fault about, and returns what `Speedometer.time_to_stop` does."""
     times: list[float] = []
-    while len(times) < ATTEMPTS and min(times, default=limit + 1.0) > limit:
-        times.append(attempt())
+    for _ in range(ATTEMPTS):
+        times += [each for each in [attempt()] if each is not None]
+        if min(times, default=math.inf) <= STOP_TIME:
+            break
     _LOG.info("%s: %s s", what, ", ".join(f"{each:.3f}" for each in times))
-    if min(times) > limit and os.getloadavg()[0] > MAX_LOAD * (os.cpu_count() or 1):
-        pytest.skip(f"the robot stands after {min(times):.2f} s, on a machine with a load of {os.getloadavg()[0]:.0f}")
-    assert min(times) <= limit
+    shortest = min(times, default=math.inf)
+    if shortest > STOP_TIME and os.getloadavg()[0] > MAX_LOAD * (os.cpu_count() or 1):
+        pytest.skip(f"the robot stands after {shortest:.2f} s, on a machine with a load of {os.getloadavg()[0]:.0f}")
+    assert shortest <= STOP_TIME
 
 
 @pytest.mark.parametrize("event", ["keyup", "blur"])
 def test_the_robot_stands_when_the_key_is_up_or_the_focus_is_lost(
     page: Any, url: str, speed: Speedometer, event: str
 ) -> None:
-    def attempt() -> float:
+    def attempt() -> float | None:
         drive(page, url, speed)
         note_time_of(page, event)
         if event == "blur":
@@ -220,7 +223,7 @@ def test_the_robot_stands_when_the_key_is_up_or_the_focus_is_lost(
 
 
 def test_the_robot_stands_when_the_tab_is_closed(browser: Any, url: str, speed: Speedometer) -> None:
-    def attempt() -> float:
+    def attempt() -> float | None:
         tab = new_page(browser)
         drive(tab, url, speed)
         fault = time.time()
@@ -284,7 +287,7 @@ class Proxy:
 def test_the_robot_stands_when_the_network_is_away(
     browser: Any, url: str, speed: Speedometer, background: Background
 ) -> None:
-    def attempt() -> float:
+    def attempt() -> float | None:
         proxy = Proxy(int(url.rpartition(":")[2]))
         port = background.run(proxy.open())
         page = new_page(browser)
@@ -311,7 +314,7 @@ def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_floode
     async def begin() -> asyncio.Task[None]:
         return asyncio.create_task(flood())
 
-    def attempt() -> float:
+    def attempt() -> float | None:
         page = new_page(browser)
         drive(page, url, speed)
         page.get_by_role("tab", name="Log").click()
@@ -334,11 +337,11 @@ def test_the_robot_stands_soon_after_the_emergency_stop_while_the_page_is_floode
     assert_stands_in_time("emergency stop in a flood", attempt)
 
 
-def test_the_robot_stands_by_itself_when_the_server_is_killed(browser: Any, background: Background) -> None:
+def test_the_robot_stands_when_the_server_is_killed(browser: Any, background: Background) -> None:
     with shared_robot() as robot:
         speed = Speedometer(background, robot.local)
 
-        def attempt() -> float:
+        def attempt() -> float | None:
             page = new_page(browser)
             with console_for(robot.local) as (address, process):
                 drive(page, address, speed)
@@ -350,7 +353,7 @@ def test_the_robot_stands_by_itself_when_the_server_is_killed(browser: Any, back
             page.close()
             return taken
 
-        assert_stands_in_time("server killed", attempt, COMMAND_TIMEOUT + STOP_TIME)
+        assert_stands_in_time("server killed", attempt)
 
 
 def test_a_robot_that_is_killed_is_told_and_found_again(page: Any) -> None:

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import asyncio
 from collections import Counter
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Iterable
 from contextlib import asynccontextmanager
 from dataclasses import dataclass
 
 from jauspy.console.fleet import Fleet
 from jauspy.console.operation import DEAD_MAN_TIME, REQUEST_TIME, Operation, modes_of
 from jauspy.console.users import User
+from jauspy.console.watchdog import Watchdog
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import QueryControl
@@ -61,6 +62,21 @@ async def test_a_browser_takes_control_and_drives(virtual_network: VirtualNetwor
         assert await at.drive(2.0) == ""
         assert at.speed > 0.4
         assert at.operation.drive("second", 1.0, 0.0) == "another browser operates this robot"
+
+
+async def test_the_watchdog_knows_what_is_controlled(virtual_network: VirtualNetwork) -> None:
+    told: list[tuple[int, int]] = []
+
+    class Recorder(Watchdog):
+        def hold(self, robot: int, components: Iterable[JausID]) -> None:
+            told.append((robot, len(tuple(components))))
+
+    async with virtual_network.robot(), virtual_network.ocu() as ocu:
+        operation = Operation(await ocu.discover(101), lambda _: None, Recorder("42.1.1", None))
+        await operation.take("first", 127)
+        assert told == [(101, 4)]
+        await operation.release()
+        assert told == [(101, 4), (101, 0)]
 
 
 async def test_the_robot_stops_when_the_browser_is_silent(virtual_network: VirtualNetwork) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, se3_of_pose, tilt_between, transform
-from jauspy.cell.interface import GRIPPER, SeenPart
+from jauspy.cell.interface import GRIPPER, SeenPart, T
 from jauspy.cell.layout import Layout
 from jauspy.cell.motion import Path, profile
 from jauspy.cell.scene import connector_frame
@@ -48,6 +48,9 @@ class FakeCell:
 
     async def sleep(self, seconds: float) -> None:
         self.time += seconds
+
+    async def compute(self, function: Callable[[], T]) -> T:
+        return function()
 
     async def posture(self) -> Array:
         return self.at

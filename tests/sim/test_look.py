@@ -1,5 +1,6 @@
 """Light, materials and textures that the worlds share."""
 
+from dataclasses import replace
 from importlib.resources import files
 from pathlib import Path
 
@@ -11,6 +12,8 @@ from jauspy.modules.robot_files import load, robot_model
 from jauspy_sim import rays
 from jauspy_sim.assembly import build
 from jauspy_sim.groups import VISUAL
+from jauspy_sim.robot import SimulatedRobot
+from jauspy_sim.treads import Treads
 
 ASSETS = files("jauspy_sim") / "worlds" / "assets"
 
@@ -110,3 +113,40 @@ def bounds(model: mujoco.MjModel, data: mujoco.MjData, geoms: list[int]) -> tupl
         points.append(corners @ turn.T + at)
     every = np.concatenate(points)
     return every.min(axis=0), every.max(axis=0)
+
+
+def test_treads_run_as_far_as_the_robot_drives() -> None:
+    """What cameras draw: treads below stand on the ground, those above run ahead, and the sprocket turns."""
+    robot = replace(robot_model(load("inc1")), lidars=(), cameras=())
+    simulated = SimulatedRobot.open(robot, "empty")
+    simulated.drive.set_effort(0.3, 0.0)
+    simulated.advance(0.5)
+    run = float(simulated.data.userdata[0])
+    assert run == pytest.approx(simulated.drive.pose().x, abs=0.01)
+    assert run > 0.1
+    drawn = build(robot, "empty")
+    assert drawn.nq == simulated.model.nq
+    data = mujoco.MjData(drawn)
+    data.qpos[:] = simulated.data.qpos
+    mujoco.mj_kinematics(drawn, data)
+    rest, attitudes = data.geom_xpos.copy(), data.geom_xmat.copy()
+    data.userdata[:] = 0.009
+    Treads(drawn).place(data)
+    moved = data.geom_xpos - rest
+    user = drawn.geom_user
+    straight = (user[:, 0] > 0.0) & (user[:, 3] == 0.0)
+    assert np.linalg.norm(moved[straight], axis=1) == pytest.approx([0.009] * 8)
+    left = straight & (drawn.geom_bodyid == drawn.body("inc1/left_track").id)
+    assert sorted(moved[left, 0]) == pytest.approx([-0.009, 0.009], abs=1e-4)
+    wheels = (user[:, 0] > 0.0) & (user[:, 2] == 0.0)
+    turned = [
+        np.arccos((np.trace(b.reshape(3, 3) @ a.reshape(3, 3).T) - 1.0) / 2.0)
+        for a, b in zip(attitudes[wheels], data.geom_xmat[wheels], strict=True)
+    ]
+    assert turned == pytest.approx([0.009 / 0.093] * len(turned), rel=1e-3)
+    again = data.geom_xpos.copy()
+    data.userdata[:] += drawn.geom_user[np.flatnonzero(straight)[0], 2]  # treads look alike
+    mujoco.mj_kinematics(drawn, data)
+    Treads(drawn).place(data)
+    assert np.allclose(data.geom_xpos, again, atol=1e-4)
+    simulated.close()

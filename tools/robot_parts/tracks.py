@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 import shapely
@@ -14,6 +15,7 @@ from mesh_shapes import (
     Array,
     Mesh,
     Point,
+    Vector,
     across,
     circle,
     extruded,
@@ -27,6 +29,7 @@ from mesh_shapes import (
     shaded,
     slot,
 )
+from robot_parts import decals
 from robot_parts.dimensions import Dimensions, Look
 
 TREAD = 0.007
@@ -38,6 +41,25 @@ PITCH = 0.038
 ROAD_WHEEL = 0.030
 OUTWARD = Y_UP
 """Turns what stands on z to the left side of the robot."""
+
+
+PARTS = "lower", "front", "upper", "rear"
+"""Of a loop."""
+
+
+@dataclass(frozen=True)
+class Running:
+    """What moves with a belt: along x, or around a wheel whose middle is its origin."""
+
+    look: Look
+    origin: Vector
+    """In the frame of the link."""
+    pitch: float
+    """Metres from tread to tread; 0 for what does not repeat."""
+    radius: float
+    """Of the belt around the wheel; 0 where it is straight."""
+    backward: bool = False
+    """Whether it moves backward when the robot drives forward."""
 
 
 class Loop:
@@ -53,6 +75,19 @@ class Loop:
         straight = distance * math.sin(self._lean)
         self._parts = np.cumsum([0.0, straight, 2.0 * self._lean * front_radius, straight])
         self.length = float(self._parts[-1]) + 2.0 * (math.pi - self._lean) * rear_radius
+        self.pitch = self.length / round(self.length / PITCH)
+
+    def part(self, way: float) -> int:
+        """The index in `PARTS` of where a way is."""
+        return int(np.searchsorted(self._parts, way % self.length, side="right")) - 1
+
+    def running(self, part: int, look: Look, pitch: float = 0.0) -> Running:
+        """What moves with the belt on a part of it; around a wheel, in the frame of its middle."""
+        straight = part % 2 == 0
+        x, z = (0.0, 0.0) if straight else (self._front if part == 1 else self._rear).tolist()
+        around = {name: mesh.at(-x, 0.0, -z) for name, mesh in look.items()}
+        radius = 0.0 if straight else self._radii[part == 1]
+        return Running(around, (x, 0.0, z), pitch, radius, backward=part == 0)
 
     def corners(self) -> Array:
         """Ways at which a strip needs edges: along the arcs each 15 degrees, and where these end."""
@@ -117,25 +152,30 @@ def lug(length: float, width: float, height: float, taper: float = 0.7, skew: fl
     return shaded(vertices, np.array([*sides, (4, 5, 6), (4, 6, 7)]))
 
 
-def treads(loop: Loop, width: float, phase: float = 0.0) -> Mesh:
-    """Lugs on both sides of a belt: bars outside, teeth inside; moved by `phase` pitches."""
-    count = round(loop.length / PITCH)
-    pitch = loop.length / count
-    bar = width / 3.0 - 0.002
-    outside = joined(
+def treads(loop: Loop, width: float) -> dict[str, Running]:
+    """Lugs on both sides of a belt, bars outside, teeth inside: by the part of the loop on which they move."""
+    bar, pitch = width / 3.0 - 0.002, loop.pitch
+    sides = joined(
         [
             lug(0.016, bar, TREAD, 0.62, -0.004).at(0.0, bar + 0.002),
             lug(0.016, bar, TREAD, 0.62, 0.004).at(0.0, -bar - 0.002),
-            lug(0.014, bar, TREAD, 0.62).at(pitch / 2.0),
         ]
     )
-    inside = lug(0.013, 0.014, 0.009, 0.6).at(pitch / 2.0, 0.0, -BELT, FLIP)
-    one = joined([outside, inside])
-    return joined(loop.bent(one.at((number + phase) * pitch)) for number in range(count))
+    middle = joined(
+        [lug(0.014, bar, TREAD, 0.62), lug(0.013, 0.014, 0.009, 0.6).at(0.0, 0.0, -BELT, FLIP)],
+    )
+    parts: list[list[Mesh]] = [[] for _ in PARTS]
+    for number in range(2 * round(loop.length / pitch)):
+        way = number * pitch / 2.0
+        parts[loop.part(way)].append(loop.bent((middle if number % 2 else sides).at(way)))
+    return {
+        name: loop.running(part, {"rubber": joined(lugs)}, pitch)
+        for part, (name, lugs) in enumerate(zip(PARTS, parts, strict=True))
+    }
 
 
-def belt(loop: Loop, width: float, phase: float = 0.0) -> Mesh:
-    """A belt whose outside, without treads, is the loop."""
+def belt(loop: Loop, width: float) -> Mesh:
+    """A belt without treads, whose outside is the loop."""
     y, edge = width / 2.0, 0.0015
     section = [
         (-y, -BELT + edge),
@@ -145,7 +185,7 @@ def belt(loop: Loop, width: float, phase: float = 0.0) -> Mesh:
         (y, -edge),
         (y - edge, 0.0),
     ]
-    return joined([strip(loop, [*section, (-y + edge, 0.0), (-y, -edge)]), treads(loop, width, phase)])
+    return strip(loop, [*section, (-y + edge, 0.0), (-y, -edge)])
 
 
 def track_loop(size: Dimensions) -> Loop:
@@ -244,30 +284,26 @@ def moved(look: Look, x: float = 0.0, y: float = 0.0, z: float = 0.0, turn: Arra
     return {name: mesh.at(x, y, z, turn) for name, mesh in look.items()}
 
 
-def running_gear(size: Dimensions, phase: float = 0.0) -> Look:
-    """All that turns inside the left track, in the frame of its link; `phase`: pitches that the belt has moved."""
+def track(size: Dimensions) -> dict[str, Running]:
+    """What moves with the belt of the left track."""
+    loop, width = track_loop(size), size.belt_width
     radius = size.idler_radius - TREAD - BELT
-    loop = track_loop(size)
-    way = phase * loop.length / round(loop.length / PITCH)
+    driven = moved(sprocket(radius, width), -size.idler_x, 0.0, size.idler_z, OUTWARD)
+    front = moved(idler(radius, width), size.idler_x, 0.0, size.idler_z, OUTWARD)
+    return {**treads(loop, width), "sprocket": loop.running(3, driven), "idler": loop.running(1, front)}
 
-    def wheel(look: Look, x: float, z: float, r: float) -> Look:
-        spun = {name: mesh.at(turn=np.array(_about_z(way / r))) for name, mesh in look.items()}
-        return moved(spun, x, 0.0, z, OUTWARD)
 
+def running_gear(size: Dimensions) -> Look:
+    """The small wheels inside the left track, in the frame of its link."""
+    radius = size.idler_radius - TREAD - BELT
     below = size.idler_z - radius
     xs = np.linspace(-size.idler_x + radius + ROAD_WHEEL + 0.008, size.idler_x - radius - ROAD_WHEEL - 0.008, 4)
     rollers = pin(-size.belt_width / 2.0 + 0.018, size.belt_width / 2.0 - 0.018, 0.014, 16)
+    high = size.idler_z + radius - 0.014
     return merge(
-        wheel(sprocket(radius, size.belt_width), -size.idler_x, size.idler_z, radius),
-        wheel(idler(radius, size.belt_width), size.idler_x, size.idler_z, radius),
-        *(wheel(road_wheel(size.belt_width), float(x), below + ROAD_WHEEL, ROAD_WHEEL) for x in xs),
-        *(wheel({"rubber": rollers}, x, size.idler_z + radius - 0.014, 0.014) for x in (-0.085, 0.085)),
+        *(moved(road_wheel(size.belt_width), float(x), 0.0, below + ROAD_WHEEL, OUTWARD) for x in xs),
+        *(moved({"rubber": rollers}, x, 0.0, high, OUTWARD) for x in (-0.085, 0.085)),
     )
-
-
-def _about_z(angle: float) -> list[list[float]]:
-    c, s = math.cos(angle), math.sin(angle)
-    return [[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]]
 
 
 def suspension(size: Dimensions) -> Look:
@@ -277,7 +313,7 @@ def suspension(size: Dimensions) -> Look:
     low, high = size.idler_z - radius + ROAD_WHEEL + 0.012, size.idler_z + radius - 0.034
     middle, height = (low + high) / 2.0, high - low
     outline = shapely.Polygon(round_rectangle(long, height, 0.014))
-    holes = [shapely.affinity.translate(shapely.Polygon(slot(0.07, height * 0.18)), x, 0.0) for x in (-0.12, 0.0, 0.12)]
+    holes = [shapely.affinity.translate(shapely.Polygon(slot(0.07, height * 0.18)), x, 0.0) for x in (-0.145, 0.145)]
     plate = extruded(outline.difference(shapely.unary_union(holes)), 0.0, 0.008, 0.0016)
     standing = across(plate)  # in x and z, from y = -0.008 to 0
     backing = across(extruded(round_rectangle(long - 0.01, height - 0.012, 0.01), 0.0, 0.006))
@@ -306,11 +342,20 @@ def suspension(size: Dimensions) -> Look:
     }
 
 
-def flipper_belt(size: Dimensions, phase: float = 0.0) -> Mesh:
-    """The belt of a flipper, in the frame of its link."""
+def plate_paint(size: Dimensions, turn: Array) -> Look:
+    """Paint on the plates of `suspension`, around the middle of their outer face."""
+    radius = size.idler_radius - TREAD - BELT
+    low, high = size.idler_z - radius + ROAD_WHEEL + 0.012, size.idler_z + radius - 0.034
+    side = 1.0 if turn is decals.LEFT else -1.0
+    y = side * (size.gauge + size.belt_width) / 2.0
+    painted = decals.side(turn, 2.0 * (size.idler_x - 0.052) - 0.086, high - low)
+    return moved(painted, size.track_x, y, (low + high) / 2.0)
+
+
+def flipper_loop(size: Dimensions) -> Loop:
+    """The loop of a flipper, in the frame of its link."""
     radius = size.flipper_radius - TREAD
-    loop = Loop((0.0, 0.0), (size.flipper_length, 0.0), radius, radius)
-    return belt(loop, size.flipper_width, phase)
+    return Loop((0.0, 0.0), (size.flipper_length, 0.0), radius, radius)
 
 
 def flipper_frame(size: Dimensions) -> Look:

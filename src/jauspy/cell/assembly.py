@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Final
 
 import numpy as np
@@ -194,12 +195,15 @@ class Assembler:
 
     async def go_home(self) -> None:
         """Move the UR10 to its posture at the start."""
-        await self.go(self.planner.to_posture(self.at, self.layout.home))
+        await self.go(await self._path_to(self.layout.home))
 
     async def park(self) -> None:
         """Move the UR10 out of the way of what stands on the platforms and on the conveyor."""
         await self.look()
-        await self.go(self.planner.to_posture(self.at, PARKED))
+        await self.go(await self._path_to(PARKED))
+
+    async def _path_to(self, posture: Array) -> Path:
+        return await self.cell.compute(partial(self.planner.to_posture, self.at, posture))
 
     async def go(self, path: Path, *, speed: float = 1.0, contact: bool = False, gentle: bool = False) -> None:
         """Move along a path; paths that do not end in contact count for the smallest distance."""
@@ -273,7 +277,8 @@ class Assembler:
     async def _grasp(self, part: str, row: PartResult, goals: list[pin.SE3]) -> bool:
         for attempt in range(GRASPS):
             try:
-                plan = self.handling.pick(part, self.seen[part].pose, self.at, goals, skip=attempt)
+                pose = self.seen[part].pose
+                plan = await self.cell.compute(partial(self.handling.pick, part, pose, self.at, goals, skip=attempt))
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
                 return False
@@ -354,11 +359,10 @@ class Assembler:
                 self._drop(part)
                 row.attempts.append(f"{part}: it was dropped on the way{_because(state)}")
                 return False
-            beside = shifted(x=SEARCH[attempt])
+            beside = [goal * shifted(x=SEARCH[attempt]) for goal in goals]
+            place = partial(self.handling.place, part, held.grasp, self.at, beside, touches=[tip.part])
             try:
-                plan = self.handling.place(
-                    part, held.grasp, self.at, [goal * beside for goal in goals], touches=[tip.part]
-                )
+                plan = await self.cell.compute(place)
             except NoPath as error:
                 row.attempts.append(f"{part}: {error}")
                 if attempt == 0:
@@ -417,7 +421,7 @@ class Assembler:
         solve, down = self.layout.kinematics.solve, turned("x", math.pi)
         postures = [each for x, y in PUT_DOWN for each in solve(shifted(x, y, PUT_DOWN_HEIGHT) * down, self.at)]
         try:
-            path = self.planner.to_any(self.at, postures)
+            path = await self.cell.compute(partial(self.planner.to_any, self.at, postures))
         except NoPath as error:
             raise TaskFailed(f"{part} cannot be joined, and cannot be put down: {error}") from error
         await self.go(path)

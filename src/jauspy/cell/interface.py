@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from typing import Protocol, TypeVar
 
 import pinocchio as pin
 
@@ -12,6 +12,8 @@ from jauspy.cell.frames import Array
 from jauspy.cell.motion import Path
 from jauspy.platform.modular.arm import ModularArmState
 from jauspy.platform.modular.connector import ConnectorState
+
+T = TypeVar("T")
 
 GRIPPER = "gripper"
 """The name of the gripper among the connectors."""
@@ -34,6 +36,13 @@ class Cell(Protocol):
 
     async def sleep(self, seconds: float) -> None:
         """Wait on that clock."""
+        ...
+
+    async def compute(self, function: Callable[[], T]) -> T:
+        """The value of a function that may take seconds, and meanwhile keep control of the cell.
+
+        The function may be called in another thread; it is over when this ends, also when this is cancelled.
+        """
         ...
 
     async def posture(self) -> Array:

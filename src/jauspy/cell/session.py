@@ -127,5 +127,5 @@ async def connected(ocu: OCU, robot: str = ROBOT) -> AsyncIterator[Session]:
     config = robot_files.load(robot)
     model = robot_files.robot_model(config)
     layout = Layout(model)
-    async with ocu, CellClient(ocu, config, model, layout) as cell:
+    async with ocu, CellClient(ocu, config, model, layout, threads=True) as cell:
         yield Session(cell, layout)

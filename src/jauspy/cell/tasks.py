@@ -52,7 +52,7 @@ async def assemble(session: Session, seed: int) -> Measured:
         found.rows.append(line)
     joined = [placements[row.part] for row in result.parts if row.part in placements]
     found.values = {
-        "parts": float(len(joined)),
+        "parts": float(len(joined) if placements else sum(row.joint_force > 0.0 for row in result.parts)),
         "retries": float(result.retries),
         "clearance": result.clearance.distance,
         "largest_error": max((each.distance for each in joined), default=0.0),

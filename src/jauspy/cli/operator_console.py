@@ -86,6 +86,7 @@ def console_page(
         return
     try:
         from jauspy.console.server import RECORDINGS, Access, serving
+        from jauspy.console.watchdog import Watchdog
     except ImportError as error:
         raise ConfigError(f"{NEEDS_EXTRA} ({error})") from error
     if with_parent:
@@ -103,8 +104,18 @@ def console_page(
         ocu = client.make_ocu(own_id, connect, 0.5, operator=operator_key)
         async with ocu:
             stopper = OCU(client.own_id(None, connect), connect, operator=operator_key, name="jauspy console (stop)")
-            page = serving(ocu, stopper, host, port, access=access, audit=log, recordings=recordings or RECORDINGS)
-            async with stopper, page as url:
+            watchdog = Watchdog(ocu.id, connect, operator_key)
+            page = serving(
+                ocu,
+                stopper,
+                host,
+                port,
+                access=access,
+                audit=log,
+                recordings=recordings or RECORDINGS,
+                watchdog=watchdog,
+            )
+            async with stopper, watchdog, page as url:
                 console.print_lines(f"{READY} {url}", "stop it: Ctrl-C")
                 if not no_browser:
                     webbrowser.open(url)

@@ -9,6 +9,7 @@ from typing import Final
 
 from jauspy.console.manipulators import operated
 from jauspy.console.users import LOCAL, User
+from jauspy.console.watchdog import Watchdog
 from jauspy.errors import JausError
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu.driving import VELOCITY, WRENCH
@@ -38,7 +39,7 @@ class ControlRequest:
 class Operation:
     """One robot, and the browser that operates it. Other browsers observe; each is known by its token."""
 
-    def __init__(self, robot: Robot, on_event: Callable[[str], None]) -> None:
+    def __init__(self, robot: Robot, on_event: Callable[[str], None], watchdog: Watchdog | None = None) -> None:
         self.robot = robot
         self.operator = ""
         """Token of the browser that operates; empty while the robot is not controlled."""
@@ -55,8 +56,9 @@ class Operation:
         """m/s and rad/s of the present drive command, or shares of the full effort."""
         self._sent_mode = self.mode
         self._on_event = on_event
+        self._watchdog = watchdog
         self._control: RobotControl | None = None
-        self._watchdog: asyncio.TimerHandle | None = None
+        self._timer: asyncio.TimerHandle | None = None
         self._busy = asyncio.Lock()
         self._wanted: tuple[float, float] | None = None
         self._sending: asyncio.Task[None] | None = None
@@ -125,16 +127,20 @@ class Operation:
                 self._on_event(f"control of robot {self.robot.id} was not granted to {user.name}: {error}")
                 return self.problem
             self._control = control
+            if self._watchdog is not None:
+                self._watchdog.hold(self.robot.id, control.ids)
         self.operator, self.user, self.authority, self.problem, self._request = token, user, authority, "", None
         self._on_event(f"{user.name} operates robot {self.robot.id} with authority {authority}")
         return ""
 
     async def _leave(self) -> None:
         control, self._control, self.operator = self._control, None, ""
-        self._cancel_watchdog()
+        self._cancel_timer()
         self._wanted, self.commanded = None, (0.0, 0.0)
         if control is not None:
             await control.__aexit__(None, None, None)
+            if self._watchdog is not None:
+                self._watchdog.hold(self.robot.id, ())
 
     async def release(self) -> None:
         """Stop, put the robot in Standby and release control. May be called twice."""
@@ -158,10 +164,10 @@ class Operation:
             return why_not
         ahead, turn = self._full_deflection()
         linear, angular = ahead * min(1.0, max(-1.0, forward)), turn * min(1.0, max(-1.0, left))
-        self._cancel_watchdog()
+        self._cancel_timer()
         moving = bool(linear or angular)
         if moving:
-            self._watchdog = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
+            self._timer = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
         self._want(linear, angular)
         return ""
 
@@ -183,7 +189,7 @@ class Operation:
         return self.speed_limit, MAX_TURN_RATE * min(1.0, self.speed_limit / 0.5)
 
     def _dead_man(self) -> None:
-        self._watchdog = None
+        self._timer = None
         self._on_event(f"robot {self.robot.id} was stopped: its operator's browser is silent")
         self._want(0.0, 0.0)
 
@@ -225,14 +231,14 @@ class Operation:
             await self.robot.service(WRENCH).send(SetWrenchEffort(), ack=True)
 
     def _stop_driving(self) -> None:
-        self._cancel_watchdog()
+        self._cancel_timer()
         if any(self.commanded):
             self._want(0.0, 0.0)
 
-    def _cancel_watchdog(self) -> None:
-        if self._watchdog is not None:
-            self._watchdog.cancel()
-            self._watchdog = None
+    def _cancel_timer(self) -> None:
+        if self._timer is not None:
+            self._timer.cancel()
+            self._timer = None
 
 
 def modes_of(robot: Robot) -> list[str]:

@@ -29,6 +29,7 @@ from jauspy.console.sessions import current_user
 from jauspy.console.traffic import Traffic
 from jauspy.console.users import LOCAL, User, Users
 from jauspy.console.video import SharedCamera, camera_state
+from jauspy.console.watchdog import Watchdog
 from jauspy.console.world import Worlds
 from jauspy.console.world_socket import add_world
 from jauspy.errors import CodecError, ConfigError, JausError
@@ -70,9 +71,15 @@ class Console:
     """The state that all browsers share: the fleet, operations, cameras and the log."""
 
     def __init__(
-        self, ocu: OCU, emergency_ocu: OCU, audit: AuditLog | None = None, recordings: Path = RECORDINGS
+        self,
+        ocu: OCU,
+        emergency_ocu: OCU,
+        audit: AuditLog | None = None,
+        recordings: Path = RECORDINGS,
+        watchdog: Watchdog | None = None,
     ) -> None:
         self.ocu = ocu
+        self._watchdog = watchdog
         self.recordings = recordings
         """The folder of recorded video."""
         self.fleet = Fleet(ocu)
@@ -149,7 +156,7 @@ class Console:
         robot = self.fleet.robots.get(subsystem)
         if robot is None:
             return self._operations.get(subsystem)
-        operation = self._operations.setdefault(subsystem, Operation(robot, self.note))
+        operation = self._operations.setdefault(subsystem, Operation(robot, self.note, self._watchdog))
         if not operation.is_controlled:
             operation.robot = robot
         return operation
@@ -359,8 +366,9 @@ async def serving(
     access: Access | None = None,
     audit: AuditLog | None = None,
     recordings: Path = RECORDINGS,
+    watchdog: Watchdog | None = None,
 ) -> AsyncIterator[str]:
-    """Serve the console at this address while the context is open; the URL. Both OCUs must be open.
+    """Serve the console at this address while the context is open; the URL. OCUs and watchdog must be open.
 
     NiceGUI has one application in a process: a process can serve once.
     """
@@ -369,7 +377,7 @@ async def serving(
     listener = _listener(host, port)
     from jauspy.console.page import add_page  # noqa: PLC0415 - NiceGUI takes a second
 
-    console = Console(ocu, emergency_ocu, audit, recordings)
+    console = Console(ocu, emergency_ocu, audit, recordings, watchdog)
     app = make_app(console)
     add_page(app, console)
     config = uvicorn.Config(

@@ -64,10 +64,12 @@ class TracksConfig(StrictConfig):
     right: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
     inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 6.0
     """Inertia of rotors and sprockets at the belts of a side, in kilograms."""
+    turning_point: Annotated[float, Field(ge=-10.0, le=10.0)] = 0.0
+    """Metres ahead of the base, of the point that does not move sideways in a turn: odometry assumes it."""
 
     def setup(self) -> TrackSetup:
         """Return the setup for the backend."""
-        return TrackSetup(self.left, self.right, self.inertia)
+        return TrackSetup(self.left, self.right, self.inertia, self.turning_point)
 
 
 class JointConfig(StrictConfig):

@@ -76,6 +76,8 @@ class TrackSetup:
     left: tuple[str, ...]
     right: tuple[str, ...]
     inertia: float
+    turning_point: float = 0.0
+    """Metres ahead of the base, of the point that does not move sideways in a turn: odometry assumes it."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Final, Protocol
 
 from jauspy.geometry.poses import UNACCELERATED, Acceleration, Pose, Twist
@@ -42,8 +42,6 @@ RATE: Final = 50.0
 
 SLIP: Final = 0.01
 """Metres after one metre, along each axis, that tracks slip; grows with the square root of the way."""
-TURN_SLIP: Final = 0.02
-"""Metres after one radian, along each axis, that a turn on the spot shifts the robot."""
 TURN_ERROR: Final = 0.15
 """Standard deviation of a turn by odometry alone, as a part of it: tracks skid, more or less by the ground."""
 TILT_ERROR: Final = math.radians(0.2)
@@ -77,14 +75,24 @@ class MeasuredDrive(Protocol):
         ...
 
 
+@dataclass(frozen=True, slots=True)
+class Turning:
+    """How a chassis turns, as its odometry assumes."""
+
+    point: float = 0.0
+    """Metres ahead of the base, of the point that does not move sideways."""
+    slip: float = 0.02
+    """Metres after one radian, along each axis, that a turn on the spot shifts the robot besides."""
+
+
 class Localizer(Localization):
     """The localisation of a simulated chassis; `step` is to be called after each step of the simulation.
 
     The robot is at rest when it is made, and its time is zero.
     """
 
-    def __init__(self, setup: LocalizationSetup, drive: MeasuredDrive) -> None:
-        self._drive = drive
+    def __init__(self, setup: LocalizationSetup, drive: MeasuredDrive, turning: Turning = Turning()) -> None:
+        self._drive, self._turning = drive, turning
         self._imu_setup = setup.imu or _NO_IMU
         pose, twist = drive.pose(), drive.twist()
         self._encoders = Encoders(setup.odometry, generator(setup.seed, "encoders"))
@@ -167,6 +175,8 @@ class Localizer(Localization):
         if self._imu is None:
             curving = (0.0, 0.0, 0.0)
         self._attitude.turn(turned, difference(force, curving), dt)
+        if not at_rest:
+            travel = replace(travel, left=travel.left - self._turning.point * rates[2] * dt)
         self._advance(travel, before)
         self._moved.add(self._angles[2], travel, measured if at_rest else None, dt)
         acceleration = Acceleration(*linear, *angular)
@@ -194,7 +204,7 @@ class Localizer(Localization):
         if dt <= 0.0:
             return
         setup = self._imu_setup
-        motion = moved.motion(dt, self._position_noise, setup)
+        motion = moved.motion(dt, self._position_noise, self._turning.slip, setup)
         self._local.move(motion)
         self._height_rms += self._tilt_rms * moved.way
         if self._globe is not None:
@@ -271,7 +281,7 @@ class _Moved:
             x, y, z = self.rates
             self.rates = (x + rates[0] * dt, y + rates[1] * dt, z + rates[2] * dt)
 
-    def motion(self, dt: float, position_noise: float, imu: ImuSetup) -> Motion:
+    def motion(self, dt: float, position_noise: float, turn_slip: float, imu: ImuSetup) -> Motion:
         """What the filters need, in the local frame. At rest the heading does not change."""
         moving = max(0.0, dt - self.at_rest)
         return Motion(
@@ -279,7 +289,7 @@ class _Moved:
             self.y,
             self.yaw,
             moving,
-            position_noise * self.way + TURN_SLIP**2 * self.turned,
+            position_noise * self.way + turn_slip**2 * self.turned,
             imu.gyro_noise**2 * moving,
             imu.gyro_bias_walk**2 * dt,
         )

@@ -70,35 +70,47 @@ class _Flow:
 
     def __init__(self) -> None:
         self.entries: deque[_Entry] = deque()
-        self._counts: dict[bytes, int] = {}
-        """How many there are for each destination."""
+        self._counts: dict[bytes, int] | None = None
+        """How many there are for each destination, since the first one that was too much."""
         self._most = b""
         """The destination that has, or lately had, most."""
 
     def append(self, datagram: bytes, since: float) -> None:
-        to = datagram[_DESTINATION]
-        count = self._counts[to] = self._counts.get(to, 0) + 1
-        if count > self._counts.get(self._most, 0):
-            self._most = to
         self.entries.append((datagram, since))
+        if self._counts is not None:
+            self._count(self._counts, datagram)
 
     def pop(self) -> bytes:
-        return self._remove(0)
+        datagram, _ = self.entries.popleft()
+        if self._counts is not None:
+            self._forget(self._counts, datagram)
+        return datagram
 
     def pop_excess(self) -> bytes:
         """Remove the oldest datagram for a destination that has many: it does not displace answers to others."""
-        to = max(_candidates(self._counts, self._most), key=lambda to: self._counts[to])
-        return self._remove(next(n for n, (datagram, _) in enumerate(self.entries) if datagram[_DESTINATION] == to))
-
-    def _remove(self, at: int) -> bytes:
-        datagram, _ = self.entries[at]
+        counts = self._counts
+        if counts is None:
+            counts = self._counts = {}
+            for datagram, _ in self.entries:
+                self._count(counts, datagram)
+        to = max(_candidates(counts, self._most), key=counts.__getitem__)
+        at, datagram = next((n, each) for n, (each, _) in enumerate(self.entries) if each[_DESTINATION] == to)
         del self.entries[at]
-        to = datagram[_DESTINATION]
-        if self._counts[to] == 1:
-            del self._counts[to]
-        else:
-            self._counts[to] -= 1
+        self._forget(counts, datagram)
         return datagram
+
+    def _count(self, counts: dict[bytes, int], datagram: bytes) -> None:
+        to = datagram[_DESTINATION]
+        counts[to] = counts.get(to, 0) + 1
+        if counts[to] > counts.get(self._most, 0):
+            self._most = to
+
+    def _forget(self, counts: dict[bytes, int], datagram: bytes) -> None:
+        to = datagram[_DESTINATION]
+        if counts[to] == 1:
+            del counts[to]
+        else:
+            counts[to] -= 1
 
 
 class _Flows:
@@ -118,9 +130,10 @@ class _Flows:
             flow = self._flows[source] = _Flow()
         flow.append(datagram, now)
         self.length += 1
-        longest = self._flows.get(self._longest)
-        if longest is None or len(flow.entries) > len(longest.entries):
-            self._longest = source
+        if source != self._longest:
+            longest = self._flows.get(self._longest)
+            if longest is None or len(flow.entries) > len(longest.entries):
+                self._longest = source
 
     def peek(self) -> bytes:
         """The datagram whose turn it is."""
@@ -128,14 +141,16 @@ class _Flows:
 
     def pop(self) -> bytes:
         """Remove the datagram whose turn it is."""
-        source = next(iter(self._flows))
-        self._flows.move_to_end(source)
-        return self._removed(source, self._flows[source].pop())
+        source, flow = next(iter(self._flows.items()))
+        if len(self._flows) > 1:
+            self._flows.move_to_end(source)
+        return self._removed(source, flow, flow.pop())
 
     def pop_excess(self) -> bytes:
         """Remove a datagram of a sender that has many."""
         source = max(_candidates(self._flows, self._longest), key=lambda source: len(self._flows[source].entries))
-        return self._removed(source, self._flows[source].pop_excess())
+        flow = self._flows[source]
+        return self._removed(source, flow, flow.pop_excess())
 
     def pop_stale(self, oldest: float) -> list[bytes]:
         """Remove commands from before `oldest` that may not be late."""
@@ -156,8 +171,8 @@ class _Flows:
         self.length -= len(found)
         return found
 
-    def _removed(self, source: bytes, datagram: bytes) -> bytes:
-        if not self._flows[source].entries:
+    def _removed(self, source: bytes, flow: _Flow, datagram: bytes) -> bytes:
+        if not flow.entries:
             del self._flows[source]
         self.length -= 1
         return datagram
@@ -245,11 +260,11 @@ class SendQueue:
             count -= 1
 
     def _next(self) -> _Flows:
-        low, standard, high, urgent = self._priorities
-        order = (urgent, high, standard, low)
-        if self._turn == LOW_PRIORITY_TURN - 1:
-            order = (low, standard, high, urgent)
-        return next(each for each in order if each.length)
+        order = self._priorities if self._turn == LOW_PRIORITY_TURN - 1 else reversed(self._priorities)
+        for each in order:
+            if each.length:
+                return each
+        raise IndexError("the queue is empty")
 
     def _resize(self, count: int, size: int) -> None:
         by = size + count * DATAGRAM_OVERHEAD
