@@ -1,13 +1,18 @@
-"""Worker processes must not delay their parent."""
+"""Worker processes must not delay their parent, and end with it."""
 
 from __future__ import annotations
 
+import asyncio
 import json
 import os
+import signal
 import subprocess
 import sys
 
 import pytest
+
+from jauspy import worker_process
+from jauspy.worker_process import WorkerProcess
 
 PROGRAM = """
 import json, os
@@ -39,3 +44,25 @@ def test_the_first_processor_is_left_to_the_parent() -> None:
 def test_a_single_processor_is_shared() -> None:
     processors = {min(os.sched_getaffinity(0))}
     assert lowered(processors) == (7, processors)
+
+
+async def test_a_worker_that_does_not_end_is_killed_in_a_cancelled_task(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(worker_process, "STOP_TIMEOUT", 0.1)
+    process = await WorkerProcess.start("tests.helpers.stubborn_worker", 0, ())
+    process.send("begin")
+    messages = process.messages()
+    assert await anext(messages) == "began"
+
+    async def until_cancelled() -> None:
+        try:
+            await asyncio.Event().wait()
+        finally:
+            await process.stop()
+
+    task = asyncio.create_task(until_cancelled())
+    await asyncio.sleep(0)
+    task.cancel()
+    with pytest.raises(asyncio.CancelledError):
+        await task
+    assert await process.wait() == -signal.SIGKILL
+    await messages.aclose()

@@ -122,12 +122,13 @@ class WorkerProcess:
     async def stop(self) -> None:
         """Close its standard input and wait for its end; kill it after `STOP_TIMEOUT`."""
         self._input.close()
-        try:
-            async with asyncio.timeout(STOP_TIMEOUT):
-                await self._process.communicate()
-        except TimeoutError:
-            self.kill()
-            await self._process.communicate()
+        ended = asyncio.ensure_future(self._process.communicate())
+        try:  # without `asyncio.timeout`, which in a cancelled task raises CancelledError until Python 3.11.2
+            await asyncio.wait([ended], timeout=STOP_TIMEOUT)
+        finally:
+            if not ended.done():
+                self.kill()
+        await ended
 
 
 class SupervisedWorker(ABC):

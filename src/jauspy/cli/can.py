@@ -58,11 +58,17 @@ def _network(setup: CanSetup) -> Iterator[canopen.Network]:
         )
     bus = buses.open_bus(setup.bus, setup.bit_rate)
     network = canopen.Network(bus)
-    notifier = can.Notifier(bus, network.listeners, 0.1)
+
+    def receive(message: can.Message) -> None:
+        network.notify(message.arbitration_id, message.data, message.timestamp)
+
+    receiver = buses.Receiver(bus, receive, lambda why: console.note(f"{setup.bus}: {why}"))
     try:
         yield network
+    except (can.CanError, OSError) as error:
+        raise ConfigError(f"{setup.bus} takes no frames: {buses.describe(error)}") from error
     finally:
-        notifier.stop(1.0)
+        receiver.close()
         bus.shutdown()
 
 

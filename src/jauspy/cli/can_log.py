@@ -1,15 +1,21 @@
-"""Logs of CAN frames (candump and what else python-can reads), for `jauspy decode`."""
+"""Logs of CAN frames (candump and what else python-can reads) in words, for `jauspy decode`: PDOs in SI units."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Final
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.urdf import JointKind
+from jauspy.platform.can import pdo
+from jauspy.platform.can.cia402 import Control, Mode, error_text, register_text, state_of
+from jauspy.platform.can.setup import CanSetup, DriveSetup
+from jauspy.platform.can.units import DriveUnits
+from jauspy.platform.description import RobotModel
 from jauspy.printable import printable
 
 CANDUMP: Final = re.compile(rb"\(\d+\.\d+\) +\S+ +[0-9A-Fa-f]+#")
@@ -19,6 +25,12 @@ SUFFIXES: Final = frozenset({".asc", ".blf", ".trc"})
 """Other formats of python-can, which are known by their names."""
 
 NUMBER: Final = re.compile(r"-?\d+\.\d+")
+
+NMT: Final = {1: "start", 2: "stop", 128: "enter Pre-operational", 129: "reset", 130: "reset communication"}
+STATES: Final = {0: "has started", 4: "Stopped", 5: "Operational", 127: "Pre-operational"}
+POSITIONS: Final = frozenset({0x6064, 0x607A})
+VELOCITIES: Final = frozenset({0x606C, 0x60FF})
+TORQUES: Final = frozenset({0x6071, 0x6077})
 
 
 @dataclass(frozen=True, slots=True)
@@ -61,7 +73,6 @@ def can_frames(source: str, robot: str) -> Iterator[CanFrame]:
     import can
 
     from jauspy.modules import robot_files
-    from jauspy.platform.can.names import FrameNames
 
     model = robot_files.robot_model(robot_files.load(robot))
     if model.can is None or isinstance(model.can, str):
@@ -94,3 +105,64 @@ def changes(frames: Iterable[CanFrame]) -> Iterator[CanFrame]:
 
 def _sign(number: float) -> str:
     return "0" if not number else "+" if number > 0.0 else "-"
+
+
+class FrameNames:
+    """Explains the frames of one robot."""
+
+    def __init__(self, model: RobotModel, setup: CanSetup) -> None:
+        self._node = setup.node
+        self._drives: Mapping[int, tuple[DriveSetup, DriveUnits, str]] = {
+            each.node: (each, DriveUnits(each, joint), "m" if joint.kind is JointKind.PRISMATIC else "rad")
+            for each in setup.drives.values()
+            for joint in (model.description.joint(each.moves),)
+        }
+        self._pdos = {each.cob_id: each for each in pdo.ALL}
+
+    def explain(self, identifier: int, data: bytes) -> str:
+        """One frame in words; bytes in hex for what is not known."""
+        function, node = identifier & 0x780, identifier & 0x7F
+        if identifier == pdo.SYNC:
+            return "SYNC"
+        if identifier == 0 and len(data) >= 2:
+            return f"NMT {NMT.get(data[0], data[0])}: {self._name(data[1]) if data[1] else 'all'}"
+        if function == pdo.EMCY and len(data) >= 3:
+            code = int.from_bytes(data[:2], "little")
+            return f"{self._name(node)}: emergency: {error_text(code)}, error register: {register_text(data[2])}"
+        if function == pdo.HEARTBEAT and data:
+            return f"{self._name(node)}: heartbeat: {STATES.get(data[0] & 0x7F, data[0])}"
+        if function in {pdo.SDO_REQUEST, 0x580} and len(data) == 8:
+            what = "request" if function == pdo.SDO_REQUEST else "response"
+            index = int.from_bytes(data[1:3], "little")
+            return f"{self._name(node)}: SDO {what} {index:04X}h:{data[3]:02X} {data[4:].hex(' ')}"
+        found = self._pdos.get(function)
+        if found is not None and node in self._drives and len(data) == found.layout.size:
+            way = "command" if function in {each.cob_id for each in pdo.COMMANDS.values()} else "status"
+            values = ", ".join(self._values(found, node, data))
+            return f"{self._name(node)}: {way}: {values}"
+        return data.hex(" ")
+
+    def _name(self, node: int) -> str:
+        if node == self._node:
+            return "the robot"
+        found = self._drives.get(node)
+        return f"{found[0].name} ({node})" if found else f"node {node}"
+
+    def _values(self, found: pdo.Pdo, node: int, data: bytes) -> Iterator[str]:
+        _, units, unit = self._drives[node]
+        for (index, _bits), raw in zip(found.objects, found.layout.unpack(data), strict=True):
+            name = pdo.NAMES[index]
+            if index in POSITIONS:
+                yield f"{name} {units.position(raw):.4f} {unit}"
+            elif index in VELOCITIES:
+                yield f"{name} {units.velocity(raw):.4f} {unit}/s"
+            elif index in TORQUES:
+                yield f"{name} {units.effort(raw):.3f} {'N' if unit == 'm' else 'N m'}"
+            elif index == 0x6041:
+                yield state_of(raw).value
+            elif index == 0x6040:
+                yield Control(raw).name.lower() if raw in set(Control) else f"controlword {raw:04X}h"
+            elif index == 0x603F:
+                yield error_text(raw)
+            else:
+                yield Mode(raw).name.lower() if raw in set(Mode) else f"mode {raw}"

@@ -31,7 +31,7 @@ _FOREIGN: Final = "this page of another site may not use the console"
 HEADERS: Final = [
     (b"x-frame-options", b"DENY"),
     (b"x-content-type-options", b"nosniff"),
-    (b"referrer-policy", b"no-referrer"),
+    (b"referrer-policy", b"same-origin"),  # with no-referrer, browsers send `Origin: null` with the login
 ]
 
 

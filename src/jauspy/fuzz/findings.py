@@ -45,7 +45,7 @@ class FuzzFinding:
 
     @property
     def data(self) -> bytes:
-        """The bytes."""
+        """The bytes of the case."""
         return bytes.fromhex(self.hex)
 
     def smaller(self, data: bytes, seen: str) -> FuzzFinding:

@@ -17,17 +17,17 @@ Z: Final[Vector] = (0.0, 0.0, 1.0)
 
 
 def add(a: Vector, b: Vector) -> Vector:
-    """A + b."""
+    """`a + b`."""
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 def difference(a: Vector, b: Vector) -> Vector:
-    """A - b."""
+    """`a - b`."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 def scaled(a: Vector, factor: float) -> Vector:
-    """A * factor."""
+    """`a * factor`."""
     return a[0] * factor, a[1] * factor, a[2] * factor
 
 

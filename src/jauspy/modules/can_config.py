@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import configparser
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,13 +13,14 @@ from pydantic import Field, PrivateAttr, model_validator
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind, RobotDescription
 from jauspy.modules.config_base import StrictConfig
-from jauspy.platform.can.eds import identity_of
 from jauspy.platform.can.setup import CanSetup, DriveSetup, Homing, Identity, VelocityUnit
 from jauspy.platform.description import GroupSetup, TrackSetup
+from jauspy.user_files import read_file
 
 Positive: TypeAlias = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NodeId: TypeAlias = Annotated[int, Field(ge=1, le=127)]
 Code: TypeAlias = Annotated[int, Field(ge=0, le=0xFFFFFFFF)]
+TemperatureObject: TypeAlias = Annotated[int, Field(ge=0x2000, le=0x6FFF)]
 Name: TypeAlias = Annotated[str, Field(min_length=1, max_length=40, pattern=r"^[A-Za-z0-9_.+-]+$")]
 
 
@@ -71,7 +73,7 @@ class DriveConfig(StrictConfig):
     """What it must report of itself (1018h). With serial numbers, swapped drives are noticed."""
     velocity_unit: Literal["counts/s", "rpm"] = "counts/s"
     """The unit of its velocities (606Ch, 60FFh)."""
-    temperature: Annotated[int, Field(ge=0x2000, le=0x6FFF)] | None = None
+    temperature: TemperatureObject | None = None
     """Index of the object with its temperature in 0.1 degrees Celsius, for `jauspy can drives`."""
 
     @model_validator(mode="after")
@@ -98,6 +100,8 @@ class CanConfig(StrictConfig):
     """Seconds; without a heartbeat for so long, a drive stops, and counts as lost."""
     status_timeout: Annotated[float, Field(ge=0.01, le=5.0)] = 0.05
     """Seconds without a PDO after which a drive counts as silent."""
+    temperature: TemperatureObject | None = None
+    """The `temperature` of drives that have none of their own."""
     drives: Annotated[Mapping[Name, DriveConfig], Field(min_length=1, max_length=64)]
 
     _file: str = PrivateAttr(default="")
@@ -141,7 +145,7 @@ def can_setup(
             raise ConfigError(
                 f"{key}.travel: is missing; {moves!r} is prismatic: give the metres of one turn of the gear's output"
             )
-        drives[name] = _drive(name, drive, moves, key)
+        drives[name] = _drive(name, drive, moves, key, config.temperature)
     sides = ("left", "right") if tracks else ()
     wanted = [*(f"{side} track" for side in sides), *(f"joint {j!r}" for g in groups.values() for j in g.joints)]
     if missing := [what for what in wanted if what not in moved]:
@@ -169,7 +173,7 @@ def _moved_by(key: str, drive: DriveConfig, tracks: TrackSetup | None, groups: M
     return tracks.left[0] if drive.track == "left" else tracks.right[0]
 
 
-def _drive(name: str, drive: DriveConfig, moves: str, key: str) -> DriveSetup:
+def _drive(name: str, drive: DriveConfig, moves: str, key: str, temperature: int | None) -> DriveSetup:
     identity = Identity(drive.vendor, drive.product, drive.serial)
     if drive.eds is not None:
         try:
@@ -198,5 +202,24 @@ def _drive(name: str, drive: DriveConfig, moves: str, key: str) -> DriveSetup:
         drive.eds,
         VelocityUnit(drive.velocity_unit),
         drive.brake_release,
-        drive.temperature,
+        drive.temperature or temperature,
     )
+
+
+def identity_of(path: Path) -> tuple[int | None, int | None]:
+    """Vendor and product code of a drive's EDS file (CiA 306); None for what it does not say. Raises `ConfigError`."""
+    parser = configparser.RawConfigParser(strict=False, allow_no_value=True)
+    try:
+        parser.read_string(read_file(path).decode("utf-8", "replace"))
+    except configparser.Error as error:
+        raise ConfigError(f"{path}: is not an EDS file: {' '.join(str(error).split())}") from error
+    if not parser.has_section("DeviceInfo"):
+        raise ConfigError(f"{path}: is not an EDS file: it has no section [DeviceInfo]")
+    found = []
+    for key in ("VendorNumber", "ProductNumber"):
+        text = parser.get("DeviceInfo", key, fallback=None)
+        try:
+            found.append(int(text, 0) or None if text else None)
+        except ValueError:
+            raise ConfigError(f"{path}: {key}={text!r} is not a number") from None
+    return found[0], found[1]

@@ -25,7 +25,7 @@ from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSett
 
 
 class DriveProxy:
-    """A `DriveBase`."""
+    """The `DriveBase` of a robot in another thread."""
 
     def __init__(self, link: RobotLink) -> None:
         self._link = link
@@ -52,7 +52,7 @@ class DriveProxy:
 
 
 class JointGroupProxy:
-    """A `JointGroup`."""
+    """A `JointGroup` of a robot in another thread."""
 
     def __init__(self, name: str, group: JointGroup, link: RobotLink) -> None:
         self._name = name
@@ -85,7 +85,7 @@ class JointGroupProxy:
 
 
 class LidarProxy:
-    """A `RangeFinder`."""
+    """A `RangeFinder` of a robot in another thread."""
 
     def __init__(self, name: str, lidar: RangeFinder, link: RobotLink) -> None:
         self._name = name
@@ -121,7 +121,7 @@ class LidarProxy:
 
 
 class ForceTorqueProxy:
-    """A `ForceTorqueSensor`."""
+    """A `ForceTorqueSensor` of a robot in another thread."""
 
     def __init__(self, name: str, sensor: ForceTorqueSensor, link: RobotLink) -> None:
         self._name, self._setup = name, sensor.setup

@@ -173,8 +173,8 @@ class Binder:
     def __init__(
         self, definitions: Mapping[str, model.Service], services: Mapping[str, Service], reply: SendReply
     ) -> None:
-        parent_of = parents_among(definitions.values())
-        self._lineages = {id: lineage(definition, parent_of) for id, definition in definitions.items()}
+        self._parent_of = parents_among(definitions.values())
+        self._lineages: dict[model.Service, tuple[model.Service, ...]] = {}
         self._services = services
         self._reply = reply
         self.problems: list[str] = []
@@ -210,6 +210,12 @@ class Binder:
             end=self._end(transition, root, where),
         )
 
+    def _line(self, owner: model.Service) -> tuple[model.Service, ...]:
+        """The service and its ancestors, looked up once."""
+        if owner not in self._lineages:
+            self._lineages[owner] = lineage(owner, self._parent_of)
+        return self._lineages[owner]
+
     def _key(self, owner: model.Service, transition: model.Transition, where: str) -> TriggerKey:
         event = short_name(transition.trigger)
         if event != "Receive":
@@ -217,7 +223,7 @@ class Binder:
         if not transition.parameters:
             return ANY_MESSAGE
         wanted = transition.parameters[0].type
-        line = self._lineages[owner.id]
+        line = self._line(owner)
         # Outputs come last: a service may be the client of another one of its own kind.
         for message in (*(m for each in line for m in each.inputs), *(m for each in line for m in each.outputs)):
             if message.name == wanted:
@@ -299,7 +305,7 @@ class Binder:
 
     def _method(self, owner: model.Service, dotted: str, what: str) -> Callable[..., object]:
         name = method_name(short_name(dotted))
-        for definition in self._lineages[owner.id]:
+        for definition in self._line(owner):
             service = self._services[definition.id]
             method = getattr(service, name, None)
             if (

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import errno
+from dataclasses import replace
 from pathlib import Path
 
 import can
@@ -10,12 +12,11 @@ from tests.platform.can.conftest import OpenCan
 from tests.platform.can.test_failing_drives import CYCLE, advance_until_fault, set_in_motion
 
 from jauspy.errors import ConfigError
+from jauspy.modules.can_config import identity_of
 from jauspy.platform.can import pdo
-from jauspy.platform.can.bus import split
 from jauspy.platform.can.cia402 import DriveState
-from jauspy.platform.can.eds import identity_of
 from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import Identity
+from jauspy.platform.can.setup import DriveFault, Identity
 from jauspy.platform.can.simulated import fleet
 from jauspy.platform.can.simulated.axes import MotorAxis
 from jauspy.platform.can.simulated.drive import SimulatedDrive
@@ -44,6 +45,31 @@ def test_bus_off(robot: CanRobot) -> None:
     text = advance_until_fault(robot)
     assert "virtual:motors is bus-off: check bit rate, wiring and termination; then Reset" in text
     robot.advance(CYCLE)  # recovers
+
+
+def test_a_bus_that_is_off_is_restarted_by_its_own_command(open_can: OpenCan) -> None:
+    robot = open_can()
+    robot.master.setup = replace(robot.master.setup, bus="socketcan:can0")
+    robot.master.bus_failed("bus-off")
+    text = advance_until_fault(robot)
+    assert "socketcan:can0 is bus-off: check bit rate, wiring and termination; restart it (`ip link set can0" in text
+
+
+def test_a_cable_that_is_pulled(robot: CanRobot) -> None:
+    set_in_motion(robot)
+    refuse_frames(robot, can.CanOperationError("Failed to transmit: Network is down", errno.ENETDOWN))
+    text = advance_until_fault(robot)
+    assert "takes no more frames (Failed to transmit: Network is down [Error Code 100]): it is down: `ip link" in text
+    robot.drives["arm_1"].configured = False
+    with pytest.raises(DriveFault, match="takes no frames: Failed to transmit: Network is down"):
+        robot.advance(CYCLE)
+
+
+def test_time_in_which_the_robot_sent_no_sync_is_not_the_drives(robot: CanRobot) -> None:
+    set_in_motion(robot)
+    robot._ticker._now += 0.09
+    robot.advance(0.1)
+    assert robot.master.running
 
 
 def test_lost_sync_stops_the_drives_and_is_named(robot: CanRobot) -> None:
@@ -136,29 +162,12 @@ def test_unwrapped(counts: int, before: int, after: int) -> None:
     assert unwrapped(counts, before) == after
 
 
-@pytest.mark.parametrize(
-    ("bus", "said"),
-    [
-        ("can0", "write INTERFACE:CHANNEL, as in socketcan:can0"),
-        ("morse:key", "interfaces are: .*socketcan"),
-        ("socketcan:can0,fast", "write options as KEY=VALUE"),
-    ],
-)
-def test_names_of_buses(bus: str, said: str) -> None:
-    with pytest.raises(ConfigError, match=said):
-        split(bus)
-
-
 def test_scans_of_a_robot_behind_the_drives_have_its_time(open_can: OpenCan) -> None:
     robot = open_can(bus="virtual:kinematic")
     robot.advance(0.5)
     (lidar,) = robot.lidars.values()
     assert lidar.scan is not None
     assert robot.time - lidar.scan.time == pytest.approx(lidar.age, abs=1e-6)
-
-
-def test_options_of_a_bus() -> None:
-    assert split("udp_multicast:239.0.0.1,port=43200") == ("udp_multicast", "239.0.0.1", {"port": 43200})
 
 
 def test_an_eds_file_must_be_one(tmp_path: Path) -> None:

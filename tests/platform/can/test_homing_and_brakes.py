@@ -12,10 +12,12 @@ from tests.platform.can.test_failing_drives import advance_until_fault
 
 from jauspy.errors import ConfigError
 from jauspy.platform.can.cia402 import DriveState, Mode
+from jauspy.platform.can.master import Master
 from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.can.setup import DriveFault, Homing
 from jauspy.platform.can.simulated.axes import MotorAxis
 from jauspy.platform.can.simulated.drive import SimulatedDrive
+from jauspy.platform.can.simulated.fleet import Fleet
 from jauspy.platform.joints import ControlMode, Target
 
 WRIST = 4
@@ -24,8 +26,13 @@ HOMING = {"arm_4": {"homing": Homing(17, 0.5, 10.0)}}
 
 @pytest.fixture
 def powered_on(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Simulated drives have just got their power."""
-    monkeypatch.setattr(SimulatedDrive, "know_home", lambda self: None)
+    """Simulated drives forget their home positions when they start, as on a bus."""
+
+    def forgetful(*arguments: Any, keeps_home: bool) -> Fleet:
+        assert keeps_home
+        return Fleet(*arguments)
+
+    monkeypatch.setattr("jauspy.platform.can.robot.Fleet", forgetful)
 
 
 def home(changes: dict[str, Any], told: list[str]) -> None:
@@ -82,9 +89,31 @@ def test_homing_that_finds_nothing_ends(monkeypatch: pytest.MonkeyPatch) -> None
         home({"arm_4": {"homing": Homing(17, 0.5, 0.3)}}, [])
 
 
-def test_a_drive_that_knows_its_home_starts_and_drives(open_can: OpenCan) -> None:
+def test_simulated_drives_in_this_process_know_their_home_also_after_a_restart(open_can: OpenCan) -> None:
     robot = open_can(**HOMING)
     assert robot.master.running
+    simulated(robot, "arm_4").boot()
+    assert "'arm_4' (node 7), which moves 'arm_link_3_to_arm_link_4', has restarted" in advance_until_fault(robot)
+    robot.advance(0.1)  # Reset
+    assert robot.master.running
+
+
+@pytest.mark.usefixtures("powered_on")
+def test_a_drive_on_a_bus_that_restarts_needs_its_home_again() -> None:
+    changes = setup_of(**HOMING)
+    robot = CanRobot(replace(described("inc1")[1], can=changes), changes, "virtual:motors", "empty", home_and_start)
+    try:
+        simulated(robot, "arm_4").boot()
+        advance_until_fault(robot)
+        with pytest.raises(DriveFault, match=r"'arm_4' \(node 7\): position unknown since power-on: `jauspy can home"):
+            robot.advance(0.1)
+    finally:
+        robot.close()
+
+
+def home_and_start(master: Master) -> None:
+    master.home(lambda _: None)
+    master.start()
 
 
 @pytest.mark.slow

@@ -133,7 +133,7 @@ class HoldoutMapper(Mapper):
     def add(
         self, odometry: PlanarPose, lidar: PlanarPose, angles: Sequence[float], ranges: Sequence[float]
     ) -> PlanarPose:
-        """As `Mapper`."""
+        """Add a scan to the map, as `Mapper.add` does."""
         used, pose = len(self.path), super().add(odometry, lidar, angles, ranges)
         self.scans += 1
         if len(self.path) == used:
@@ -248,7 +248,7 @@ class FullTour(Tour):
         self._size = size
 
     async def run(self) -> None:
-        """As `Tour.run`."""
+        """Run all steps; see `Tour.run`."""
         robot = await self._discover()
         async with AsyncExitStack() as stack:
             driving, flippers, arm = await self._begin(stack, robot)

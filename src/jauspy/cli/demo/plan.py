@@ -34,7 +34,7 @@ class Waypoint:
 
     @property
     def reported(self) -> tuple[float, float]:
-        """Where the robot believes to be when it is there, m."""
+        """Local pose that the robot estimates at the goal, m."""
         return self.x + self.slip, self.y
 
 

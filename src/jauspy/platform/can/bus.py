@@ -1,15 +1,27 @@
-"""Buses: those of python-can, named as in `socketcan:can0`, and a wire between two ends in this process."""
+"""Buses of python-can, named as in `socketcan:can0`: opened, read, and their errors in words."""
 
 from __future__ import annotations
 
-from collections import deque
-from collections.abc import Callable
-from typing import Any, Final, cast
+import errno
+import inspect
+import logging
+import os
+import socket
+import threading
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from importlib import import_module
+from typing import Any, Final
 
 import can
-import canopen
+from can.interfaces import BACKENDS
 
 from jauspy.errors import ConfigError
+from jauspy.logs import get_logger
+
+_LOG: Final = get_logger("jauspy.can")
 
 VIRTUAL: Final = "virtual"
 """Simulated drives in this process."""
@@ -36,100 +48,168 @@ def split(bus: str) -> tuple[str, str, dict[str, Any]]:
     return interface, channel, options
 
 
+NO_BIT_RATE: Final = frozenset({"udp_multicast", "socketcan", "socketcand"})
+"""Interfaces whose bit rate is set elsewhere, as by `ip link`."""
+
+HINTS: Final = {
+    errno.EAFNOSUPPORT: "this kernel has no CAN: load its modules can, can_raw and that of the adapter",
+    errno.ENODEV: "there is no such interface: plug the adapter in; `ip link show type can` lists them",
+    errno.ENETDOWN: "it is down: `ip link set can0 up type can bitrate 1000000`",
+    errno.ENOENT: "there is no such device: plug the adapter in, and look for its name in /dev",
+    errno.EACCES: "your user may not use it: `sudo usermod -aG dialout $USER`, and log in again",
+    errno.EPERM: "your user may not use it",
+}
+"""What to do about errors of the kernel."""
+
+SO_RCVBUFFORCE: Final = 33
+"""Of Linux, which the module socket lacks; for root."""
+
+RECEIVE_BUFFER: Final = 2**22
+"""Bytes that the kernel is asked to keep for a program that stands still: frames of half a second."""
+
+
 def open_bus(bus: str, bit_rate: int) -> can.BusABC:
-    """Open a bus of python-can. Raises `ConfigError` with what the kernel or the package says."""
+    """Open a bus of python-can. Raises `ConfigError` with what the kernel or the package says, and what to do."""
     interface, channel, options = split(bus)
-    if interface not in {"udp_multicast", "socketcan"}:  # the bit rate of socketcan is set by `ip link`
-        options.setdefault("bitrate", bit_rate)
+    with _quiet():
+        try:
+            _check_options(bus, interface, options)
+            if interface not in NO_BIT_RATE:
+                options.setdefault("bitrate", bit_rate)
+            opened = can.Bus(channel, interface=interface, **options)
+        except ConfigError:
+            raise
+        except Exception as error:  # noqa: BLE001 - drivers raise what they like, as NameError without their library
+            why = describe(error, interface)
+        else:
+            _enlarge_buffer(opened)
+            return opened
+    raise ConfigError(f"can.bus = {bus!r}: cannot be opened: {why}")
+
+
+def hint(error: BaseException) -> str:
+    """What to do about an error of the kernel; empty if that is not known."""
+    numbers = (getattr(each, key, None) for each in (error, error.__cause__) for key in ("errno", "error_code"))
+    return next((HINTS[number] for number in numbers if number in HINTS), "")
+
+
+def describe(error: BaseException, interface: str = "") -> str:
+    """What an error of a bus says, with what to do if that is known."""
+    cause = error.__cause__
+    text = f"{error}" or type(error).__name__
+    if isinstance(error, NameError) or (interface and f"can.interfaces.{interface}" in text):
+        return f"{text}; install what python-can needs for {interface}: its driver or package"
+    if isinstance(cause, OSError) and f"{cause.strerror}" not in text:
+        text = f"{text}: {cause.strerror}"
+    return f"{text} ({what})" if (what := hint(error)) else text
+
+
+@contextmanager
+def _quiet() -> Iterator[None]:
+    """Without what python-can logs about a bus that cannot be opened: the exception says it."""
+    logger = logging.getLogger("can")
+    level = logger.level
+    logger.setLevel(logging.CRITICAL + 1)
     try:
-        return can.Bus(channel, interface=interface, **options)
-    except (can.CanError, OSError, ImportError, NotImplementedError, TypeError, ValueError) as error:
-        hint = " (is it up? `ip link set can0 up type can bitrate 1000000`)" if interface == "socketcan" else ""
-        raise ConfigError(f"can.bus = {bus!r}: cannot be opened: {error}{hint}") from error
+        yield
+    finally:
+        logger.setLevel(level)
 
 
-class PeriodicTask:
-    """What python-can's `send_periodic` returns, for a `Port`."""
-
-    def __init__(self, port: Port, message: can.Message, period: float, start: float) -> None:
-        self.message = message
-        self.period = period
-        self.due = start
-        self._port = port
-
-    def stop(self) -> None:
-        """End it."""
-        self._port.periodic.discard(self)
-
-    def modify_data(self, message: can.Message) -> None:
-        """Send other bytes from now on."""
-        self.message = message
+def _check_options(bus: str, interface: str, options: dict[str, Any]) -> None:
+    """Refuse options that the interface does not have: python-can ignores them."""
+    if not options:
+        return
+    module, name = BACKENDS[interface]
+    known: set[str] = set()
+    for each in getattr(import_module(module), name).__mro__:
+        known |= set(inspect.signature(each.__init__).parameters)
+    known -= {"self", "args", "kwargs", "channel"}
+    if unknown := [key for key in options if key not in known]:
+        raise ConfigError(
+            f"can.bus = {bus!r}: {interface} has no option {unknown[0]!r}; it has: {', '.join(sorted(known))}"
+        )
 
 
-class Port:
-    """A bus as `canopen.Network` uses it, whose periodic messages are sent by `step`, without a thread."""
-
-    def network(self) -> canopen.Network:
-        """The network on it. canopen asks for a bus of python-can, and uses no more of it than a port has."""
-        return canopen.Network(cast("can.BusABC", self))
-
-    channel_info = "port"
-
-    def __init__(self, send: Callable[[can.Message], None]) -> None:
-        self._send = send
-        self._now = 0.0
-        self.periodic: set[PeriodicTask] = set()
-
-    def send(self, message: can.Message, timeout: float | None = None) -> None:  # noqa: ARG002 - never blocks
-        """Send a frame."""
-        self._send(message)
-
-    def send_periodic(self, message: can.Message, period: float) -> PeriodicTask:
-        """Send a frame each `period` seconds, from the next `step` on."""
-        task = PeriodicTask(self, message, period, self._now)
-        self.periodic.add(task)
-        return task
-
-    def step(self, now: float) -> None:
-        """Send what is due."""
-        self._now = now
-        for task in sorted(self.periodic, key=lambda task: task.message.arbitration_id):
-            if now >= task.due:
-                task.due = max(task.due + task.period, now)
-                self._send(task.message)
-
-    def shutdown(self) -> None:
-        """End periodic messages."""
-        self.periodic.clear()
+def _enlarge_buffer(bus: can.BusABC) -> None:
+    """Have the kernel keep more frames, of interfaces that have a socket."""
+    try:
+        with socket.socket(fileno=os.dup(bus.fileno())) as copy:
+            try:
+                copy.setsockopt(socket.SOL_SOCKET, SO_RCVBUFFORCE, RECEIVE_BUFFER)
+            except PermissionError:
+                copy.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
+    except (OSError, NotImplementedError) as error:
+        _LOG.debug("the receive buffer of the bus stays as it is: %s", error)
 
 
-class Wire:
-    """Two ends in one process: what one sends, the other has received when `send` returns.
+BUS_OFF: Final = 0x40
+CONTROLLER: Final = 0x04
+NO_ACKNOWLEDGEMENT: Final = 0x20
+"""Classes of error frames in their identifier (linux/can/error.h)."""
 
-    Frames that are sent meanwhile wait for their turn, as on a bus. `loses` may drop frames, for tests.
+PASSIVE: Final = 0x30
+"""Bits of the second byte of class `CONTROLLER`: the controller is error passive."""
+
+
+def error_frame_text(message: can.Message) -> str:
+    """An error frame of socketcan in words: `bus-off`, or what else it tells."""
+    if message.arbitration_id & BUS_OFF:
+        return "bus-off"
+    if message.arbitration_id & NO_ACKNOWLEDGEMENT:
+        return "nobody acknowledges frames"
+    if message.arbitration_id & CONTROLLER and len(message.data) > 1 and message.data[1] & PASSIVE:
+        return "the controller is error passive: many frames are damaged"
+    return "frames are damaged"
+
+
+MAX_ERRORS: Final = 5
+"""Errors in a row after which a receiver waits before it tries again."""
+
+
+class Receiver:
+    """A thread that passes each frame of a bus to `receive`.
+
+    What cannot be read is counted and told; it never ends the thread. `failed` gets `bus-off`.
     """
 
-    def __init__(self) -> None:
-        self.near = Port(lambda message: self._transmit(message, near=True))
-        self.far = Port(lambda message: self._transmit(message, near=False))
-        self.near_receives: Callable[[can.Message], None] = lambda _message: None
-        self.far_receives: Callable[[can.Message], None] = lambda _message: None
-        self.loses: Callable[[can.Message], bool] = lambda _message: False
-        self.watch: Callable[[can.Message, bool], None] | None = None
-        self._waiting: deque[tuple[can.Message, bool]] = deque()
-        self._busy = False
+    def __init__(self, bus: can.BusABC, receive: Callable[[can.Message], None], failed: Callable[[str], None]) -> None:
+        self.counters: Counter[str] = Counter(frames=0, unreadable=0, error_frames=0)
+        self._bus = bus
+        self._receive = receive
+        self._failed = failed
+        self._closing = threading.Event()
+        self._thread = threading.Thread(target=self._run, name="CAN receiver", daemon=True)
+        self._thread.start()
 
-    def _transmit(self, message: can.Message, *, near: bool) -> None:
-        self._waiting.append((message, near))
-        if self._busy:
-            return
-        self._busy = True
-        try:
-            while self._waiting:
-                each, from_near = self._waiting.popleft()
-                if self.watch is not None:
-                    self.watch(each, from_near)
-                if not self.loses(each):
-                    (self.far_receives if from_near else self.near_receives)(each)
-        finally:
-            self._busy = False
+    def _run(self) -> None:
+        errors = 0
+        while not self._closing.is_set():
+            try:
+                message = self._bus.recv(0.1)
+                if message is not None:
+                    self._pass_on(message)
+                errors = 0
+            except Exception as error:  # noqa: BLE001 - drivers raise what they like, also of foreign datagrams
+                self.counters["unreadable"] += 1
+                errors += 1
+                _LOG.warning("what came from the CAN bus cannot be read: %s", describe(error))
+                if errors > MAX_ERRORS:  # the adapter is gone, which sending says, or a flood
+                    time.sleep(0.001)
+
+    def _pass_on(self, message: can.Message) -> None:
+        self.counters["frames"] += 1
+        if message.is_error_frame:
+            self.counters["error_frames"] += 1
+            text = error_frame_text(message)
+            if text == "bus-off" or self._bus.state is can.BusState.ERROR:
+                self._failed("bus-off")
+            else:
+                _LOG.warning("an error of the CAN bus: %s", text)
+        elif not message.is_remote_frame:
+            self._receive(message)
+
+    def close(self) -> None:
+        """End the thread; the bus stays open."""
+        self._closing.set()
+        self._thread.join()

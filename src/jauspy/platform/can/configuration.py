@@ -13,6 +13,7 @@ from canopen.sdo.exceptions import SdoAbortedError, SdoCommunicationError, SdoEr
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
 from jauspy.platform.can import pdo
+from jauspy.platform.can.bus import describe
 from jauspy.platform.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Control, Mode
 from jauspy.platform.can.drive import LIMIT_MARGIN, Drive
 from jauspy.platform.can.setup import CanSetup, DriveFault
@@ -64,8 +65,8 @@ class Configurator:
     def configure(self, drive: Drive) -> None:
         """Bring a drive to Pre-operational, check it, and write what it must know. Raises `DriveFault`."""
         sdo = self._client(drive)
-        self._network.send_message(0, bytes((0x80, drive.setup.node)))  # NMT: Pre-operational
         try:
+            self._network.send_message(0, bytes((0x80, drive.setup.node)))  # NMT: Pre-operational
             check_identity(sdo, drive)
             if _read(sdo, 0x6041, 0) & 0x04:  # enabled by whoever was here before
                 _write(sdo, 0x6040, 0, Control.DISABLE_VOLTAGE, 2)
@@ -81,8 +82,8 @@ class Configurator:
             ) from None
         except SdoAbortedError as error:
             raise DriveFault(f"{drive.name} refuses its configuration: {error}") from error
-        except can.CanError as error:
-            raise DriveFault(f"{self._setup.bus}: cannot send: {error}") from error
+        except (can.CanError, OSError) as error:
+            raise DriveFault(f"{self._setup.bus} takes no frames: {describe(error)}") from error
 
     def _client(self, drive: Drive) -> Any:
         node: Any = self._network.nodes.get(drive.setup.node)

@@ -54,12 +54,12 @@ class Motion(Protocol):
 class Drive:
     """One drive. `receive_*` may be called by another thread than the other methods."""
 
-    def __init__(self, setup: DriveSetup, joint: Joint, motion: Motion, status_timeout: float) -> None:
+    def __init__(self, setup: DriveSetup, joint: Joint, motion: Motion, max_unanswered: int) -> None:
         self.setup = setup
         self.joint = joint
         self.units = DriveUnits(setup, joint)
         self.motion = motion
-        self._silent_after = status_timeout
+        self._max_unanswered = max_unanswered
         self.configured = False
         """True when it was configured since it last started."""
         self.homed = True
@@ -80,6 +80,8 @@ class Drive:
         self.nmt_state: int | None = None
         self.last_status = self.last_heartbeat = 0.0
         """Times at which it was heard."""
+        self.unanswered = 0
+        """SYNCs since it was heard. Time in which this process stood still and sent none is not the drive's."""
         self.received = 0
         """PDOs with its status."""
         self._restarted = False
@@ -107,6 +109,7 @@ class Drive:
         self.position = self.units.position(self.counts)
         self.effort = self.units.effort(torque)
         self.last_status = now
+        self.unanswered = 0
         self.received += 1
 
     def receive_speed(self, data: bytes) -> None:
@@ -142,6 +145,7 @@ class Drive:
         self._restarted = False
         self._enabled_at = self._following_since = self._target = None
         self.last_status = self.last_heartbeat = now
+        self.unanswered = 0
         self.configured = True
 
     def start(self) -> None:
@@ -223,9 +227,10 @@ class Drive:
         if self.nmt_state in NMT_STATES:
             return f"{NMT_STATES[self.nmt_state]}; another master or its own fault has put it there"
         quiet, beating = now - self.last_status, now - self.last_heartbeat
-        if quiet > self._silent_after and self.last_heartbeat > self.last_status:
+        is_silent = self.unanswered > self._max_unanswered
+        if is_silent and self.last_heartbeat > self.last_status:
             return f"sends heartbeats, but has not answered SYNC for {1e3 * quiet:.0f} ms: SYNC or its PDOs are lost"
-        if quiet > self._silent_after or beating > heartbeat_timeout:
+        if is_silent or beating > heartbeat_timeout:
             return f"fell silent for {1e3 * max(quiet, beating):.0f} ms: check its supply, the wiring and termination"
         return ""
 

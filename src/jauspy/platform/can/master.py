@@ -17,6 +17,7 @@ import canopen
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
 from jauspy.platform.can import pdo
+from jauspy.platform.can.bus import hint, split
 from jauspy.platform.can.cia402 import Control, DriveState, towards_operation
 from jauspy.platform.can.configuration import Configurator
 from jauspy.platform.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
@@ -136,14 +137,14 @@ class Master:
 
     def bus_failed(self, why: str) -> None:
         """The bus itself failed, as by bus-off; any thread may say so."""
-        self._bus_error = why
+        self._bus_error = self._bus_sentence(why)
 
     def _send(self, cob_id: int, data: bytes) -> None:
         try:
             self._network.send_message(cob_id, data)
         except (can.CanError, OSError) as error:
             self.counters["unsent"] += 1
-            self._bus_error = self._bus_error or f"{error}"
+            self._bus_error = self._bus_error or self._bus_sentence(f"{error}", hint(error))
             raise
 
     # --- each SYNC --------------------------------------------------------------------------------------------------
@@ -163,13 +164,15 @@ class Master:
                         self._send(*self._command(drive, now))
                 self._send(pdo.SYNC, b"")
                 self.counters["syncs"] += 1
+                for drive in self.drives.values():
+                    drive.unanswered += 1
                 if self._echoes:
                     self._foreign -= 1
                 self._send_errors = 0
-            except (can.CanError, OSError) as error:
+            except (can.CanError, OSError):
                 self._send_errors += 1
                 if self._send_errors >= MAX_SEND_ERRORS:
-                    self._fail(None, self._bus_sentence(str(error)), now)
+                    self._fail(None, self._bus_error, now)
             if self._phase in {Phase.RUNNING, Phase.ENABLING, Phase.HOMING}:
                 self._supervise(now)
 
@@ -198,7 +201,7 @@ class Master:
 
     def _supervise(self, now: float) -> None:
         if self._bus_error and self._send_errors == 0:
-            self._fail(None, self._bus_sentence(self._bus_error), now)
+            self._fail(None, self._bus_error, now)
         if self._foreign > FOREIGN_SYNCS:
             self._fail(
                 None, f"another master sends on {self.setup.bus}: end it; two that command drives are dangerous", now
@@ -207,12 +210,16 @@ class Master:
             if why := drive.silence(now, self.setup.heartbeat_timeout) or drive.fault(now):
                 self._fail(drive, why, now)
 
-    def _bus_sentence(self, error: str) -> str:
-        if "bus-off" in error:
-            return f"{self.setup.bus} is bus-off: check bit rate, wiring and termination; then Reset"
-        return (
-            f"{self.setup.bus} takes no more frames ({error}): the bus is too full or nobody acknowledges; lower "
-            "can.sync_rate, or check bit rate, wiring and termination"
+    def _bus_sentence(self, error: str, what_to_do: str = "") -> str:
+        bus = self.setup.bus
+        if error == "bus-off":
+            link, channel, _ = split(bus)
+            restart = f"restart it (`ip link set {channel} type can restart`), " if link == "socketcan" else ""
+            return f"{bus} is bus-off: check bit rate, wiring and termination; {restart}then Reset"
+        return f"{bus} takes no more frames ({error}): " + (
+            what_to_do
+            or "the bus is too full or nobody acknowledges; lower can.sync_rate, or check bit rate, wiring and "
+            "termination"
         )
 
     def _fail(self, drive: Drive | None, why: str, now: float) -> None:
@@ -372,7 +379,10 @@ class Master:
     def _operational(self, drive: Drive) -> bool:
         if drive.nmt_state == OPERATIONAL and drive.received > 2:
             return True
-        self._network.send_message(0, bytes((1, drive.setup.node)))  # NMT: start; a lost one is sent again
+        try:
+            self._send(0, bytes((1, drive.setup.node)))  # NMT: start; a lost one is sent again
+        except (can.CanError, OSError) as error:
+            raise DriveFault(self._bus_error) from error
         return False
 
     def _agree(self) -> None:

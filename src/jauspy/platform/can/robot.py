@@ -23,6 +23,7 @@ from jauspy.platform.can.master import Master
 from jauspy.platform.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.can.simulated.fleet import Fleet, plant_of
+from jauspy.platform.can.wire import Wire
 from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
 from jauspy.platform.description import GroupSetup, RobotModel
@@ -39,8 +40,6 @@ ROBOT_TIMEOUT: Final = 0.25
 
 ROUNDING: Final = 1e-9
 """Seconds of rounding errors in sums of times."""
-
-BUS_OFF_STATES: Final = frozenset({can.BusState.ERROR})
 
 
 class CanJoints:
@@ -208,7 +207,7 @@ class CanRobot:
             gains = next(group.gains[joint.name] for group in self._model.groups.values() if joint.name in group.gains)
             motion = JointMotion(joint, gains, self._weight)
         self._motions[name] = motion
-        return Drive(setup, joint, motion, self._setup.status_timeout)
+        return Drive(setup, joint, motion, round(self._setup.status_timeout * self._setup.sync_rate))
 
     def _weight(self, joint: Joint) -> float:
         """What gravity needs of a joint where the joints were at the last cycle."""
@@ -255,7 +254,7 @@ class CanRobot:
         return self._ticker.fleet
 
     @property
-    def wire(self) -> buses.Wire | None:
+    def wire(self) -> Wire | None:
         """The bus to simulated drives in this process."""
         return self._ticker.wire
 
@@ -365,11 +364,10 @@ class _Simulated:
     """Simulated drives in this process: cycles and drives follow the robot's time."""
 
     def __init__(self, model: RobotModel, setup: CanSetup, plant: str, world: str) -> None:
-        self.wire: buses.Wire | None = (wire := buses.Wire())
+        self.wire: Wire | None = (wire := Wire())
         self.network = wire.near.network()
-        self.fleet: Fleet | None = Fleet(model, setup, plant_of(plant, model, setup, world), wire.far)
-        for each in self.fleet.drives.values():
-            each.know_home()  # no other program could have them search for it
+        moved = plant_of(plant, model, setup, world)
+        self.fleet: Fleet | None = Fleet(model, setup, moved, wire.far, keeps_home=True)
         self.plant_robot = self.fleet.plant.robot
         self._fleet = self.fleet
         self._period = 1.0 / setup.sync_rate
@@ -413,7 +411,7 @@ class _Simulated:
 class _Clocked:
     """A bus: a thread runs the cycles, by the clock."""
 
-    wire: buses.Wire | None = None
+    wire: Wire | None = None
     fleet: Fleet | None = None
     plant_robot: Robot | None = None
     clock = staticmethod(time.monotonic)
@@ -424,7 +422,7 @@ class _Clocked:
         self.network = canopen.Network(self._bus)
         self._closing = threading.Event()
         self._thread: threading.Thread | None = None
-        self._notifier: can.Notifier | None = None
+        self._receiver: buses.Receiver | None = None
         self._advanced: float | None = None
         self.late: list[float] | None = None
         """Seconds by which each cycle was late, for measurements."""
@@ -432,13 +430,12 @@ class _Clocked:
     def start(self, master: Master, tick: Callable[[], None]) -> None:
         """Start the threads that receive, and that run the cycles."""
         self._master, self._tick = master, tick
-        self._notifier = can.Notifier(self._bus, [*self.network.listeners, self._on_message], timeout=0.1)
+        self._receiver = buses.Receiver(self._bus, self._receive, master.bus_failed)
         self._thread = threading.Thread(target=self._run, name="CAN cycle", daemon=True)
         self._thread.start()
 
-    def _on_message(self, message: can.Message) -> None:
-        if message.is_error_frame and self._bus.state in BUS_OFF_STATES:
-            self._master.bus_failed("bus-off")
+    def _receive(self, message: can.Message) -> None:
+        self.network.notify(message.arbitration_id, message.data, message.timestamp)
 
     def _run(self) -> None:
         clock, due = time.monotonic, time.monotonic()
@@ -473,6 +470,6 @@ class _Clocked:
         self._closing.set()
         if self._thread is not None:
             self._thread.join()
-        if self._notifier is not None:
-            self._notifier.stop(1.0)
+        if self._receiver is not None:
+            self._receiver.close()
         self._bus.shutdown()

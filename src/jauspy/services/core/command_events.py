@@ -66,7 +66,7 @@ class CompletedCommands:
             self.forget(command)
 
     def clear(self) -> None:
-        """Forget all."""
+        """Remove all completed commands."""
         self._until.clear()
 
 

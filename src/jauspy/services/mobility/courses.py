@@ -57,7 +57,7 @@ class Halt:
     limits: None = None
 
     def steer(self, _: Pose) -> PlanarVelocity:
-        """Zero."""
+        """Return zero velocity."""
         return STANDSTILL
 
 

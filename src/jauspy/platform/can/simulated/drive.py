@@ -87,6 +87,8 @@ class SimulatedDrive:
         self.node = canopen.LocalNode(setup.node, dictionary)
         self.state = DriveState.SWITCH_ON_DISABLED
         self.mode = 0
+        self.keeps_home = False
+        """True if it knows its home position after each start."""
         self.homed = setup.homing is None
         self._home_counts = 0
         """What the encoder counts beside what is told, before the home position is found."""
@@ -180,7 +182,8 @@ class SimulatedDrive:
     def boot(self) -> None:
         """Start, as after power-on: nothing is configured."""
         self.node.data_store.clear()
-        if self.setup.homing is not None:
+        self.homed = self.homed or self.keeps_home
+        if self.setup.homing is not None and not self.keeps_home:
             self.homed, self._homing_way = False, 0.0
             self._home_counts = self._units.position_counts(self.axis.position)
         self._layouts.clear()
@@ -295,10 +298,6 @@ class SimulatedDrive:
                 self.axis.drive(mode, units.effort(raw))
         elif self.state in {DriveState.QUICK_STOP_ACTIVE, DriveState.FAULT_REACTION_ACTIVE}:
             self.axis.stop(units_deceleration(self._units, self.value_of(0x6085, 0)))
-
-    def know_home(self) -> None:
-        """Have found the home position, as a drive that never lost its power."""
-        self.homed, self._home_counts = True, 0
 
     def _search_home(self) -> None:
         """The switch of a simulated drive is where its encoder counts 0, or for the methods 35 and 37 where it is."""

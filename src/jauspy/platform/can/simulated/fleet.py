@@ -15,11 +15,12 @@ from canopen.objectdictionary import import_od
 from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
 from jauspy.platform import backends
-from jauspy.platform.can import bus as buses, pdo
+from jauspy.platform.can import pdo
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.can.simulated.axes import MotorPlant, Plant, RobotPlant
 from jauspy.platform.can.simulated.drive import SimulatedDrive
 from jauspy.platform.can.units import DriveUnits
+from jauspy.platform.can.wire import Port
 from jauspy.platform.description import RobotModel
 from jauspy.platform.kinematic import WORLDS
 
@@ -30,6 +31,9 @@ MOTORS: Final = "motors"
 
 REAL_STEP: Final = 0.005
 """Seconds that simulated drives in real time wait for a frame, at most."""
+
+UNREADABLE_PAUSE: Final = 0.0005
+"""Seconds from an error in reading to the next try."""
 
 MAX_STEP: Final = 0.02
 """Seconds that the plant advances at once; what is more is skipped."""
@@ -56,7 +60,10 @@ def plant_of(name: str, model: RobotModel, setup: CanSetup, world: str) -> Plant
 class Fleet:
     """The drives, what they move, and their end of the bus."""
 
-    def __init__(self, model: RobotModel, setup: CanSetup, plant: Plant, port: buses.Port) -> None:
+    def __init__(
+        self, model: RobotModel, setup: CanSetup, plant: Plant, port: Port, *, keeps_home: bool = False
+    ) -> None:
+        """`keeps_home`: restarted drives know their home positions, because nothing could have them search."""
         self.plant = plant
         self.network = port.network()
         self._port = port
@@ -64,7 +71,9 @@ class Fleet:
         self.drives: dict[str, SimulatedDrive] = {}
         for name, each in setup.drives.items():
             units = DriveUnits(each, model.description.joint(each.moves))
-            self.drives[name] = SimulatedDrive(each, units, plant.axes[name], dictionary(), self.network)
+            drive = SimulatedDrive(each, units, plant.axes[name], dictionary(), self.network)
+            drive.keeps_home = keeps_home
+            self.drives[name] = drive
         self.network.subscribe(pdo.SYNC, self._on_sync)
         self.network.subscribe(pdo.HEARTBEAT + setup.node, lambda *_: None)
         self.step(0.0)
@@ -100,7 +109,7 @@ class RealTimeFleet:
 
     def __init__(self, model: RobotModel, setup: CanSetup, bus: can.BusABC, plant: Plant) -> None:
         self._bus = bus
-        self.fleet = Fleet(model, setup, plant, buses.Port(self._send))
+        self.fleet = Fleet(model, setup, plant, Port(self._send))
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self.run, name="simulated drives", daemon=True)
 
@@ -120,12 +129,20 @@ class RealTimeFleet:
         except (can.CanError, OSError) as error:
             _LOG.debug("a frame of a simulated drive was lost: %s", error)
 
+    def _receive(self) -> can.Message | None:
+        try:
+            return self._bus.recv(REAL_STEP)
+        except (can.CanError, OSError) as error:  # foreign datagrams, or the adapter is gone
+            _LOG.warning("what came from the CAN bus cannot be read: %s", error)
+            time.sleep(UNREADABLE_PAUSE)
+            return None
+
     def run(self, until: Callable[[], bool] = lambda: False) -> None:
         """Receive frames, and let the plant follow the clock, until closed."""
         clock = time.monotonic
         last = clock()
         while not self._closing.is_set() and not until():
-            message = self._bus.recv(REAL_STEP)
+            message = self._receive()
             if message is not None:
                 self.fleet.receive(message)
             now = clock()

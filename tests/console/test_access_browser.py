@@ -1,0 +1,112 @@
+"""Three users with different roles log in by TLS in a real browser, and hand control over; the audit log has them."""
+
+from __future__ import annotations
+
+import json
+import re
+import signal
+import subprocess
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+from tests.console.test_browser import CHROMIUM, WAIT, sync_api
+from tests.helpers.command_line import JAUSPY, shared_robot, start
+
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
+]
+PASSWORD = "correct horse battery"
+ROLES = {"olga": "observer", "anna": "operator", "sam": "supervisor"}
+
+
+@pytest.fixture
+def files(tmp_path: Path) -> Path:
+    """The folder with users, certificate and key."""
+    for name, role in ROLES.items():
+        add = [*JAUSPY, "console", "user", "add", name, "--role", role]
+        subprocess.run(add, cwd=tmp_path, input=f"{PASSWORD}\n", text=True, check=True, capture_output=True)
+    subprocess.run([*JAUSPY, "console", "certificate", "127.0.0.1"], cwd=tmp_path, check=True, capture_output=True)
+    return tmp_path
+
+
+@pytest.fixture
+def url(files: Path) -> Iterator[str]:
+    names = ("users.toml", "certificate.pem", "key.pem")
+    users, certificate, key = (str(files / f"console-{name}") for name in names)
+    with shared_robot() as robot:
+        options = ("--users", users, "--certificate", certificate, "--key", key, "--connect", robot.local)
+        process = start("console", "--no-browser", "--port", "0", *options)
+        try:
+            assert process.stdout is not None
+            yield process.stdout.readline().strip().rpartition(" ")[2]
+        finally:
+            process.send_signal(signal.SIGINT)
+            process.communicate(timeout=30)
+
+
+def log_in(page: Any, name: str, password: str) -> None:
+    page.locator("input[name=name]").fill(name)
+    page.locator("input[name=password]").fill(password)
+    page.keyboard.press("Enter")
+
+
+def button(page: Any, name: str) -> Any:
+    return page.get_by_role("button", name=name, exact=True).first
+
+
+def test_users_log_in_and_hand_over(url: str, files: Path) -> None:
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        with pytest.raises(sync_api.Error, match="ERR_CERT_AUTHORITY_INVALID"):
+            browser.new_page().goto(url)
+        pages = []
+        for name in ROLES:
+            page = browser.new_context(ignore_https_errors=True).new_page()
+            page.set_default_timeout(WAIT)
+            page.goto(url)
+            log_in(page, name, "a wrong password")
+            page.get_by_text("Name or password is wrong.").wait_for()
+            log_in(page, name, PASSWORD)
+            page.get_by_text("101 inc1").first.wait_for()
+            pages.append(page)
+        olga, anna, sam = pages
+
+        olga.get_by_text("observing (observer)").wait_for()
+        assert button(olga, "take").is_disabled()
+        button(anna, "take").click()
+        anna.get_by_text("you operate this robot").wait_for()
+        sam.get_by_text("anna operates it").wait_for()
+        button(sam, "ask").click()
+        button(anna, "hand over").click()
+        sam.get_by_text("you operate this robot").wait_for()
+        anna.get_by_text("sam operates it").wait_for()
+        button(sam, "release").click()
+        anna.get_by_text("observing").wait_for()
+        button(anna, "take").click()
+        sam.get_by_text("anna operates it").wait_for()
+        sam.get_by_label("authority").fill("200")
+        button(sam, "take over").click()
+        sam.get_by_text("you operate this robot").wait_for()
+
+        olga.keyboard.press("Escape")
+        olga.get_by_text("components stopped").first.wait_for()
+        button(olga, "clear emergency").click()
+        olga.get_by_text("olga may stop robots, and not release them (observer)").wait_for()
+        button(sam, "clear emergency").click()
+        sam.get_by_text(re.compile("8 of 8 components released")).first.wait_for()
+        button(sam, "sign out").click()
+        sam.locator("input[name=password]").wait_for()
+        browser.close()
+
+    lines = [json.loads(line) for line in (files / "console-users.toml.audit").read_text().splitlines()]
+    given = {(line["operator"], line["role"], line["message"]) for line in lines if line.get("operator")}
+    assert {
+        ("anna", "operator", "RequestControl"),
+        ("sam", "supervisor", "RequestControl"),
+        ("olga", "observer", "SetEmergency"),
+        ("sam", "supervisor", "ClearEmergency"),
+    } <= given
+    assert ("olga", "observer", "RequestControl") not in given
