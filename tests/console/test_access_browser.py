@@ -110,3 +110,4 @@ def test_users_log_in_and_hand_over(url: str, files: Path) -> None:
         ("sam", "supervisor", "ClearEmergency"),
     } <= given
     assert ("olga", "observer", "RequestControl") not in given
+    assert [line for line in lines if "message" in line and not line.get("operator")] == []

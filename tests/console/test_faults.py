@@ -12,7 +12,7 @@ import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
@@ -21,6 +21,7 @@ from tests.helpers.command_line import RunningRobot, shared_robot, start
 
 import jauspy
 from jauspy.component import ComponentOptions
+from jauspy.errors import JausError
 from jauspy.messages.core import QueryStatus
 from jauspy.messages.mobility import QueryVelocityState
 from jauspy.ocu import OCU
@@ -86,6 +87,10 @@ class Speedometer:
         self._task = asyncio.create_task(self._watch(connect))
 
     async def _watch(self, connect: str) -> None:
+        with suppress(JausError):  # the robot of a test may end before
+            await self._follow(connect)
+
+    async def _follow(self, connect: str) -> None:
         async with OCU("42.7.1", connect) as ocu:
             sensor = ocu.service("101.1.102", "VelocityStateSensor")
             async with sensor.subscribe(QueryVelocityState(), rate=50.0, silence=WAIT / 1000) as reports:
@@ -391,6 +396,8 @@ def test_a_robot_of_a_vendor_shows_what_it_offers_and_nothing_else(page: Any, ba
             page.goto(address)
             page.locator(".component", has_text="lamp <b>of</b> a vendor").click()
             page.locator(".service").get_by_text("Lamp", exact=True).wait_for()
+            page.locator(".tabs .chosen", has_text="Plots").wait_for()
+            page.get_by_role("tab", name="Video").click()
             page.get_by_text("this robot has no camera").wait_for()
             assert not page.locator("#stick").is_visible()
             assert not page.get_by_text("Arm", exact=True).is_visible()

@@ -67,6 +67,10 @@ def console_page(
         Path | None,
         typer.Option("--recordings", metavar="DIR", help="Where video is recorded; ~/jauspy-recordings by default."),
     ] = None,
+    poses: Annotated[
+        Path | None,
+        typer.Option("--poses", metavar="FILE", help="Named poses of arms: TOML with a table [ROBOT.POSE] for each."),
+    ] = None,
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser.")] = False,
     connect: Connect = None,
     own_id: OwnId = None,
@@ -85,6 +89,7 @@ def console_page(
     if context.invoked_subcommand is not None:
         return
     try:
+        from jauspy.console.kept import read_poses
         from jauspy.console.server import RECORDINGS, Access, serving
         from jauspy.console.watchdog import Watchdog
     except ImportError as error:
@@ -94,6 +99,7 @@ def console_page(
 
     if audit is None and users is not None:
         audit = users.with_name(f"{users.name}.audit")
+    named_poses = None if poses is None else read_poses(poses)
     access = Access(users, certificate, key)
 
     async def serve() -> None:
@@ -114,6 +120,7 @@ def console_page(
                 audit=log,
                 recordings=recordings or RECORDINGS,
                 watchdog=watchdog,
+                poses=named_poses,
             )
             async with stopper, watchdog, page as url:
                 console.print_lines(f"{READY} {url}", "stop it: Ctrl-C")

@@ -116,7 +116,7 @@ class ArmPanel:
         if arm is None:
             return
         refused = self._motion.refusal(arm.robot.id)
-        self._move.set_enabled(not refused and not self._motion.is_running)
+        self._move.set_enabled(bool(self._rows) and not refused and not self._motion.is_running)
         self._stop.set_visibility(self._motion.is_running)
         self._problem.set_text(printable(self._motion.problem))
         try:
@@ -143,6 +143,7 @@ class ArmPanel:
             self._rows = {each.name: _JointRow(each, positions.get(each.name, 0.0)) for each in joints}
             if not joints:
                 ui.label("no joints now").classes("hint")
+        self._show_poses()
 
     def _follow_measured(self) -> None:
         for row in self._rows.values():
@@ -214,17 +215,35 @@ class ArmPanel:
         except JausError as error:
             poses, self._motion.problem = {}, str(error)
         with self._poses:
-            if not poses:
+            given = self._given_poses()
+            if not poses and not given:
                 ui.label("no poses yet").classes("hint")
+            for name, positions in given.items():
+                with ui.element("div").classes("row"):
+                    ui.label(name).classes("grow").tooltip("of the file that the console was started with")
+                    self._add_go(name, positions)
             for name, positions in poses.items():
                 with ui.element("div").classes("row"):
                     ui.label(name).classes("grow")
-                    ui.button(
-                        "go", on_click=lambda name=name, to=positions: self._go(to, f"the motion to {name}")
-                    ).props(f'outline dense no-caps aria-label="go to {name}"')
+                    self._add_go(name, positions)
                     ui.button("\u00d7", on_click=lambda name=name: self._delete_pose(name)).props(
                         f'flat dense aria-label="delete {name}"'
                     )
+            if left_out := len(self._console.poses.get(self._robot_name, {})) - len(given):
+                ui.label(f"poses of the file for other joints: {left_out}").classes("hint")
+
+    @property
+    def _robot_name(self) -> str:
+        return "" if self._robot is None else self._robot.name
+
+    def _given_poses(self) -> dict[str, dict[str, float]]:
+        """Those of the file with a joint of this arm; a joint that it does not have is told when it is to move."""
+        joints = {each.name for each in self._joints}
+        return {name: to for name, to in self._console.poses.get(self._robot_name, {}).items() if joints & to.keys()}
+
+    def _add_go(self, name: str, positions: dict[str, float]) -> None:
+        button = ui.button("go", on_click=lambda: self._go(positions, f"the motion to {name}"))
+        button.props(f'outline dense no-caps aria-label="go to {name}"')
 
     async def _save_pose(self) -> None:
         kept, arm = self._kept(), self._arm
@@ -264,7 +283,7 @@ class _JointRow:
         ui.label(printable(joint.name)).classes("joint").tooltip(printable(joint.name))
         self._now = ui.label("").classes("joint-value")
         self._number = (
-            ui.number(value=round(position, 3), step=0.01, format="%.3f", on_change=self._entered)
+            ui.number(value=round(position, 3) + 0.0, step=0.01, format="%.3f", on_change=self._entered)
             .props(f'dense borderless input-class="text-right" aria-label="{printable(joint.name)}"')
             .classes("joint-wanted")
         )
@@ -297,7 +316,7 @@ class _JointRow:
     def _set(self, value: float) -> None:
         self._setting = True
         self._slider.set_value(round(min(self._high, max(self._low, value)), 3))
-        self._number.set_value(round(value, 3))
+        self._number.set_value(round(value, 3) + 0.0)
         self._setting = False
 
     def _slid(self) -> None:

@@ -17,6 +17,8 @@ from jauspy.ocu.state import RobotPose
 
 POSE_INTERVAL: Final = 0.2
 """Seconds between two queries of the pose."""
+DRIVERS: Final = ("PrimitiveDriver", "VelocityStateDriver")
+"""Services by which a robot is driven by hand."""
 MAX_SPEED: Final = 1.5
 """m/s that can be chosen as limit; the robot has limits of its own."""
 
@@ -55,8 +57,7 @@ class DrivePanel:
         """Drive this robot; the panel is hidden if it cannot be driven."""
         self._robot = robot
         self._pose.set_content("")
-        services = ("PrimitiveDriver", "VelocityStateDriver")
-        drives = robot is not None and any(each.find(name) for each in robot.components for name in services)
+        drives = robot is not None and any(each.find(name) for each in robot.components for name in DRIVERS)
         self._panel.set_visibility(drives)
         self._modes.show(robot)
 

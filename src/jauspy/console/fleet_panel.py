@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from functools import partial
+from html import escape
 from typing import Final
 
 from nicegui import ui
@@ -90,7 +92,8 @@ class _Row:
             .on("click", self._toggle) as self._button
         ):
             ui.label(f"{id.node}.{id.component}").classes("id")
-            ui.label(printable(component.name) or "component").classes("component-name")
+            name = printable(component.name) or "component"
+            ui.label(name).classes("component-name").tooltip(f"{name} {id}")
             self._status = ui.label("").classes("chip")
             self._controller = ui.label("").classes("controller")
         self._details = ui.element("div").classes("component-details")
@@ -110,7 +113,7 @@ class _Row:
             self._heard = ui.label("").classes("hint")
             for each in self._component.services:
                 with ui.element("div").classes("service"):
-                    ui.label(each.short.rpartition(":")[2]).tooltip(each.short)
+                    ui.html(_breakable(each.short.rpartition(":")[2]), sanitize=False).tooltip(printable(each.short))
                     ui.label(printable(each.version)).classes("hint")
             refusals = self._refusals()
             ui.label("refused" if refusals else "nothing was refused").classes("hint")
@@ -150,3 +153,8 @@ class _Row:
         else:
             why = ", ".join(f"{each.path.replace('_', ' ')}: {each.text}" for each in fields_of(decoded))
         return printable(f"{line.time:%H:%M:%S} {line.name}: {why}")
+
+
+def _breakable(name: str) -> str:
+    """HTML of a name in which a line may end before each word only."""
+    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "<wbr>", escape(printable(name)))

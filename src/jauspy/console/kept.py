@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 import re
 from pathlib import Path
-from typing import Annotated, Final
+from typing import Annotated, Final, TypeAlias
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationError
+from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
 from jauspy.console.trajectory import MAX_FILE, Trajectory
 from jauspy.errors import ConfigError
-from jauspy.user_files import read_file
+from jauspy.user_files import read_file, read_toml
 
 MAX_NAME: Final = 40
 MAX_KEPT: Final = 100
@@ -40,6 +40,28 @@ def checked_name(name: str) -> str:
             f"a name is 1 to {MAX_NAME} letters, digits, spaces and . + - _, and begins with a letter or digit"
         )
     return name
+
+
+RobotPoses: TypeAlias = dict[str, dict[str, dict[str, float]]]
+"""By robot, then by name: positions by joint."""
+_ROBOT_POSES: Final = TypeAdapter(dict[str, dict[str, dict[str, _Position]]])
+
+
+def read_poses(path: Path) -> RobotPoses:
+    """A file of named poses, a table `[robot.name]` for each; raises `ConfigError` that names what is wrong in it."""
+    try:
+        poses = _ROBOT_POSES.validate_python(read_toml(path))
+    except ValidationError as error:
+        where = ".".join(map(str, error.errors()[0]["loc"]))
+        raise ConfigError(
+            f"{path}: {where}: expected a table [ROBOT.POSE] with a position for each joint, in radians or metres"
+        ) from error
+    for name in (name for named in poses.values() for name in named):
+        try:
+            checked_name(name)
+        except ConfigError as error:
+            raise ConfigError(f"{path}: {name!r}: {error}") from error
+    return poses
 
 
 class Kept:

@@ -66,8 +66,8 @@ class Manipulator(ABC):
 
     @property
     def title(self) -> str:
-        """Its id and name."""
-        return f"{self.info.id}  {printable(self.info.name)}".rstrip()
+        """Its name and id."""
+        return f"{printable(self.info.name) or 'arm'}  {self.info.id}"
 
     @property
     def has_tool(self) -> bool:

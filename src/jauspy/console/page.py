@@ -8,22 +8,31 @@ from fastapi import FastAPI
 from nicegui import ui
 
 from jauspy.console.arm_panel import ArmPanel
+from jauspy.console.camera_settings import VIDEO
 from jauspy.console.control_panel import ControlPanel
-from jauspy.console.drive_panel import DrivePanel
+from jauspy.console.drive_panel import DRIVERS, DrivePanel
 from jauspy.console.fleet_panel import FleetPanel
 from jauspy.console.log_panel import LogPanel
+from jauspy.console.manipulators import MODULAR_ARM
 from jauspy.console.plots_panel import PlotsPanel
 from jauspy.console.server import Console
 from jauspy.console.trajectory_panel import TrajectoryPanel
 from jauspy.console.users import LOCAL, User
 from jauspy.console.video_panel import VideoPanel
 from jauspy.console.world_panel import WorldPanel
+from jauspy.ids import JausID
+from jauspy.ocu.joints import PAN_TILT_SENSOR, POSITION_SENSOR
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 
 REFRESH_INTERVAL: Final = 0.4
 """Seconds between two looks at the fleet."""
 TABS: Final = ("Video", "World", "Trajectory", "Plots", "Log")
+OFFERED: Final = {
+    "Video": (VIDEO,),
+    "World": ("LocalPoseSensor", "RangeSensor", POSITION_SENSOR, PAN_TILT_SENSOR, MODULAR_ARM),
+}
+"""Views that only a robot with one of these services has something for."""
 SCRIPTS: Final = ("console", "video", "plots", "world", "map", "arm")
 STYLES: Final = ("theme", "console", "video", "world", "arm")
 SCHEMES: Final = {"system": None, "light": False, "dark": True}
@@ -71,6 +80,8 @@ class _Page:
     def __init__(self, console: Console, token: str, user: User) -> None:
         self._console = console
         self._robot: Robot | None = None
+        self._wanted_tab = ""
+        """That was clicked last; until then a robot is shown on the first tab that it has something for."""
         self._logged = 0
         ui.colors(primary="#1f6feb")
         ui.add_head_html("".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in STYLES))
@@ -85,7 +96,7 @@ class _Page:
                 self._build_centre(token, user)
             with ui.element("aside").classes("side"):
                 self._control = ControlPanel(console, token, user)
-                self._drive = DrivePanel(console, token, lambda: self._show_tab("World"))
+                self._drive = DrivePanel(console, token, lambda: self._want_tab("World"))
                 self._arm = ArmPanel(console, token)
         self._of_robot = (
             self._fleet,
@@ -149,10 +160,13 @@ class _Page:
         self._without_robots = (events, messages)
 
     def _tab(self, name: str) -> ui.button:
-        return ui.button(name, on_click=lambda: self._show_tab(name), color=None).props('flat no-caps dense role="tab"')
+        return ui.button(name, on_click=lambda: self._want_tab(name), color=None).props('flat no-caps dense role="tab"')
+
+    def _want_tab(self, name: str) -> None:
+        self._wanted_tab = name
+        self._show_tab(name)
 
     def _show_tab(self, name: str) -> None:
-        self._tab_shown = name
         has_robots = self._robot is not None
         for part in {part for parts in self._parts.values() for part in parts}:
             part.set_visibility(part in self._parts[name] and (has_robots or part in self._without_robots))
@@ -169,10 +183,20 @@ class _Page:
             self._choose(None)
         if self._robot is None and robots:
             self._choose(next(iter(robots.values())))
+        elif self._robot is not None:
+            self._follow_changes(robots[self._robot.id])
         new = self._console.total_events - self._logged
         self._logged = self._console.total_events
         for event in list(self._console.events)[-new:] if new else ():
             self._log.push(f"{event.time:%H:%M:%S}  {event.text}")
+
+    def _follow_changes(self, robot: Robot) -> None:
+        """Cameras and what drives may come and go; the panel Arm follows its arms by itself."""
+        before, self._robot = self._robot, robot
+        assert before is not None
+        for panel, names in ((self._videos, (VIDEO,)), (self._drive, DRIVERS)):
+            if _offering(before, names) != _offering(robot, names):
+                panel.show(robot)
 
     def _select(self, id: int) -> None:
         robot = self._console.fleet.robots.get(id)
@@ -186,4 +210,10 @@ class _Page:
         ui.run_javascript(f"jauspy.selectRobot({0 if robot is None else robot.id})")
         for each in self._of_robot:
             each.show(robot)
-        self._show_tab(self._tab_shown)
+        offered = [name for name in TABS if robot is None or name not in OFFERED or _offering(robot, OFFERED[name])]
+        self._show_tab(self._wanted_tab if self._wanted_tab in offered else offered[0])
+
+
+def _offering(robot: Robot, services: tuple[str, ...]) -> set[JausID]:
+    """The components with one of these services."""
+    return {each.id for each in robot.components if any(each.find(name) for name in services)}

@@ -24,6 +24,7 @@ from jauspy.console.attitude import AttitudeFeed
 from jauspy.console.certificates import check_certificate
 from jauspy.console.fleet import NOTHING, Fleet
 from jauspy.console.jogging import Jogging
+from jauspy.console.kept import RobotPoses
 from jauspy.console.operation import Operation
 from jauspy.console.sessions import current_user
 from jauspy.console.traffic import Traffic
@@ -52,6 +53,8 @@ MAX_FRAME: Final = 1 << 16
 """Bytes of a message of a browser."""
 MAX_CONNECTIONS: Final = 400
 """Of all browsers; each page has up to 16."""
+BY_ITSELF: Final = "(console)"
+"""In the audit log the operator of commands that no user gave; no user has such a name."""
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
 RECORDINGS: Final = Path.home() / "jauspy-recordings"
@@ -82,6 +85,8 @@ class Console:
         self._watchdog = watchdog
         self.recordings = recordings
         """The folder of recorded video."""
+        self.poses: RobotPoses = {}
+        """Named poses that the console was started with."""
         self.fleet = Fleet(ocu)
         self.fleet.on_event = self.note
         self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
@@ -143,7 +148,7 @@ class Console:
             {
                 "component": str(destination),
                 "source": str(source),
-                "operator": user.name if user else None,
+                "operator": user.name if user else BY_ITSELF,
                 "role": user.role if user else None,
                 "message": self.traffic.name(payload),
                 "outcome": "sent",
@@ -367,6 +372,7 @@ async def serving(
     audit: AuditLog | None = None,
     recordings: Path = RECORDINGS,
     watchdog: Watchdog | None = None,
+    poses: RobotPoses | None = None,
 ) -> AsyncIterator[str]:
     """Serve the console at this address while the context is open; the URL. OCUs and watchdog must be open.
 
@@ -378,6 +384,7 @@ async def serving(
     from jauspy.console.page import add_page  # noqa: PLC0415 - NiceGUI takes a second
 
     console = Console(ocu, emergency_ocu, audit, recordings, watchdog)
+    console.poses = poses or {}
     app = make_app(console)
     add_page(app, console)
     config = uvicorn.Config(

@@ -13,6 +13,8 @@ if TYPE_CHECKING:
     from jauspy.console.server import Console
 
 VIEWS: Final = {"both": "both", "three": "3-D", "map": "map"}
+ON_MAP: Final = ("LocalPoseSensor", "RangeSensor")
+"""Services of which the map shows something."""
 _THREE_JS: Final = ui.scene
 """Naming it puts three.js, which static/world.js draws with, among the page's modules; no scene of NiceGUI is made."""
 
@@ -35,12 +37,15 @@ class WorldPanel:
                     )
             views = ui.element("div").classes("views").props('data-view="both"')
             with views:
-                ui.element("div").props("id=world-3d").classes("three")
+                with ui.element("div").classes("three"):
+                    ui.element("div").props("id=world-3d")
+                    ui.html('<p data-line="waiting" class="waiting" role="status"></p>', sanitize=False)
                 self.map = MapPanel(console, token)
             with ui.element("div").classes("row notes"):
                 ui.html('<span data-line="source" class="hint"></span>', sanitize=False)
                 ui.html('<span data-line="age" class="problem"></span>', sanitize=False)
                 ui.html('<span data-line="notes" class="hint"></span>', sanitize=False)
+        self._view = view
         view.on_value_change(lambda event: views.props(f'data-view="{event.value}"'))
         ui.on("world_follow", self._followed)
 
@@ -54,7 +59,9 @@ class WorldPanel:
         self.map.visible = value
 
     def show(self, robot: Robot | None) -> None:
-        """Show another robot."""
+        """Show another robot; one that tells neither pose nor ranges has nothing for the map."""
+        has_map = robot is None or any(each.find(name) for each in robot.components for name in ON_MAP)
+        self._view.set_value("both" if has_map else "three")
         self.map.show(robot)
 
     def close(self) -> None:

@@ -215,7 +215,7 @@ jauspy.View = class {
     } else if (!words && stale) {
       words = `this picture is ${Math.round(age / 1000)} s old${this.reason ? `: ${this.reason}` : ""}`;
     }
-    if (this.note.textContent !== words) this.note.textContent = words;
+    if (this.note.textContent !== words) this.note.textContent = this.note.title = words;
     this.figure.classList.toggle("stale", stale);
     const facts = [];
     if (this.takenAt > 0 && jauspy.isLarge(this.figure)) facts.push(new Date(this.takenAt).toTimeString().slice(0, 8));

@@ -18,6 +18,7 @@ jauspy.world = {
 
   // --- the connection -------------------------------------------------------------------------------------------
   connect() {
+    jauspy.world.tellWaiting();
     const panel = document.getElementById("world");
     const visible = panel && panel.offsetParent !== null && !document.hidden && jauspy.robot;
     const world = jauspy.world;
@@ -65,9 +66,20 @@ jauspy.world = {
     }
     world.changed();
   },
+  // What the 3-D view waits for; nothing when the robot is drawn.
+  tellWaiting() {
+    const { renderer, starting, missing } = jauspy.view;
+    const { model, socket } = jauspy.world;
+    let text = "";
+    if (starting && !renderer) text = "starting the 3-D view \u2026";
+    else if (!model && socket?.readyState !== WebSocket.OPEN) text = "connecting to the console \u2026";
+    else if (!model) text = "asking the robot what it looks like \u2026";
+    else if (missing) text = `loading shapes: ${missing} left`;
+    jauspy.world.tell("waiting", jauspy.view.failed ? "" : text);
+  },
   tell(what, text) {
     const line = document.querySelector(`#world [data-line="${what}"]`);
-    if (line && line.textContent !== text) line.textContent = text;
+    if (line && line.textContent !== text) line.textContent = line.title = text;
   },
   async takeBytes(buffer) {
     const world = jauspy.world;
@@ -143,6 +155,7 @@ jauspy.view = {
   cloudsChanged: false,
   links: new Map(),
   moving: [],
+  missing: 0,  // meshes that are being loaded
 
   async start() {
     const view = jauspy.view;
@@ -154,6 +167,7 @@ jauspy.view = {
     try {
       view.renderer = new THREE.WebGLRenderer({ antialias: true });
     } catch {
+      view.failed = true;
       place.replaceChildren(Object.assign(document.createElement("p"), { className: "hint", textContent: "This browser has no WebGL, so there is no 3-D view; the map works." }));
       return;
     }
@@ -187,6 +201,7 @@ jauspy.view = {
     view.origin = new THREE.AxesHelper(0.5);
     view.local.add(view.track, view.route, view.origin);
     view.watchSize();
+    view.controls.addEventListener("start", () => { view.turned = true; });
     if (jauspy.world.model) view.build();
   },
   watchSize() {
@@ -233,6 +248,7 @@ jauspy.view = {
     view.links.clear();
     view.moving = [];
     view.wasAt = null;
+    view.turned = false;
   },
   pose(object, [x, y, z, a, b, c, d]) {
     object.position.set(x, y, z);
@@ -268,8 +284,27 @@ jauspy.view = {
       if (joint.kind !== "fixed") view.moving.push({ kind: joint.kind, group: link(joint.child), axis: new THREE.Vector3(...joint.axis) });
     }
     const meshes = new Map();
+    view.missing = 0;
     for (const shape of model.shapes) view.addShape(shape, link, meshes);
     if (!model.shapes.some((shape) => shape.kind !== "line")) view.robot.add(view.arrow());
+    view.update();
+    view.fit();
+    jauspy.world.changed();
+  },
+  // Step back from a robot that is larger than the view, once all of it is there, unless somebody has turned the view.
+  fit() {
+    const view = jauspy.view;
+    if (view.missing || view.turned) return;
+    const { THREE } = view.library;
+    const box = new THREE.Box3();
+    view.robot.traverse((each) => { if (each.isMesh) box.expandByObject(each); });
+    const ball = box.getBoundingSphere(new THREE.Sphere());
+    const { camera, controls } = view;
+    const away = camera.position.clone().sub(controls.target);
+    const wanted = ball.radius / Math.sin((camera.fov * Math.PI) / 360);
+    if (!(ball.radius > 0) || wanted <= away.length()) return;
+    controls.target.copy(ball.center);
+    camera.position.copy(ball.center).add(away.setLength(wanted));
     jauspy.world.changed();
   },
   // In place of a body that nobody has described: where the pose is, and where ahead is.
@@ -299,12 +334,16 @@ jauspy.view = {
       const bone = add(new THREE.CylinderGeometry(0.022, 0.022, length, 12).translate(0, length / 2, 0));
       bone.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), end.clone().divideScalar(length));
     } else if (shape.kind === "mesh") {
-      if (!meshes.has(shape.url)) meshes.set(shape.url, jauspy.view.load(shape.url, shape.format));
+      const { view } = jauspy;
+      const model = view.built;
+      const ended = () => { if (view.built === model) { view.missing -= 1; view.fit(); jauspy.world.tellWaiting(); } };
+      if (!meshes.has(shape.url)) meshes.set(shape.url, view.load(shape.url, shape.format));
+      view.missing += 1;
       meshes.get(shape.url).then((loaded) => {
         const mesh = loaded.isBufferGeometry ? add(loaded) : place.add(loaded.clone());
         mesh.scale.set(...shape.scale);
         jauspy.world.changed();
-      }, () => jauspy.world.tell("notes", "a mesh of the robot cannot be loaded"));
+      }, () => jauspy.world.tell("notes", "a mesh of the robot cannot be loaded")).finally(ended);
     }
   },
   async load(url, format) {

@@ -1,0 +1,55 @@
+"""The factory cell in a real browser: a subsystem without cameras, with an arm of no joints."""
+
+from __future__ import annotations
+
+import re
+import signal
+from collections.abc import Iterator
+from contextlib import ExitStack
+from pathlib import Path
+
+import pytest
+from tests.console.test_browser import CHROMIUM, WAIT, page_at, sync_api
+from tests.helpers.command_line import start, wait_for
+from tests.helpers.ports import unused_port
+
+pytest.importorskip("mujoco", reason="needs the extra 'sim'")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell'")
+pytestmark = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
+]
+
+
+@pytest.fixture
+def url(tmp_path: Path) -> Iterator[str]:
+    where = ("--port", str(unused_port()), "--interface", "127.0.0.1", "--local-root", str(tmp_path), "--own-root")
+    with ExitStack() as stack:
+        cell = stack.enter_context(start("up", "cell", "--plain", *where))
+        stack.callback(cell.send_signal, signal.SIGINT)
+        wait_for(cell, "stop it")
+        console = stack.enter_context(start("console", "--no-browser", "--port", "0", "--connect", f"local:{tmp_path}"))
+        stack.callback(console.send_signal, signal.SIGINT)
+        assert console.stdout is not None
+        yield console.stdout.readline().strip().rpartition(" ")[2]
+
+
+def test_it_opens_on_the_world_and_names_its_arms(url: str) -> None:
+    with page_at(url) as page:
+        page.locator(".tabs .chosen", has_text="World").wait_for()
+        waiting = page.locator("[data-line=waiting]")
+        waiting.get_by_text(re.compile("starting the 3-D view|asking the robot|connecting")).wait_for(state="attached")
+        arm = page.locator("section.arm")
+        arm.get_by_text("CM-MAN 201.1.10").first.wait_for()
+        page.get_by_role("button", name="take", exact=True).click()
+        page.get_by_text("you operate this robot").wait_for()
+        arm.locator(".joint-value").nth(5).wait_for()
+        move = arm.get_by_role("button", name="move", exact=True)
+        sync_api.expect(move).to_be_enabled(timeout=WAIT)
+        arm.locator(".q-select .q-field__control").click()
+        page.get_by_role("option", name="CM-ARM arm 201.3.1").click()
+        arm.get_by_text("no joints now").wait_for()
+        sync_api.expect(move).to_be_disabled(timeout=WAIT)
+        page.locator(".component", has_text="CM-MAN").click()
+        name = page.locator(".service").get_by_text("ManipulatorJointPositionDriver", exact=True)
+        assert "Manipulator<wbr>Joint<wbr>Position<wbr>Driver" in name.evaluate("(each) => each.outerHTML")
