@@ -21,6 +21,7 @@ from jauspy.console.users import LOCAL, User
 from jauspy.console.video_panel import VideoPanel
 from jauspy.console.world_panel import WorldPanel
 from jauspy.ids import JausID
+from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.joints import PAN_TILT_SENSOR, POSITION_SENSOR
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
@@ -31,6 +32,7 @@ TABS: Final = ("Video", "World", "Trajectory", "Plots", "Log")
 OFFERED: Final = {
     "Video": (VIDEO,),
     "World": ("LocalPoseSensor", "RangeSensor", POSITION_SENSOR, PAN_TILT_SENSOR, MODULAR_ARM),
+    "Trajectory": (POSITION_DRIVER, MODULAR_ARM),
 }
 """Views that only a robot with one of these services has something for."""
 SCRIPTS: Final = ("console", "video", "plots", "world", "map", "arm")
