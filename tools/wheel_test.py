@@ -67,6 +67,7 @@ def main() -> None:
         expect("pip install 'jauspy[", without.stderr)
         run(*install, f"{wheel}[robot,conformance]")
         expect("inc1", run(python, "-c", "from jauspy.modules.robot_files import known; print(known())", cwd=folder))
+        expect("--backend", run(jauspy, "up", "--help", cwd=folder))
         print(f"wheel-test: {wheel.name} ({wheel.stat().st_size / 1e3:.0f} kB) works alone")
 
 

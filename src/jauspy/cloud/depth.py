@@ -8,8 +8,6 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Final
 
-import numpy as np
-
 from jauspy.cloud.message import XYZ_RGB
 from jauspy.cloud.socket import CloudPublisher
 from jauspy.logs import get_logger
@@ -122,6 +120,8 @@ def coloured_points(frame: DepthFrame, fov: float, settings: DepthSettings) -> b
     `fov` is the horizontal field of view in radians. Returns float32 rows of shape (points, 6): x, y, z in metres, and
     red, green, blue from 0 to 1.
     """
+    import numpy as np  # noqa: PLC0415 - comes with the extra `cloud`
+
     along = frame.distances
     rows, columns = np.nonzero((along >= settings.min_distance) & (along <= settings.max_distance))
     height, width = along.shape
