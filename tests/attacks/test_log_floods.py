@@ -152,4 +152,5 @@ def test_all_loggers_are_limited() -> None:
         for path in package.rglob("*.py")
         if re.search(r"logging\.(getLogger|debug|info|warning|error|exception|log)\(", path.read_text())
     ]
-    assert sorted(unlimited) == ["cli/console.py", "logs.py"]
+    # bus.py only silences python-can's own logger while a bus is opened
+    assert sorted(unlimited) == ["cli/console.py", "logs.py", "platform/can/bus.py"]
