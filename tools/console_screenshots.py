@@ -59,7 +59,7 @@ def prepare(page: Page) -> None:
     page.get_by_role("button", name="take", exact=True).click()
     page.get_by_text("you operate this robot").wait_for()
     page.locator(".heading", has_text="Fleet").click()  # away from input fields, so that keys drive
-    for keys, seconds in (("W", 3.0), ("WA", 2.0), ("W", 2.0), ("D", 1.5), ("", 4.0)):
+    for keys, seconds in (("W", 1.5), ("WA", 2.0), ("D", 1.0), ("", 4.0)):
         for key in keys:
             page.keyboard.down(f"Key{key}")
         page.wait_for_timeout(1000 * seconds)

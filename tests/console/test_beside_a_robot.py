@@ -39,7 +39,7 @@ def test_the_console_starts_and_ends_with_the_robot(tmp_path: Path) -> None:
     family = wait_for(process, "stop it")
     with urllib.request.urlopen(url) as page:
         assert b"jauspy.start" in page.read()
-    assert len(family) == 2, "the node manager and the console"
+    assert len(family) == 3, "the node manager, the console and its watchdog"
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=30)
     assert_gone(family)
