@@ -85,6 +85,7 @@ def show(page: Page, panel: str) -> None:
     page.get_by_role("tab", name=panel, exact=False).click()
     if panel == "world":
         page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 5")
+        page.wait_for_function("jauspy.world.pose && jauspy.map.toScreen(jauspy.world.pose)")
         for ahead, left in ((0.6, 0.9), (-0.8, 1.4), (-1.6, 0.0)):
             place = f"(([x, y]) => [x + {ahead}, y + {left}])(jauspy.world.pose)"
             right, down = page.evaluate(f"jauspy.map.toScreen({place})")

@@ -75,7 +75,7 @@ def record_cameras(stack: ExitStack, seconds: float) -> None:
     """Simulate a robot, and record its cameras, beside the measurement."""
     folder = stack.enter_context(TemporaryDirectory(prefix="jauspy-"))
     start(stack, "up", "inc1", "--backend", "sim", "--port", "3989", "--interface", "127.0.0.1", "--local-root", folder)
-    for camera in ("101.1.106", "101.1.107", "101.1.109"):
+    for number, camera in enumerate(("101.1.106", "101.1.107", "101.1.109")):
         file = f"{folder}/{camera}.mp4"
         start(
             stack,
@@ -83,6 +83,8 @@ def record_cameras(stack: ExitStack, seconds: float) -> None:
             camera,
             "--save",
             file,
+            "--to",
+            f"127.0.0.1:{43300 + 2 * number}",
             "--seconds",
             f"{seconds}",
             "--connect",
