@@ -150,7 +150,7 @@ def stage(count: int, backend: str) -> Iterator[Stage]:
             process = subprocess.Popen(
                 [sys.executable, *command], stdin=-1, stdout=-1, stderr=subprocess.DEVNULL, text=True
             )
-            stack.callback(process.wait)
+            stack.callback(process.communicate)  # closes its standard input, which ends the console
             stack.callback(process.terminate)
             assert process.stdout is not None
             return process
