@@ -13,7 +13,7 @@ from tests.helpers.documentation import DOCS, program
 
 from jauspy.messages.core import Standby
 from jauspy.modules import robot_files
-from jauspy.platform.contract_check import check_robot
+from jauspy.platform.backends import check_robot
 from jauspy.testing import LocalNode, VirtualNetwork
 
 GATE = Path(__file__).parent / "vendor" / "Gate.xml"

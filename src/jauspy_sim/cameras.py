@@ -14,10 +14,9 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, Quality
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, OutsideView, Quality, looking
 from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
-from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
 from jauspy_sim.assembly import DrawnModel, logger, redirect_warnings
 from jauspy_sim.backend import choose_gl

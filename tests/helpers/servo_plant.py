@@ -15,10 +15,10 @@ from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import Gains
 from jauspy.platform.modular.assembled_arm import AssembledArm
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
-from jauspy.platform.modular.drive import ServoReading
 from jauspy.platform.modular.dynamics import ArmModel
 from jauspy.platform.modular.graph import attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, PlacedPart, ServoData, Shape, Solid
+from jauspy.platform.modular.servo import ServoReading
 
 STEP = 0.00025
 PERIOD = 0.002

@@ -12,8 +12,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import numpy as np
 
 from jauspy.modules.robot_files import load, robot_model
-from jauspy.platform.camera import CameraSetup
-from jauspy.platform.outside_view import OutsideSetup, Viewpoint
+from jauspy.platform.camera import CameraSetup, OutsideSetup, Viewpoint
 from jauspy_sim.robot import SimulatedRobot
 
 CAMERAS = {

@@ -24,8 +24,7 @@ from jauspy.cell.scene import Clearance, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
 from jauspy.platform.modular.connector import ConnectorState
-from jauspy.platform.modular.inertia import body_inertia, output_inertia
-from jauspy.platform.modular.parts import PartKind
+from jauspy.platform.modular.parts import PartKind, body_inertia, output_inertia
 
 GRAVITY: Final = 9.81
 GRASPS: Final = 4

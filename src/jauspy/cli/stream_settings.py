@@ -9,7 +9,7 @@ from jauspy.messages.environment_sensing.v2_0.digital_video import SetDigitalVid
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import ComponentClient
-from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, FrameSize, frame_size
+from jauspy.platform.video_settings import SUPPORTED_FRAME_SIZES, FrameSize, frame_size
 
 
 @dataclass(frozen=True, slots=True)

@@ -30,7 +30,7 @@ from jauspy.messages.ugv import QueryIlluminationConfiguration, QueryIlluminatio
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import ComponentClient
 from jauspy.ocu.service import ServiceClient
-from jauspy.platform.frame_sizes import FRAME_SIZES
+from jauspy.platform.video_settings import FRAME_SIZES
 
 VIDEO: Final = "DigitalVideo"
 ENCODING: Final = "H264VideoEncoding"

@@ -11,9 +11,8 @@ from jauspy.cloud.depth import DepthSettings
 from jauspy.cloud.message import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.modules.config_base import StrictConfig, UrdfName
-from jauspy.platform.camera import CameraSetup
+from jauspy.platform.camera import CameraSetup, OutsideSetup, Viewpoint
 from jauspy.platform.imaging import ImagingSetup
-from jauspy.platform.outside_view import OutsideSetup, Viewpoint
 from jauspy.platform.video_settings import VideoSettings
 
 Coefficient: TypeAlias = Annotated[float, Field(ge=-10.0, le=10.0)]

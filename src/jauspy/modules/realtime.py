@@ -15,10 +15,10 @@ from typing import Final, Self
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
+from jauspy.platform.backends import state_problem
 from jauspy.platform.camera import Camera
 from jauspy.platform.commands import CHASSIS, DriveEffort, DriveStop, JointTargets, LidarSettings
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, Snapshot
-from jauspy.platform.contract_check import state_problem
 from jauspy.platform.force_torque import ForceTorqueSensor, ForceTorqueSetup, Wrench
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import LidarSetup, RangeFinder, RangeScan, ScanSettings

@@ -24,9 +24,9 @@ from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import robot_model, with_place
 from jauspy.platform import backends
+from jauspy.platform.backends import check_robot
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Robot, Snapshot, Viewable
-from jauspy.platform.contract_check import check_robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT

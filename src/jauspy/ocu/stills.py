@@ -24,8 +24,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensor
 from jauspy.ocu.connection import Connection, RetryPolicy
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
 from jauspy.ocu.state import datetime_of
-from jauspy.platform.frame_sizes import FRAME_SIZES, frame_size
-from jauspy.platform.video_settings import MAX_IMAGE_REPORT
+from jauspy.platform.video_settings import FRAME_SIZES, MAX_IMAGE_REPORT, frame_size
 from jauspy.protocol.delivery import Delivery
 
 Configuration = ReportStillImageSensorConfiguration.StillImageSensorConfigurationRec

@@ -1,4 +1,4 @@
-"""A kinematic robot on an endless flat floor, without a physics engine."""
+"""The backend `kinematic`: a robot on tracks or wheels on an endless flat floor, without a physics engine."""
 
 from __future__ import annotations
 
@@ -16,13 +16,13 @@ from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.force_torque import SampledForceTorque
+from jauspy.platform.joint_control import SetpointGenerator
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
 from jauspy.platform.kinematic_camera import KinematicCameras
-from jauspy.platform.kinematic_wheels import KinematicWheels
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner
-from jauspy.platform.setpoint import SetpointGenerator
+from jauspy.platform.wheels import WheelDrive, WheelSetup
 
 WORLDS: Final = ("empty", "house", "rough", "rubble", "street", "yard")
 """Names of worlds; their obstacles do not exist for a kinematic robot."""
@@ -275,3 +275,68 @@ def _to_velocity(joint: Joint, target: Target) -> Target:
     fastest = min(joint.velocity, target.speed or math.inf)
     speed = fastest * min(1.0, max(-1.0, fraction)) if math.isfinite(fraction) else 0.0
     return Target(ControlMode.VELOCITY, speed, acceleration=target.acceleration)
+
+
+RESPONSE: Final = 0.15
+"""Seconds, the time constant with which a wheel follows its effort."""
+FRICTION: Final = 0.2
+"""m/s^2, the deceleration by friction in the drive."""
+BRAKE: Final = 4.0
+"""m/s^2 that the brake adds at zero effort."""
+
+
+class KinematicWheels(WheelDrive):
+    """A chassis on wheels; they never slip, but for those that skid."""
+
+    def __init__(self, wheels: WheelSetup) -> None:
+        super().__init__(wheels)
+        self._efforts = (0.0,) * len(wheels.wheels)
+        self._speeds = [0.0] * len(wheels.wheels)
+        self._angle = self._wanted_angle = 0.0
+        self._x = self._y = self._yaw = 0.0
+
+    def set_wheel_efforts(self, efforts: tuple[float, ...], steering: float | None) -> None:
+        """Drive the wheels and steer."""
+        self._efforts = efforts
+        self._wanted_angle = self._wanted_angle if steering is None else steering
+
+    def pose(self) -> Pose:
+        """Pose on the floor; the yaw is within -pi..pi."""
+        return Pose(x=self._x, y=self._y, yaw=math.remainder(self._yaw, math.tau))
+
+    def twist(self) -> Twist:
+        """As the wheels roll."""
+        vx, vy, wz = self.odometry()
+        return Twist(vx=vx, vy=vy, wz=wz)
+
+    def rim_speeds(self) -> Sequence[float]:
+        """m/s, positive forward."""
+        return self._speeds
+
+    @property
+    def steering(self) -> float:
+        """To the left."""
+        return self._angle
+
+    def step(self, dt: float) -> None:
+        """Move for `dt` seconds."""
+        before = self.twist()
+        braking = not any(self._efforts)
+        for number, (wheel, effort) in enumerate(zip(self.wheels.wheels, self._efforts, strict=True)):
+            self._speeds[number] = _speed_after(self._speeds[number], effort * wheel.speed, dt, braking=braking)
+        if self.wheels.steering:
+            change = min(each.joint.velocity for each in self.wheels.steering) * dt
+            self._angle += min(change, max(-change, self._wanted_angle - self._angle))
+        after = self.twist()
+        vx, vy, wz = ((b + a) / 2.0 for b, a in ((before.vx, after.vx), (before.vy, after.vy), (before.wz, after.wz)))
+        heading = self._yaw + wz * dt / 2.0
+        self._x += (vx * math.cos(heading) - vy * math.sin(heading)) * dt
+        self._y += (vx * math.sin(heading) + vy * math.cos(heading)) * dt
+        self._yaw += wz * dt
+
+
+def _speed_after(speed: float, free: float, dt: float, *, braking: bool) -> float:
+    """The speed of a rim, m/s, that would reach `free` without resistance; friction never reverses it."""
+    driven = speed + (free - speed) * (1.0 - math.exp(-dt / RESPONSE))
+    resistance = (FRICTION + (BRAKE if braking else 0.0)) * dt
+    return math.copysign(max(0.0, abs(driven) - resistance), driven)

@@ -13,11 +13,10 @@ from typing import TYPE_CHECKING, Final
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Transform
-from jauspy.platform.camera import CameraSetup, DepthFrame, Frame
+from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, OutsideView, looking
 from jauspy.platform.contract import DriveBase
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointGroup, joint_positions
-from jauspy.platform.outside_view import OutsideView, looking
 from jauspy.platform.shared_state import StateReader, StateWriter
 
 if TYPE_CHECKING:

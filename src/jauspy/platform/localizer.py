@@ -10,11 +10,10 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Final, Protocol
+from typing import Final, Protocol, TypeAlias
 
 from jauspy.geometry.poses import UNACCELERATED, Acceleration, Pose, Twist
-from jauspy.geometry.vectors import Vector, add, difference, dot, scaled
-from jauspy.platform.attitude import AttitudeFilter
+from jauspy.geometry.vectors import Quaternion, Vector, add, difference, dot, scaled
 from jauspy.platform.localization import (
     GnssSetup,
     ImuSetup,
@@ -32,7 +31,6 @@ from jauspy.platform.motion_sensors import (
     Travel,
     generator,
 )
-from jauspy.platform.pose_filter import BIAS, DRIFT_X, DRIFT_Y, YAW, Motion, PoseFilter, X, Y
 from jauspy.platform.ranging import Sampling
 
 FILTER_PERIOD: Final = 0.2
@@ -374,3 +372,190 @@ class _Globe:
             self._filter.declare((X, Y), FIRST_FIX_DEVIATION)
         self._filter.observe((X, DRIFT_X), x, self._setup.noise)
         self._filter.observe((Y, DRIFT_Y), y, self._setup.noise)
+
+
+GRAVITY_TIME: Final = 3.0
+"""Seconds in which gravity corrects roll and pitch to a part of 1/e."""
+MAX_SHOCK: Final = 2.0
+"""m/s^2 between the measured force and gravity above which it corrects nothing."""
+
+
+class AttitudeFilter:
+    """The attitude of the base in a frame with z up. Starts with roll and pitch by the force at rest, and a yaw.
+
+    A complementary filter on quaternions, after Mahony, Hamel and Pflimlin (2008): the gyroscope is integrated, gravity
+    corrects roll and pitch.
+    """
+
+    def __init__(self, force: Vector, yaw: float) -> None:
+        x, y, z = force
+        self.quaternion = _from_angles(math.atan2(y, z), math.atan2(-x, math.hypot(y, z)), yaw)
+
+    def up(self) -> Vector:
+        """The vertical, in the frame of the base."""
+        w, x, y, z = self.quaternion
+        return 2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)
+
+    def forward(self) -> Vector:
+        """The x axis of the base, in the outer frame."""
+        w, x, y, z = self.quaternion
+        return 1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y + w * z), 2.0 * (x * z - w * y)
+
+    def angles(self) -> tuple[float, float, float]:
+        """Roll, pitch and yaw, radians."""
+        w, x, y, z = self.quaternion
+        roll = math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
+        pitch = math.asin(min(1.0, max(-1.0, 2.0 * (w * y - z * x))))
+        return roll, pitch, math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+
+    def turn(self, rates: Vector, force: Vector, dt: float) -> None:
+        """Turn at `rates` (rad/s) for `dt` seconds; `force` (m/s^2) is what holds against gravity alone."""
+        wx, wy, wz = rates
+        fx, fy, fz = force
+        length = math.sqrt(fx * fx + fy * fy + fz * fz)
+        if abs(length - GRAVITY) < MAX_SHOCK:
+            ux, uy, uz = self.up()
+            gain = 1.0 / (GRAVITY_TIME * length)
+            wx += gain * (fy * uz - fz * uy)
+            wy += gain * (fz * ux - fx * uz)
+            wz += gain * (fx * uy - fy * ux)
+        self.quaternion = _turned(self.quaternion, (wx * dt, wy * dt, wz * dt))
+
+
+def _turned(quaternion: Quaternion, turn: Vector) -> Quaternion:
+    """The attitude after a turn in its own frame; of unit length."""
+    w, x, y, z = quaternion
+    a, b, c = turn
+    angle = math.sqrt(a * a + b * b + c * c)
+    factor = math.sin(angle / 2.0) / angle if angle > 1e-12 else 0.5
+    d, a, b, c = math.cos(angle / 2.0), a * factor, b * factor, c * factor
+    w, x, y, z = (
+        w * d - x * a - y * b - z * c,
+        w * a + x * d + y * c - z * b,
+        w * b - x * c + y * d + z * a,
+        w * c + x * b - y * a + z * d,
+    )
+    scale = 1.0 / math.sqrt(w * w + x * x + y * y + z * z)
+    return w * scale, x * scale, y * scale, z * scale
+
+
+def _from_angles(roll: float, pitch: float, yaw: float) -> Quaternion:
+    cr, sr = math.cos(roll / 2.0), math.sin(roll / 2.0)
+    cp, sp = math.cos(pitch / 2.0), math.sin(pitch / 2.0)
+    cy, sy = math.cos(yaw / 2.0), math.sin(yaw / 2.0)
+    return (
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+    )
+
+
+Row: TypeAlias = list[float]
+
+X, Y, YAW, SCALE, BIAS, GAIN, DRIFT_X, DRIFT_Y = range(8)
+STATES: Final = 8
+
+
+@dataclass(frozen=True, slots=True)
+class Motion:
+    """What dead reckoning measured: metres and radians in the frame of the filter, and in how many seconds."""
+
+    x: float
+    y: float
+    yaw: float
+    dt: float
+    position_variance: float
+    """m^2, that this motion adds along each axis."""
+    yaw_variance: float
+    bias_variance: float
+
+
+class PoseFilter:
+    """An extended Kalman filter of a pose on the ground: dead reckoning lets errors grow, fixes reduce them.
+
+    The state: x, y (m), yaw (rad), the errors of the encoders' scale, of the gyroscope's bias (rad/s) and of its scale,
+    and the slow errors of the fixes in x and y (m). `deviations` are those of the state at the start.
+    """
+
+    def __init__(self, x: float, y: float, yaw: float, deviations: Iterable[float]) -> None:
+        self.state = [x, y, yaw, 0.0, 0.0, 0.0, 0.0, 0.0]
+        self.covariance = [
+            [deviation**2 if row == column else 0.0 for column in range(STATES)]
+            for row, deviation in enumerate(deviations)
+        ]
+
+    def move(self, motion: Motion) -> None:
+        """Move by what dead reckoning measured."""
+        state = self.state
+        x, y = motion.x * (1.0 + state[SCALE]), motion.y * (1.0 + state[SCALE])
+        state[X] += x
+        state[Y] += y
+        state[YAW] += motion.yaw * (1.0 + state[GAIN]) - motion.dt * state[BIAS]
+        rows = self.covariance
+        self._mix(rows, motion, x, y)
+        for row in rows:  # the same for the columns: F P F'
+            yaw, scale = row[YAW], row[SCALE]
+            row[X] += motion.x * scale - y * yaw
+            row[Y] += motion.y * scale + x * yaw
+            row[YAW] = yaw - motion.dt * row[BIAS] + motion.yaw * row[GAIN]
+        rows[X][X] += motion.position_variance
+        rows[Y][Y] += motion.position_variance
+        rows[YAW][YAW] += motion.yaw_variance
+        rows[BIAS][BIAS] += motion.bias_variance
+
+    @staticmethod
+    def _mix(rows: list[Row], motion: Motion, x: float, y: float) -> None:
+        yaw, scale, bias, gain = rows[YAW], rows[SCALE], rows[BIAS], rows[GAIN]
+        rows[X] = [a - y * b + motion.x * c for a, b, c in zip(rows[X], yaw, scale, strict=True)]
+        rows[Y] = [a + x * b + motion.y * c for a, b, c in zip(rows[Y], yaw, scale, strict=True)]
+        rows[YAW] = [a - motion.dt * b + motion.yaw * c for a, b, c in zip(yaw, bias, gain, strict=True)]
+
+    def fade(self, kept: float, deviation: float) -> None:
+        """Forget the slow errors of the fixes to a part of `kept`; they have this deviation in the long run."""
+        rows = self.covariance
+        for index in (DRIFT_X, DRIFT_Y):
+            self.state[index] *= kept
+            rows[index] = [kept * value for value in rows[index]]
+            for row in rows:
+                row[index] *= kept
+            rows[index][index] += (1.0 - kept * kept) * deviation**2
+
+    def observe(self, indices: tuple[int, ...], measured: float, deviation: float) -> None:
+        """Correct by a measurement of the sum of some states."""
+        rows = self.covariance
+        across = [sum(row[index] for index in indices) for row in rows]
+        spread = sum(across[index] for index in indices) + deviation**2
+        if spread <= 0.0:
+            return
+        error = measured - sum(self.state[index] for index in indices)
+        gains = [each / spread for each in across]
+        self.state = [value + gain * error for value, gain in zip(self.state, gains, strict=True)]
+        self.covariance = [
+            [value - gain * other for value, other in zip(row, across, strict=True)]
+            for row, gain in zip(rows, gains, strict=True)
+        ]
+
+    def surprise(self, indices: tuple[int, ...], measured: float, deviation: float) -> float:
+        """How many standard deviations a measurement of the sum of some states is from what is expected."""
+        spread = sum(self.covariance[a][b] for a in indices for b in indices) + deviation**2
+        error = abs(measured - sum(self.state[index] for index in indices))
+        return error / math.sqrt(spread) if spread > 0.0 else 0.0
+
+    def declare(self, indices: Iterable[int], deviation: float) -> None:
+        """Take states as known with this deviation, whatever was known before."""
+        for index in indices:
+            for row in self.covariance:
+                row[index] = 0.0
+            self.covariance[index] = [0.0] * STATES
+            self.covariance[index][index] = deviation**2
+
+    @property
+    def horizontal_rms(self) -> float:
+        """Root mean square of the error of x and y together, metres."""
+        return math.sqrt(max(0.0, self.covariance[X][X] + self.covariance[Y][Y]))
+
+    @property
+    def yaw_rms(self) -> float:
+        """Radians."""
+        return math.sqrt(max(0.0, self.covariance[YAW][YAW]))

@@ -18,7 +18,6 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.platform.description import RobotModel
-from jauspy.platform.modular.inertia import body_inertia, output_inertia
 from jauspy.platform.modular.parts import (
     CellSetup,
     ConveyorSetup,
@@ -30,6 +29,8 @@ from jauspy.platform.modular.parts import (
     ServoData,
     Shape,
     Solid,
+    body_inertia,
+    output_inertia,
 )
 from jauspy_sim.assembly import TIMESTEP, prefix, robot_spec
 from jauspy_sim.cell.looks import Dresser

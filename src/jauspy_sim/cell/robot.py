@@ -14,7 +14,7 @@ from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import SampledForceTorque
-from jauspy.platform.modular.libraries import check_libraries
+from jauspy.platform.modular import check_libraries
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, redirect_warnings

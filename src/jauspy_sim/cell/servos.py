@@ -15,9 +15,8 @@ from jauspy.platform.contract import PartId
 from jauspy.platform.description import Gains, JointGains
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.modular.drive import ServoReading
 from jauspy.platform.modular.parts import ServoData
-from jauspy.platform.modular.servo import ServoModule, ServoState
+from jauspy.platform.modular.servo import ServoModule, ServoReading, ServoState
 from jauspy_sim.assembly import TIMESTEP, view
 
 UNLIMITED: Final = 1e9

@@ -15,9 +15,9 @@ from jauspy.cli.up import print_truth
 from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.platform.contract import Snapshot
-from jauspy.platform.frame_sizes import FrameSize
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.localization import LocalizationSetup
+from jauspy.platform.video_settings import FrameSize
 
 SIZE = FrameSize.VGA_640_X480
 

@@ -3,7 +3,7 @@
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.platform.modular.libraries import check_libraries
+from jauspy.platform.modular import check_libraries
 
 
 def test_library_that_is_not_installed() -> None:

@@ -8,7 +8,7 @@ from typing import Annotated, Final
 
 import typer
 
-from jauspy.platform.modular.libraries import check_libraries
+from jauspy.platform.modular import check_libraries
 
 MODULES: Final = ("pinocchio", "coal", "ruckig", "numpy")
 OUTPUT: Final = Path("cell_out")

@@ -27,7 +27,7 @@ from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.modules import robot_files
 from jauspy.ocu import OCU
-from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, FrameSize
+from jauspy.platform.video_settings import SUPPORTED_FRAME_SIZES, FrameSize
 
 DEFAULT_WORLD: Final = "yard"
 

@@ -35,7 +35,7 @@ from jauspy.modules.config import RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
 from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.platform.frame_sizes import FRAME_SIZES, FrameSize
+from jauspy.platform.video_settings import FRAME_SIZES, FrameSize
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
 

@@ -17,7 +17,7 @@ from jauspy.platform.can.bus import describe
 from jauspy.platform.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Control, Mode
 from jauspy.platform.can.drive import LIMIT_MARGIN, Drive
 from jauspy.platform.can.setup import CanSetup, DriveFault
-from jauspy.platform.setpoint import ACCELERATION_TIME
+from jauspy.platform.joint_control import ACCELERATION_TIME
 
 _LOG: Final = get_logger("jauspy.can")
 

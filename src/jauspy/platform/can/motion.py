@@ -11,9 +11,8 @@ from jauspy.logs import get_logger
 from jauspy.platform.can.cia402 import Mode
 from jauspy.platform.can.drive import Drive
 from jauspy.platform.description import JointGains
-from jauspy.platform.joint_control import JointController
+from jauspy.platform.joint_control import JointController, SetpointGenerator
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.setpoint import SetpointGenerator
 
 _LOG: Final = get_logger("jauspy.can")
 

@@ -18,12 +18,12 @@ from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera
 from jauspy.platform.can import bus as buses
+from jauspy.platform.can.bus import Wire
 from jauspy.platform.can.drive import Drive
 from jauspy.platform.can.master import Master
 from jauspy.platform.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.can.simulated.fleet import Fleet, plant_of
-from jauspy.platform.can.wire import Wire
 from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
 from jauspy.platform.description import GroupSetup, RobotModel

@@ -13,10 +13,10 @@ from jauspy.geometry.poses import IDENTITY, Pose, Transform
 from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
 from jauspy.platform.modular.connector import VacuumConnector
 from jauspy.platform.modular.control_laws import ControlLaw, Measured, ModelLaw, PidLaw, smooth_step
-from jauspy.platform.modular.drive import ServoDrive
 from jauspy.platform.modular.dynamics import ArmModel, PayloadEstimator
 from jauspy.platform.modular.graph import Attachment, Chain, attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup, ServoData
+from jauspy.platform.modular.servo import ServoDrive
 from jauspy.platform.modular.trajectory import Limits, Motion, MotionError, Setpoint, Shaper, plan_within_torques
 
 Array = NDArray[np.float64]

@@ -1,9 +1,10 @@
-"""Servo modules: the contract, their states and commands."""
+"""Servo modules: their contract with modules and with the controller of a modular arm, states and commands."""
 
 from __future__ import annotations
 
 from abc import abstractmethod
 from dataclasses import dataclass
+from typing import NamedTuple, Protocol
 
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
@@ -152,3 +153,44 @@ class _ServoProxy(ServoModule):
 
     def gains(self) -> tuple[Gains, Gains]:
         return self._gains
+
+
+class ServoReading(NamedTuple):
+    """What a servo module measures at one moment; if `powered` is False, its last report."""
+
+    powered: bool
+    position: float
+    """Radians at the output, any number of turns."""
+    velocity: float
+    """rad/s at the output."""
+    torque: float
+    """Newton metres through the spring, positive if it accelerates the output."""
+
+
+class ServoDrive(Protocol):
+    """A servo module as a modular arm commands it; the backend's `ServoModule` may be one itself."""
+
+    @property
+    def name(self) -> str:
+        """As in `servo_1`."""
+        ...
+
+    def read(self) -> ServoReading:
+        """What it measures now; cheap, it is called in each control cycle."""
+        ...
+
+    def set_torque(self, torque: float) -> None:
+        """Have the motor apply a torque (N m at the output), clamped to its limit, until the next command."""
+        ...
+
+    def hold(self) -> None:
+        """Brake, and hold the position where it comes to rest, by its own controller."""
+        ...
+
+    def claim(self, arm: str) -> None:
+        """Obey only the modular arm of this name from now on; empty ends the claim. `ServoState` reports it."""
+        ...
+
+    def gains(self) -> tuple[Gains, Gains]:
+        """The gains of its own controllers: of position and of velocity."""
+        ...

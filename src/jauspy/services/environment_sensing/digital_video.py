@@ -23,8 +23,15 @@ from jauspy.messages.environment_sensing.v2_0.digital_video import (
     SetDigitalVideoSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, frame_size, supported_frame_sizes
-from jauspy.platform.video_settings import MAX_BIT_RATE, MAX_RATE, MIN_BIT_RATE, VideoSettings
+from jauspy.platform.video_settings import (
+    MAX_BIT_RATE,
+    MAX_RATE,
+    MIN_BIT_RATE,
+    SUPPORTED_FRAME_SIZES,
+    VideoSettings,
+    frame_size,
+    supported_frame_sizes,
+)
 from jauspy.services.environment_sensing.digital_resource_discovery import StreamState, VideoStreams
 from jauspy.services.environment_sensing.sensors import requested_sensors
 from jauspy.services.service import Service

@@ -25,8 +25,14 @@ from jauspy.messages.environment_sensing.v2_0.still_image import (
     SetStillImageSensorConfiguration,
 )
 from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
-from jauspy.platform.frame_sizes import SUPPORTED_FRAME_SIZES, frame_size, supported_frame_sizes
-from jauspy.platform.video_settings import Still, StillFormat, StillSettings
+from jauspy.platform.video_settings import (
+    SUPPORTED_FRAME_SIZES,
+    Still,
+    StillFormat,
+    StillSettings,
+    frame_size,
+    supported_frame_sizes,
+)
 from jauspy.services.deferred import Deferred
 from jauspy.services.environment_sensing.sensors import SensorRecord, requested_sensors
 from jauspy.services.environment_sensing.visual_sensor import Cameras

@@ -13,8 +13,8 @@ from typing import Final
 from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
 from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.joint_control import ACCELERATION_TIME
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
-from jauspy.platform.setpoint import ACCELERATION_TIME
 from jauspy.services.command_timeout import ContinuousCommands
 
 POSITION_TOLERANCE: Final = 0.01

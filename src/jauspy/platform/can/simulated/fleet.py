@@ -16,11 +16,11 @@ from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
 from jauspy.platform import backends
 from jauspy.platform.can import pdo
+from jauspy.platform.can.bus import Port
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.can.simulated.axes import MotorPlant, Plant, RobotPlant
 from jauspy.platform.can.simulated.drive import SimulatedDrive
 from jauspy.platform.can.units import DriveUnits
-from jauspy.platform.can.wire import Port
 from jauspy.platform.description import RobotModel
 from jauspy.platform.kinematic import WORLDS
 

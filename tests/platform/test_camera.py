@@ -7,7 +7,7 @@ import math
 import pytest
 
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.platform.outside_view import OutsideSetup, OutsideView, Viewpoint, looking
+from jauspy.platform.camera import OutsideSetup, OutsideView, Viewpoint, looking
 
 
 def base(x=0.0, y=0.0, yaw=0.0):

@@ -7,8 +7,7 @@ import math
 import pytest
 
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.platform.modular.inertia import combined, inertia
-from jauspy.platform.modular.parts import Shape, Solid
+from jauspy.platform.modular.parts import Shape, Solid, combined, inertia
 
 
 def test_cuboid() -> None:
