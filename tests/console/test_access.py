@@ -15,8 +15,7 @@ import httpx
 from jauspy.console import users as users_module
 from jauspy.console.access import COOKIE, MAX_FORM, Gate
 from jauspy.console.certificates import check_certificate, make_certificate
-from jauspy.console.sessions import MAX_FAILURES, current_user
-from jauspy.console.users import Users, add_user
+from jauspy.console.users import MAX_FAILURES, Users, add_user, current_user
 from jauspy.errors import ConfigError
 
 HOST = "ground:8101"

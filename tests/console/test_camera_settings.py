@@ -6,8 +6,8 @@ import asyncio
 
 import pytest
 
-from jauspy.console.attitude import Attitude, AttitudeFeed
 from jauspy.console.camera_settings import LIGHTS, Setting, read_settings, sensor_name, write_setting
+from jauspy.console.video import Attitude, AttitudeFeed
 from jauspy.errors import RequestError
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.testing import VirtualNetwork

@@ -13,9 +13,8 @@ from typing import Any, cast
 
 import pytest
 
-from jauspy.console.jogging import MAX_SPEED, STILL, Jogging, velocity
 from jauspy.console.manipulators import StandardArm, manipulators
-from jauspy.console.motion import Motion
+from jauspy.console.motion import MAX_SPEED, STILL, Jogging, Motion, velocity
 from jauspy.console.operation import DEAD_MAN_TIME, Operation
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu.robot import Robot

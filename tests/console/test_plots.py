@@ -7,8 +7,8 @@ from itertools import count
 
 import pytest
 
-from jauspy.console.fields import MAX_FIELDS, fields_of, numbers_of, queries_of
 from jauspy.console.plots import MAX_SAMPLES, MAX_TRACES, Recorder
+from jauspy.console.reports import MAX_FIELDS, fields_of, numbers_of, queries_of
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
 from jauspy.messages.core import QueryStatus, ReportServices, ReportStatus

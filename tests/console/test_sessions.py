@@ -6,7 +6,7 @@ import pytest
 
 pytest.importorskip("cryptography", reason="needs the extra 'console'")
 
-from jauspy.console.sessions import (
+from jauspy.console.users import (
     FAILURE_TIME,
     IDLE_TIME,
     LIFETIME,
@@ -17,8 +17,8 @@ from jauspy.console.sessions import (
     MAX_SESSIONS_OF_USER,
     LoginLimit,
     Sessions,
+    User,
 )
-from jauspy.console.users import User
 
 ANNA = User("anna", "operator", 127)
 

@@ -16,8 +16,7 @@ pytest.importorskip("fastapi", reason="needs the extra 'console'")
 from fastapi import WebSocketDisconnect
 
 from jauspy.console import video as module
-from jauspy.console.attitude import Attitude
-from jauspy.console.video import MAX_BYTES, MAX_QUEUED, SharedCamera, Watcher, camera_state
+from jauspy.console.video import MAX_BYTES, MAX_QUEUED, Attitude, SharedCamera, Watcher, camera_state
 from jauspy.errors import RequestError
 from jauspy.video.h264_payload import IDR, SPS, Picture
 

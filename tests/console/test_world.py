@@ -13,7 +13,8 @@ from dataclasses import replace
 import pytest
 
 from jauspy.console.robot_geometry import RobotGeometry, described, reported
-from jauspy.console.world import MAX_TRACK, SCAN, UNKNOWN, World, Worlds
+from jauspy.console.world import MAX_TRACK, SCAN, UNKNOWN, World
+from jauspy.console.world_socket import Worlds
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import parse_urdf
 from jauspy.ids import JausID

@@ -12,8 +12,7 @@ from urllib.parse import parse_qs, urlsplit
 from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from jauspy.console.sessions import LIFETIME, LoginLimit, Session, Sessions, current, local_session
-from jauspy.console.users import NAME, User, Users
+from jauspy.console.users import LIFETIME, NAME, LoginLimit, Session, Sessions, User, Users, current, local_session
 
 LOCAL_HOSTS: Final = frozenset({"127.0.0.1", "localhost", "::1"})
 """Hosts of a console without a login."""

@@ -8,10 +8,9 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.gripper_panel import GripperPanel
-from jauspy.console.jogging import MAX_SPEED, MAX_TURN
 from jauspy.console.kept import Kept
 from jauspy.console.manipulators import JointInfo, Manipulator, manipulators
-from jauspy.console.motion import Motion
+from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
 from jauspy.console.server import Console
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot

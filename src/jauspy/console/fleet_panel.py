@@ -10,8 +10,8 @@ from typing import Final
 
 from nicegui import ui
 
-from jauspy.console.fields import fields_of
 from jauspy.console.fleet import NOTHING
+from jauspy.console.reports import fields_of
 from jauspy.console.server import Console
 from jauspy.console.traffic import Line
 from jauspy.ids import JausID

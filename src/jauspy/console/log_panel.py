@@ -6,7 +6,7 @@ from typing import Any, Final
 
 from nicegui import ui
 
-from jauspy.console.fields import fields_of
+from jauspy.console.reports import fields_of
 from jauspy.console.traffic import Line, Traffic
 from jauspy.printable import printable
 

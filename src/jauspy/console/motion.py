@@ -1,13 +1,120 @@
-"""One motion at a time that a browser has begun: it ends when that browser does not operate the robot any more."""
+"""What a page has moving: motions that end by themselves, and the tool of an arm while a button or key is held.
+
+Both end when that page does not operate the robot any more.
+"""
 
 from __future__ import annotations
 
 import asyncio
-from collections.abc import Coroutine
-from typing import Any, Final
+import json
+import math
+from collections.abc import Callable, Coroutine
+from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
-from jauspy.console.server import Console
+from jauspy.console.operation import DEAD_MAN_TIME, Operation
 from jauspy.errors import JausError
+from jauspy.geometry.vectors import Vector
+from jauspy.ids import JausID
+
+if TYPE_CHECKING:
+    from jauspy.console.server import Console
+
+MAX_SPEED: Final = 0.25
+"""m/s that a browser may ask for: that of robots near people (ISO 10218-1)."""
+MAX_TURN: Final = 1.0
+"""rad/s."""
+FRAMES: Final = ("robot", "tool")
+
+Velocity: TypeAlias = tuple[Vector, Vector, str]
+"""m/s along and rad/s about the axes of a frame."""
+
+STILL: Final[Velocity] = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), "robot")
+
+
+def velocity(text: str) -> Velocity:
+    """What a browser sends, `[x, y, z, roll, pitch, yaw, frame]`, limited; still for anything else."""
+    try:
+        *values, frame = json.loads(text)
+        x, y, z, roll, pitch, yaw = map(float, values)
+    except (ValueError, TypeError, RecursionError):
+        return STILL
+    if frame not in FRAMES or not all(map(math.isfinite, (x, y, z, roll, pitch, yaw))):
+        return STILL
+    return _limited((x, y, z), MAX_SPEED), _limited((roll, pitch, yaw), MAX_TURN), frame
+
+
+class Jogging:
+    """Moves the tool of one arm as the operator's browser says, for as long as it goes on saying so."""
+
+    def __init__(self, operation: Operation, id: JausID, on_event: Callable[[str], None]) -> None:
+        self.operation = operation
+        self.problem = ""
+        """Why the last command had no effect, in words."""
+        self._id = id
+        self._on_event = on_event
+        self._mover = ""
+        """The token whose commands move the tool now; empty while it stands."""
+        self._watchdog: asyncio.TimerHandle | None = None
+        self._wanted: Velocity | None = None
+        self._sending: asyncio.Task[None] | None = None
+
+    def move(self, token: str, text: str) -> str:
+        """Move the tool; repeated within `DEAD_MAN_TIME`. Returns why not, or an empty string."""
+        if why_not := self.operation.refusal(token):
+            return why_not
+        wanted = velocity(text)
+        self._cancel_watchdog()
+        if any((*wanted[0], *wanted[1])):
+            self._watchdog = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
+            self._mover = token
+            self._want(wanted)
+        elif self._mover:
+            self._stop()
+        return self.problem
+
+    def leave(self, token: str) -> None:
+        """The browser's socket is closed: stop what it moves."""
+        if token == self._mover:
+            self._cancel_watchdog()
+            self._stop()
+
+    def _dead_man(self) -> None:
+        self._watchdog = None
+        self._on_event(f"the arm {self._id} was stopped: its operator's browser is silent")
+        self._stop()
+
+    def _stop(self) -> None:
+        self._mover = ""
+        self._want(STILL)
+
+    def _want(self, wanted: Velocity) -> None:
+        self._wanted = wanted
+        if self._sending is None or self._sending.done():
+            self._sending = asyncio.create_task(self._send(), name=f"console: jog {self._id}")
+
+    async def _send(self) -> None:
+        """Send the newest command; those that came meanwhile are left out."""
+        while (wanted := self._wanted) is not None:
+            self._wanted = None
+            linear, angular, frame = wanted
+            try:
+                arm = self.operation.robot.manipulator(str(self._id))
+                await arm.move_tool_at(linear, angular, frame=frame)
+                self.problem = ""
+            except JausError as error:
+                self.problem = str(error)
+
+    def _cancel_watchdog(self) -> None:
+        if self._watchdog is not None:
+            self._watchdog.cancel()
+            self._watchdog = None
+
+
+def _limited(vector: Vector, most: float) -> Vector:
+    length = math.hypot(*vector)
+    x, y, z = vector
+    return (x * most / length, y * most / length, z * most / length) if length > most else vector
+
 
 CHECK_INTERVAL: Final = 0.1
 """Seconds between two looks at who operates the robot."""

@@ -14,7 +14,7 @@ from jauspy.console.drive_panel import DRIVERS, DrivePanel
 from jauspy.console.fleet_panel import FleetPanel
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.manipulators import MODULAR_ARM
-from jauspy.console.plots_panel import PlotsPanel
+from jauspy.console.plots import PlotsPanel
 from jauspy.console.server import Console
 from jauspy.console.trajectory_panel import TrajectoryPanel
 from jauspy.console.users import LOCAL, User

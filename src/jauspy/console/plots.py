@@ -1,10 +1,11 @@
-"""Values of reports over time: which are recorded, how long they are kept, and as CSV."""
+"""The tab Plots: any numeric field of any report over time; what is recorded, how long it is kept, and as CSV."""
 
 from __future__ import annotations
 
 import asyncio
 import csv
 import io
+import json
 import time
 from collections import deque
 from collections.abc import Callable
@@ -13,13 +14,17 @@ from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from typing import Final
 
+from nicegui import ui
+
 from jauspy.codec.message import Message
-from jauspy.console.fields import numbers_of
-from jauspy.console.reports import reports_of
+from jauspy.console.reports import Field, fields_of, numbers_of, queries_of, reports_of
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.ocu import OCU
+from jauspy.ocu.robot import Robot
 from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.printable import printable
 
 MAX_TRACES: Final = 12
 MAX_SAMPLES: Final = 6000
@@ -147,3 +152,152 @@ class Recorder:
             trace.problem = "" if value is not None else "the last report has no such field"
             if value is not None:
                 trace.add(at, value)
+
+
+UPDATE_INTERVAL: Final = 0.25
+"""Seconds between two pictures of the chart."""
+DEFAULT_RATE: Final = 10.0
+SPANS: Final = {30: "30 s", 120: "2 min", 0: "all"}
+"""Seconds that the chart shows; 0 is everything that is kept."""
+
+
+class PlotsPanel:
+    """The choice of fields, the chart and its buttons, for one page."""
+
+    def __init__(self, ocu: OCU) -> None:
+        self.recorder = Recorder(ocu)
+        self._ocu = ocu
+        self._components: dict[str, ComponentInfo] = {}
+        self._queries: dict[str, Message] = {}
+        self._fields: dict[str, Field] = {}
+        self._sent: dict[int, int] = {}
+        self._listed: tuple[tuple[int, str], ...] = ()
+        with ui.element("div").classes("choice"):
+            self._component = _select("component", self._choose_component).classes("wide")
+            self._message = _select("message", self._choose_message).classes("wide")
+            self._field = _select("fields", lambda: None, multiple=True).classes("wide")
+            self._rate = (
+                ui.number("Hz", value=DEFAULT_RATE, min=0.1, max=MAX_RATE).props("dense outlined").classes("short")
+            )
+            self._add = ui.button("add", on_click=self._add_traces).props("unelevated no-caps")
+        self._problem = ui.label("").classes("problem")
+        self._chips = ui.element("div").classes("chips")
+        self._chart = ui.echart({"series": []}).classes("chart")
+        with ui.element("div").classes("row"):
+            self._span = ui.toggle(SPANS, value=30).props("no-caps dense unelevated")
+            ui.label("wheel: zoom, drag: move; axes of JAUS: y right, z down").classes("hint grow")
+            self._pause = ui.button("pause", on_click=self._toggle).props("outline no-caps")
+            ui.button("clear", on_click=self._clear).props("outline no-caps")
+            ui.button("CSV", on_click=self._download).props("outline no-caps")
+        self._paused = False
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Offer the components of this robot; traces of others stay."""
+        components = robot.components if robot is not None else ()
+        self._components = {str(each.id): each for each in components if queries_of(each, registry)}
+        self._component.set_options(
+            {id: f"{id}  {printable(each.name)}" for id, each in self._components.items()},
+            value=next(iter(self._components), None),
+        )
+
+    def close(self) -> None:
+        """The page has gone."""
+        self.recorder.close()
+
+    # --- choosing ---------------------------------------------------------------------------------------------------
+
+    def _choose_component(self) -> None:
+        component = self._components.get(str(self._component.value))
+        self._queries = queries_of(component, registry) if component is not None else {}
+        self._message.set_options({name: name.removeprefix("Query") for name in self._queries}, value=None)
+        self._field.set_options([], value=[])
+
+    async def _choose_message(self) -> None:
+        """Query the report once: its fields are what this component reports."""
+        query = self._queries.get(str(self._message.value))
+        component = self._component.value
+        self._field.set_options([], value=[])
+        self._problem.set_text("")
+        if query is None:
+            return
+        try:
+            report = await self._ocu.query(component, query)
+        except JausError as error:
+            self._problem.set_text(str(error))
+            return
+        if (component, query.NAME) != (self._component.value, self._message.value):
+            return  # another one was chosen meanwhile
+        self._fields = {each.path: each for each in fields_of(report) if each.number is not None}
+        self._field.set_options(
+            {path: f"{path}  = {each.text} {each.unit}".rstrip() for path, each in self._fields.items()}, value=[]
+        )
+        if not self._fields:
+            self._problem.set_text(f"{report.NAME} has no numbers now")
+
+    def _add_traces(self) -> None:
+        component, query = self._components.get(str(self._component.value)), self._queries.get(str(self._message.value))
+        paths = self._field.value or []
+        if component is None or query is None or not paths:
+            self._problem.set_text("choose a component, a message and one or several fields")
+            return
+        self._problem.set_text("")
+        try:
+            for path in paths:
+                self.recorder.add(component, query, path, self._fields[path].unit, float(self._rate.value or 0.0))
+        except JausError as error:
+            self._problem.set_text(str(error))
+
+    # --- showing ----------------------------------------------------------------------------------------------------
+
+    def _update(self) -> None:
+        """Send the values that are new to the browser, which keeps as many as the recorder."""
+        traces = list(self.recorder.traces.values())
+        listed = tuple((each.number, each.problem) for each in traces)
+        if listed != self._listed:
+            self._listed = listed
+            self._show_chips(traces)
+        if traces or self._sent:
+            parts = [self._part(each) for each in traces]
+            self._sent = {each.number: each.total for each in traces}
+            span = int(self._span.value or 0)
+            ui.run_javascript(f"jauspy.plot({self._chart.id}, {json.dumps(parts)}, {span}, {json.dumps(self._paused)})")
+
+    def _part(self, trace: Trace) -> dict[str, object]:
+        new = min(len(trace.samples), trace.total - self._sent.get(trace.number, 0))
+        points = list(trace.samples)[-new:] if new else []
+        return {
+            "number": trace.number,
+            "name": printable(trace.name),
+            "unit": trace.unit,
+            "points": [[round(1e3 * at), value] for at, value in points],
+        }
+
+    def _show_chips(self, traces: list[Trace]) -> None:
+        self._chips.clear()
+        with self._chips:
+            for place, trace in enumerate(traces):
+                with ui.element("div").classes("trace").props(f'data-place="{place % 6}"'):
+                    ui.label(printable(trace.name))
+                    if trace.problem:
+                        ui.label(printable(trace.problem)).classes("problem")
+                    remove = ui.button("\u00d7", on_click=lambda number=trace.number: self.recorder.remove(number))
+                    remove.props('flat dense aria-label="remove"')
+
+    # --- buttons ----------------------------------------------------------------------------------------------------
+
+    def _toggle(self) -> None:
+        """Hold the chart still; values are recorded on."""
+        self._paused = not self._paused
+        self._pause.set_text("resume" if self._paused else "pause")
+
+    def _clear(self) -> None:
+        self.recorder.clear()
+        ui.run_javascript(f"jauspy.clearPlot({self._chart.id})")
+
+    def _download(self) -> None:
+        ui.download.content(self.recorder.csv(), f"jauspy-{datetime.now().astimezone():%Y%m%d-%H%M%S}.csv", "text/csv")
+
+
+def _select(label: str, on_change: Callable[[], object], *, multiple: bool = False) -> ui.select:
+    return ui.select([], label=label, multiple=multiple, on_change=on_change).props("dense outlined options-dense")

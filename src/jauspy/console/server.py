@@ -20,19 +20,16 @@ from fastapi import FastAPI, WebSocket, WebSocketDisconnect
 from starlette.staticfiles import StaticFiles
 
 from jauspy.console.access import LOCAL_HOSTS, Gate
-from jauspy.console.attitude import AttitudeFeed
 from jauspy.console.certificates import check_certificate
 from jauspy.console.fleet import NOTHING, Fleet
-from jauspy.console.jogging import Jogging
 from jauspy.console.kept import RobotPoses
+from jauspy.console.motion import Jogging
 from jauspy.console.operation import Operation
-from jauspy.console.sessions import current_user
 from jauspy.console.traffic import Traffic
-from jauspy.console.users import LOCAL, User, Users
-from jauspy.console.video import SharedCamera, camera_state
+from jauspy.console.users import LOCAL, User, Users, current_user
+from jauspy.console.video import AttitudeFeed, SharedCamera, camera_state
 from jauspy.console.watchdog import Watchdog
-from jauspy.console.world import Worlds
-from jauspy.console.world_socket import add_world
+from jauspy.console.world_socket import Worlds, add_world
 from jauspy.errors import CodecError, ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry

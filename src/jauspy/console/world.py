@@ -8,7 +8,7 @@ import math
 import struct
 import zlib
 from collections import Counter, deque
-from collections.abc import AsyncGenerator, Awaitable, Callable, Iterable, Mapping, Sequence
+from collections.abc import AsyncGenerator, Awaitable, Callable, Iterable, Sequence
 from contextlib import aclosing
 from dataclasses import dataclass
 from datetime import UTC, datetime
@@ -420,45 +420,3 @@ def _cloud_bytes(points: bytes, values: int, frame: str) -> bytes:
     name = frame.encode()[:1000]
     name += b" " * (-len(name) % 4)
     return _CLOUD_HEADER.pack(CLOUD, values, len(name), len(kept) // size) + name + kept
-
-
-class Worlds:
-    """The worlds of all robots, each made when a browser first looks at it and closed with the last page that did."""
-
-    def __init__(self, ocu: OCU, robots: Callable[[], Mapping[int, Robot]]) -> None:
-        self.files: tuple[str, ...] = ()
-        """Robot files (TOML) beside those that come with jauspy."""
-        self.clouds: Mapping[int, Sequence[str]] = {}
-        """Addresses of point clouds, by subsystem."""
-        self._ocu = ocu
-        self._robots = robots
-        self._worlds: dict[int, World] = {}
-        self._pages: dict[int, set[str]] = {}
-
-    def get(self, subsystem: int) -> World | None:
-        """The world of a robot that somebody has looked at."""
-        return self._worlds.get(subsystem)
-
-    def opened(self, subsystem: int, token: str) -> World | None:
-        """The world of a robot, for the page with this token; None when there is no such robot."""
-        if subsystem not in self._worlds:
-            if subsystem not in self._robots():
-                return None
-            world = World(self._ocu, lambda: self._robots().get(subsystem), self.files, self.clouds.get(subsystem, ()))
-            self._worlds[subsystem] = world
-        self._pages.setdefault(subsystem, set()).add(token)
-        return self._worlds[subsystem]
-
-    async def forget(self, token: str) -> None:
-        """The page has gone; what nobody has open any more ends."""
-        for subsystem, pages in list(self._pages.items()):
-            pages.discard(token)
-            if not pages:
-                del self._pages[subsystem]
-                await self._worlds.pop(subsystem).close()
-
-    async def close(self) -> None:
-        """End all. May be called twice."""
-        for world in self._worlds.values():
-            await world.close()
-        self._worlds, self._pages = {}, {}

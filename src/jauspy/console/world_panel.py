@@ -2,15 +2,266 @@
 
 from __future__ import annotations
 
+import json
+import math
+from collections.abc import Awaitable, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
 from nicegui import ui
 
-from jauspy.console.map_panel import MapPanel
-from jauspy.ocu.robot import Robot
+from jauspy.console.route import LIST_DRIVER, MAX_WAYPOINTS, Route, Waypoint
+from jauspy.errors import ConfigError, JausError
+from jauspy.ocu.robot import DEFAULT_SPEED, Robot
+from jauspy.ocu.state import RobotPose
 
 if TYPE_CHECKING:
     from jauspy.console.server import Console
+    from jauspy.console.world import World
+
+UPDATE_INTERVAL: Final = 0.5
+MAX_DISTANCE: Final = 10_000.0
+"""Metres from the origin within which a browser may set a waypoint."""
+MAX_SPEED: Final = 5.0
+"""m/s that can be chosen; the robot has limits of its own."""
+
+
+class MapPanel:
+    """The map and the list, for one page with this token. Edits are this page's own until they are sent."""
+
+    def __init__(self, console: Console, token: str) -> None:
+        self.visible = False
+        """Set by the page; a robot is asked for its list only while somebody sees it."""
+        self._console = console
+        self._token = token
+        self._robot: Robot | None = None
+        self._draft: list[Waypoint] | None = None
+        """What was edited here and not sent; None while the list is the robot's."""
+        self._busy = False
+        self._refused = ""
+        self._shown: tuple[object, ...] = ()
+        ui.element("div").props("id=world-map").classes("map")
+        with ui.element("div").classes("route"):
+            with ui.element("div").classes("held"):
+                with ui.element("div").classes("row"):
+                    ui.label("Waypoints").classes("heading")
+                    self._count = ui.label("").classes("hint")
+                self._list = ui.element("div").classes("waypoints")
+            with ui.element("div").classes("execution"):
+                self._bar = ui.linear_progress(0.0, show_value=False, size="6px").props("instant-feedback")
+                self._progress = ui.label("").classes("hint progress")
+                self._problem = ui.label("").classes("problem")
+                with ui.element("div").classes("row tight"):
+                    self._start = ui.button("start", on_click=self._on_start).props("unelevated no-caps")
+                    self._pause = ui.button("pause", on_click=self._on_pause).props("outline no-caps")
+                    self._speed = ui.number(
+                        "m/s", value=DEFAULT_SPEED, min=0.1, max=MAX_SPEED, step=0.1, on_change=self._on_speed
+                    )
+                    self._speed.props("dense outlined debounce=600").classes("short")
+                with ui.element("div").classes("row tight"):
+                    self._clear = ui.button("clear", on_click=self._on_clear).props("outline no-caps")
+                    self._discard = ui.button("undo edits", on_click=self._on_discard).props("flat no-caps")
+        ui.on("waypoint", self._edit)
+        ui.timer(UPDATE_INTERVAL, self._update)
+
+    def show(self, robot: Robot | None) -> None:
+        """Show another robot; edits of the one before are dropped."""
+        if robot is None or self._robot is None or robot.id != self._robot.id:
+            self._draft, self._refused, self._shown = None, "", ()
+        self._robot = robot
+
+    # --- editing ----------------------------------------------------------------------------------------------------
+
+    def _world(self) -> World | None:
+        return None if self._robot is None else self._console.worlds.opened(self._robot.id, self._token)
+
+    def _edit(self, event: Any) -> None:
+        """A click or a drag in the browser, whose words are checked."""
+        world, asked = self._world(), event.args
+        if world is None or not isinstance(asked, dict) or not world.route.is_offered:
+            return
+        points = list(self._draft if self._draft is not None else world.route.waypoints)
+        try:
+            x, y, index = (float(asked.get(key, 0)) for key in ("x", "y", "index"))
+        except (TypeError, ValueError):
+            return
+        if not (abs(x) < MAX_DISTANCE and abs(y) < MAX_DISTANCE):
+            return
+        if asked.get("what") == "add" and len(points) < MAX_WAYPOINTS:
+            points.append(Waypoint(round(x, 2), round(y, 2)))
+        elif asked.get("what") == "move" and index in range(len(points)):
+            points[int(index)] = points[int(index)].moved(round(x, 2), round(y, 2))
+        else:
+            return
+        self._take(points)
+
+    def _remove(self, index: int) -> None:
+        world = self._world()
+        if world is not None:
+            points = list(self._draft if self._draft is not None else world.route.waypoints)
+            del points[index : index + 1]
+            self._take(points)
+
+    def _take(self, points: list[Waypoint]) -> None:
+        self._draft, self._refused = points, ""
+        self._show_route()
+
+    # --- showing ----------------------------------------------------------------------------------------------------
+
+    async def _update(self) -> None:
+        if not self.visible:
+            return
+        world = self._world()
+        if world is not None:
+            await world.route.look()
+        self._show_route()
+
+    def _show_route(self) -> None:
+        world = self._world()
+        if world is None:
+            return
+        route, mine = world.route, self._operates()
+        points = list(self._draft if self._draft is not None else route.waypoints)
+        states = [state_of(index, route, is_draft=self._draft is not None) for index in range(len(points))]
+        shown = (tuple(points), tuple(states), route.is_offered)
+        if shown != self._shown:
+            self._shown = shown
+            self._show_list(points, states)
+            drawn = [{"x": p.x, "y": p.y, "state": s} for p, s in zip(points, states, strict=True) if p.is_point]
+            ui.run_javascript(f"jauspy.world.setRoute({json.dumps(drawn)})")
+        text, fraction = progress_of(route, world.pose)
+        self._progress.set_text(text)
+        self._bar.set_value(fraction)
+        self._bar.set_visibility(route.active is not None)
+        self._problem.set_text(self._refused or route.problem)
+        self._count.set_text("not sent yet" if self._draft is not None else "on the robot" if points else "")
+        runs = route.active is not None and not route.is_paused
+        self._start.set_text("resume" if route.is_paused and self._draft is None else "start")
+        self._start.set_enabled(mine and not self._busy and bool(points) and (not runs or self._draft is not None))
+        self._pause.set_enabled(mine and not self._busy and runs)
+        self._clear.set_enabled(not self._busy and (mine or self._draft is not None) and bool(points))
+        self._discard.set_visibility(self._draft is not None)
+
+    def _show_list(self, points: Sequence[Waypoint], states: Sequence[str]) -> None:
+        self._list.clear()
+        with self._list:
+            world = self._world()
+            if world is not None and not world.route.is_offered:
+                ui.label(f"this robot does not offer {LIST_DRIVER}").classes("hint")
+            elif not points:
+                ui.label("click on the map to set a waypoint, drag it to move it").classes("hint")
+            for index, (point, state) in enumerate(zip(points, states, strict=True)):
+                with ui.element("div").classes("waypoint").props(f'data-state="{state}"'):
+                    ui.label(str(index + 1)).classes("number")
+                    where = (
+                        f"{round(point.x, 2) + 0.0:.2f}, {round(point.y, 2) + 0.0:.2f} m"
+                        if point.is_point
+                        else getattr(point.element, "NAME", "data")
+                    )
+                    ui.label(where).classes("grow")
+                    ui.label(state).classes("hint")
+                    ui.button("\u00d7", on_click=lambda at=index: self._remove(at)).props(
+                        f'flat dense aria-label="remove waypoint {index + 1}"'
+                    )
+
+    # --- commands ---------------------------------------------------------------------------------------------------
+
+    def _operates(self) -> bool:
+        operation = self._console.operation(self._robot.id) if self._robot is not None else None
+        return operation is not None and operation.is_controlled and operation.operator == self._token
+
+    async def _command(self, what: str, command: Awaitable[None]) -> bool:
+        """Carry out a command of the browser that operates; a refusal is shown and logged."""
+        assert self._robot is not None
+        self._busy, self._refused = True, ""
+        self._show_route()
+        try:
+            if not self._operates():
+                raise ConfigError("take control of the robot first")
+            await command
+        except JausError as error:
+            self._refused = str(error)
+            self._console.note(f"robot {self._robot.id}: {what} was refused: {error}")
+            return False
+        else:
+            self._console.note(f"robot {self._robot.id}: {what}")
+            return True
+        finally:
+            self._busy = False
+            self._show_route()
+
+    async def _on_start(self) -> None:
+        world = self._world()
+        if world is None:
+            return
+        route, draft, speed = world.route, self._draft, float(self._speed.value or DEFAULT_SPEED)
+        if route.is_paused and draft is None:
+            await self._command(f"go on through the waypoints at {speed:g} m/s", route.set_speed(speed))
+            return
+        many = len(draft if draft is not None else route.waypoints)
+        if await self._command(f"drive through {many} waypoints at {speed:g} m/s", route.start(draft, speed)):
+            if self._draft is draft:
+                self._draft = None
+            self._show_route()
+
+    async def _on_pause(self) -> None:
+        world = self._world()
+        if world is not None:
+            await self._command("wait on the way through the waypoints", world.route.set_speed(0.0))
+
+    async def _on_speed(self) -> None:
+        """A robot that drives through its list takes the new speed at once."""
+        world, speed = self._world(), float(self._speed.value or 0.0)
+        if world is None or not 0.0 < speed <= MAX_SPEED:
+            return
+        if self._operates() and world.route.active is not None and not world.route.is_paused:
+            await self._command(f"go on through the waypoints at {speed:g} m/s", world.route.set_speed(speed))
+
+    async def _on_clear(self) -> None:
+        world = self._world()
+        if world is None:
+            return
+        if (
+            world.route.waypoints
+            and self._operates()
+            and not await self._command("delete the waypoints", world.route.clear())
+        ):
+            return
+        self._draft = [] if world.route.waypoints else None
+        self._show_route()
+
+    def _on_discard(self) -> None:
+        self._draft, self._refused = None, ""
+        self._show_route()
+
+
+def state_of(index: int, route: Route, *, is_draft: bool) -> str:
+    """The state of one waypoint, in words; the browser colours it by them."""
+    if is_draft:
+        return "not sent"
+    if route.active is None:
+        return "reached" if index <= route.ended_at else "on the robot"
+    if index == route.active:
+        return "waits" if route.is_paused else "active"
+    return "reached" if index < route.active else "on the robot"
+
+
+def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
+    """How far the robot is in its list: in words, and from 0 to 1."""
+    many = len(route.waypoints)
+    if route.active is None:
+        if route.ended_at < 0:
+            return "", 0.0
+        done = route.ended_at == many - 1
+        return f"ended at waypoint {route.ended_at + 1} of {many}", 1.0 if done else 0.0
+    text = f"{'waits on the way' if route.is_paused else 'drives'} to waypoint {route.active + 1} of {many}"
+    goal = route.waypoints[route.active]
+    if pose is None or not goal.is_point:
+        return text, route.active / many
+    left = math.dist((pose.x, pose.y), (goal.x, goal.y))
+    leg = left if route.began_at is None else math.dist(route.began_at, (goal.x, goal.y))
+    part = max(0.0, 1.0 - left / leg) if leg > 0.0 else 0.0
+    return f"{text}: {left:.1f} m left", (route.active + part) / many
+
 
 VIEWS: Final = {"both": "both", "three": "3-D", "map": "map"}
 ON_MAP: Final = ("LocalPoseSensor", "RangeSensor")

@@ -1,17 +1,19 @@
-"""The connection of a browser to what the tab World shows: geometry, state, map, scans and clouds of one robot."""
+"""The connections of browsers to what the tab World shows: geometry, state, map, scans and clouds of each robot."""
 
 from __future__ import annotations
 
 import asyncio
 import json
-from collections.abc import Awaitable, Callable
+from collections.abc import Awaitable, Callable, Mapping, Sequence
 from typing import Final
 
 from fastapi import FastAPI, HTTPException, WebSocket, WebSocketDisconnect
 from starlette.responses import FileResponse
 
-from jauspy.console.world import RATE, World, Worlds
+from jauspy.console.world import RATE, World
 from jauspy.errors import JausError
+from jauspy.ocu import OCU
+from jauspy.ocu.robot import Robot
 
 MAP_INTERVAL: Final = 1.0
 """Seconds between two maps to one browser."""
@@ -19,6 +21,48 @@ CLOUD_INTERVAL: Final = 0.5
 
 Accept = Callable[[WebSocket, str], Awaitable[bool]]
 """Accepts the socket of a page with this token; False for a stranger, whose socket is closed."""
+
+
+class Worlds:
+    """The worlds of all robots, each made when a browser first looks at it and closed with the last page that did."""
+
+    def __init__(self, ocu: OCU, robots: Callable[[], Mapping[int, Robot]]) -> None:
+        self.files: tuple[str, ...] = ()
+        """Robot files (TOML) beside those that come with jauspy."""
+        self.clouds: Mapping[int, Sequence[str]] = {}
+        """Addresses of point clouds, by subsystem."""
+        self._ocu = ocu
+        self._robots = robots
+        self._worlds: dict[int, World] = {}
+        self._pages: dict[int, set[str]] = {}
+
+    def get(self, subsystem: int) -> World | None:
+        """The world of a robot that somebody has looked at."""
+        return self._worlds.get(subsystem)
+
+    def opened(self, subsystem: int, token: str) -> World | None:
+        """The world of a robot, for the page with this token; None when there is no such robot."""
+        if subsystem not in self._worlds:
+            if subsystem not in self._robots():
+                return None
+            world = World(self._ocu, lambda: self._robots().get(subsystem), self.files, self.clouds.get(subsystem, ()))
+            self._worlds[subsystem] = world
+        self._pages.setdefault(subsystem, set()).add(token)
+        return self._worlds[subsystem]
+
+    async def forget(self, token: str) -> None:
+        """The page has gone; what nobody has open any more ends."""
+        for subsystem, pages in list(self._pages.items()):
+            pages.discard(token)
+            if not pages:
+                del self._pages[subsystem]
+                await self._worlds.pop(subsystem).close()
+
+    async def close(self) -> None:
+        """End all. May be called twice."""
+        for world in self._worlds.values():
+            await world.close()
+        self._worlds, self._pages = {}, {}
 
 
 def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[str], bool]) -> None:
