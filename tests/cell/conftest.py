@@ -7,7 +7,7 @@ import pytest
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
-from jauspy.cell.layout import Layout
+from jauspy.cell.scene import Layout
 from jauspy.modules import robot_files
 from jauspy.platform.description import RobotModel
 

@@ -9,7 +9,7 @@ from tests.helpers.fake_cell import FakeCell
 
 from jauspy.cell.assembly import FIVE_JOINTS, GRASPS, Assembler, AssemblyResult
 from jauspy.cell.interface import GRIPPER
-from jauspy.cell.layout import Layout
+from jauspy.cell.scene import Layout
 from jauspy.cell.session import Session
 from jauspy.cell.tasks import assemble
 

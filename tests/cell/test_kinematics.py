@@ -9,7 +9,7 @@ import pytest
 
 from jauspy.cell.frames import offset_between, shifted, turned
 from jauspy.cell.kinematics import MIN_CONDITION, ArmKinematics
-from jauspy.cell.layout import Layout
+from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError
 
 DOWN = turned("x", math.pi)

@@ -11,9 +11,8 @@ import pinocchio as pin
 import pytest
 
 from jauspy.cell.frames import offset_between, shifted, turned
-from jauspy.cell.layout import Layout
 from jauspy.cell.motion import STEP, MotionPlanner, NoPath, profile
-from jauspy.cell.scene import Piece, PlanningScene, connector_frame, links_of_urdf, output_frame, pieces_of_part
+from jauspy.cell.scene import Layout, Piece, PlanningScene, connector_frame, links_of_urdf, output_frame, pieces_of_part
 from jauspy.errors import ConfigError
 
 DOWN = turned("x", math.pi)

@@ -8,7 +8,7 @@ import pytest
 
 from jauspy.cell.kitting import MAX_ANGLE, MAX_DISTANCE, drawn_order, score
 from jauspy.cell.measured import Measured, figure_text
-from jauspy.cell.page import Promise, Section, page
+from jauspy.cell.report import Promise, Section, page
 from jauspy.cell.trials import summarised, wilson
 
 GOOD = (0.001, 0.01)

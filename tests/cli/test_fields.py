@@ -1,16 +1,24 @@
 """`field=value` of the command line, and fields on paper."""
 
+from __future__ import annotations
+
 import math
+import shlex
 
 import pytest
 import yaml
+from tests.helpers.command_line import jauspy
+from tests.helpers.sampling import sampled
 
 from jauspy.cli import fields
-from jauspy.cli.fields import describe, message_from
+from jauspy.cli.fields import describe, example, message_from
 from jauspy.cli.render import field_lines
 from jauspy.codec.names import members
+from jauspy.codec.registry import Hints
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
+from jauspy.messages.manipulator import SetJointPositions
+from jauspy.messages.mobility import QueryLocalPose
 from jauspy.schema import load_builtin, model as m
 
 
@@ -133,3 +141,44 @@ def test_values_have_the_decimals_of_their_resolution():
     message = registry.by_name("ReportLocalPose")(x=2.0, yaw=math.pi / 2)
     message = type(message).decode(message.encode())
     assert [line.plain for line in field_lines(message)] == ["x: 2 m", "yaw: 1.5708 rad"]
+
+
+INPUTS = [
+    each
+    for entry in registry.entries
+    for each in [registry.by_name(entry.name, service=entry.service, version=entry.version)]
+    if each.IS_COMMAND or each.IS_QUERY
+]
+
+
+@pytest.mark.parametrize(
+    "kind", sampled(INPUTS, 60), ids=lambda kind: f"{kind.SERVICE.rpartition(':')[2]}-{kind.NAME}-{kind.VERSION}"
+)
+def test_example_of_every_command_and_query_is_the_message_that_it_shows(kind):
+    program, verb, target, name, *fields = example(registry, kind)
+    assert (program, target, name) == ("jauspy", "ID", kind.NAME)
+    assert verb == ("query" if kind.IS_QUERY else "send")
+    made = message_from(registry, name, fields, Hints(kind.SERVICE, kind.VERSION))
+    assert type(made).decode(made.encode()).encode() == made.encode()
+
+
+def test_example_of_a_nested_message():
+    assert example(registry, SetJointPositions, "101.1.104") == [
+        *("jauspy", "send", "101.1.104", "SetJointPositions"),
+        "joint_position_list=[{joint_position: {choice: RADIAN, value: 0.5}}]",
+    ]
+    assert example(registry, QueryLocalPose) == ["jauspy", "query", "ID", "QueryLocalPose"]
+
+
+def test_schema_show_prints_an_example():
+    shown = jauspy("schema", "show", "SetJointMotionProfile").stdout
+    _, _, command = shown.partition("example:  ")
+    words = shlex.split(command.replace("\\\n", " "))  # as a shell reads it
+    assert words[:4] == ["jauspy", "send", "ID", "SetJointMotionProfile"]
+    assert message_from(registry, "SetJointMotionProfile", words[4:]).joint_motion_profile_list
+    assert "example:" not in jauspy("schema", "show", "ReportLocalPose").stdout
+
+
+@pytest.mark.parametrize("verb", ["send", "query"])
+def test_help_tells_where_examples_are(verb):
+    assert "jauspy schema show MESSAGE" in " ".join(jauspy(verb, "--help").stdout.split())

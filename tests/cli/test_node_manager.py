@@ -11,7 +11,7 @@ import sys
 
 import pytest
 
-from jauspy.node.descriptors import MAX_OPEN_FILES
+from jauspy.node.manager import MAX_OPEN_FILES
 
 COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 

@@ -17,7 +17,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 import av
 
 from jauspy.cli import video
-from jauspy.cli.stream_settings import StreamSettings
+from jauspy.cli.video import StreamSettings
 from jauspy.errors import RequestError
 from jauspy.ids import JausID
 from jauspy.ocu import OCU

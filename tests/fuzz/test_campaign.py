@@ -14,8 +14,7 @@ from jauspy.fuzz.campaign import CampaignPlan, fuzzer, run
 from jauspy.fuzz.checks import difference
 from jauspy.fuzz.findings import minimise
 from jauspy.fuzz.messages import MessageMaker, Style
-from jauspy.fuzz.mutation import MAX_INPUT_SIZE, file_payloads, mutate
-from jauspy.fuzz.offsets import offsets_of
+from jauspy.fuzz.mutation import MAX_INPUT_SIZE, file_payloads, mutate, offsets_of
 from jauspy.messages import registry
 
 CAPTURE = Path(__file__).parents[1] / "golden" / "sae_management.hex"

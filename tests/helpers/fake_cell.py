@@ -12,9 +12,8 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, se3_of_pose, tilt_between, transform
 from jauspy.cell.interface import GRIPPER, SeenPart, T
-from jauspy.cell.layout import Layout
 from jauspy.cell.motion import Path, profile
-from jauspy.cell.scene import connector_frame
+from jauspy.cell.scene import Layout, connector_frame
 from jauspy.platform.modular.arm import ModularArmState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind

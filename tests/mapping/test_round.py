@@ -22,8 +22,7 @@ from tests.mapping.test_tour import near
 
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import PlanarPose, Pose
-from jauspy.mapping.files import save_map
-from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.grid import OccupancyGrid, save_map
 from jauspy.mapping.mapper import Mapper
 from jauspy.platform.localization import Localization
 from jauspy.platform.localizer import Localizer

@@ -19,8 +19,7 @@ from tests.helpers.robot import described
 
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import PlanarPose
-from jauspy.mapping.files import save_map
-from jauspy.mapping.grid import OccupancyGrid
+from jauspy.mapping.grid import OccupancyGrid, save_map
 from jauspy.mapping.mapper import Mapper
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot

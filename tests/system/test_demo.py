@@ -23,11 +23,11 @@ import av
 import cv2
 import yaml
 
-from jauspy.cli.can_bus import on_bus
 from jauspy.cli.demo import grasp, plan
 from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
 from jauspy.cli.demo.report import DemoState
+from jauspy.cli.options import on_bus
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.modules.vehicle_config import LocalizationConfig

@@ -23,7 +23,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.cell.modular import FIVE_JOINTS
+from jauspy.cell.modular_arm import FIVE_JOINTS
 from jauspy.modules import robot_files
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Snapshot

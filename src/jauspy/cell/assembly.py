@@ -18,9 +18,8 @@ import pinocchio as pin
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, tilt_between, turned
 from jauspy.cell.handling import Handling, PickPlan
 from jauspy.cell.interface import GRIPPER, Cell, SeenPart
-from jauspy.cell.layout import Layout
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
-from jauspy.cell.scene import Clearance, connector_frame
+from jauspy.cell.scene import Clearance, Layout, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
 from jauspy.platform.modular.connector import ConnectorState

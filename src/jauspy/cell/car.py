@@ -14,10 +14,9 @@ from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
 from jauspy.cell.handling import LINE_MARGIN
 from jauspy.cell.interface import GRIPPER
-from jauspy.cell.layout import Layout
-from jauspy.cell.modular import ArmOperator
+from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath, Path
-from jauspy.cell.scene import Piece, connector_frame, pieces_of_part
+from jauspy.cell.scene import Layout, Piece, connector_frame, pieces_of_part
 from jauspy.cell.schedule import TaskFailed
 from jauspy.messages.mobility import (
     QueryLocalPose,

@@ -15,8 +15,8 @@ import pinocchio as pin
 
 from jauspy.cell.frames import Array, averaged, offset_between
 from jauspy.cell.interface import GRIPPER, SeenPart, T
-from jauspy.cell.layout import Layout
 from jauspy.cell.motion import Path, profile
+from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError, JausError, RequestError
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.poses import Pose, Transform

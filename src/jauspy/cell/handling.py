@@ -10,9 +10,8 @@ from typing import Final, TypeVar
 import pinocchio as pin
 
 from jauspy.cell.frames import Array, shifted, turned
-from jauspy.cell.layout import Layout
 from jauspy.cell.motion import MotionPlanner, NoPath, Path
-from jauspy.cell.scene import Piece, PlanningScene, pieces_of_part
+from jauspy.cell.scene import Layout, Piece, PlanningScene, pieces_of_part
 
 Option = TypeVar("Option")
 Plan = TypeVar("Plan")

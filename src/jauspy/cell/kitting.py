@@ -21,10 +21,9 @@ from jauspy.cell.assembly import PARKED, Assembler, PartResult, Slot
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, shifted, turned
 from jauspy.cell.interface import GRIPPER
-from jauspy.cell.layout import Layout
-from jauspy.cell.modular import ArmOperator
+from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath
-from jauspy.cell.scene import Piece
+from jauspy.cell.scene import Layout, Piece
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
 from jauspy.platform.modular.parts import PartKind, Shape

@@ -10,9 +10,9 @@ import numpy as np
 
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array
-from jauspy.cell.layout import Layout
-from jauspy.cell.modular import ArmOperator
+from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath
+from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
 from jauspy.platform.modular.parts import ConveyorSetup, PartKind, TargetArea
 

@@ -1,25 +1,28 @@
-"""A cell for one task: simulated on virtual time as fast as the machine can, or a running one elsewhere."""
+"""A cell for one task: simulated on virtual time as fast as the machine can, and filmed, or a running one elsewhere."""
 
 from __future__ import annotations
 
+import asyncio
 import math
 import time
 from collections.abc import AsyncIterator
 from contextlib import AsyncExitStack, asynccontextmanager
 from dataclasses import dataclass
+from fractions import Fraction
+from importlib import import_module
 from pathlib import Path
-from typing import Final
+from typing import Any, Final, Self
 
 from jauspy.cell.client import CellClient
-from jauspy.cell.film import Film
 from jauspy.cell.judge import Judge, WatchedBackend
-from jauspy.cell.layout import Layout
+from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.platform import backends
+from jauspy.platform.camera import Camera, CameraSession
 from jauspy.platform.contract import Robot
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
@@ -129,3 +132,68 @@ async def connected(ocu: OCU, robot: str = ROBOT) -> AsyncIterator[Session]:
     layout = Layout(model)
     async with ocu, CellClient(ocu, config, model, layout, threads=True) as cell:
         yield Session(cell, layout)
+
+
+FILM_RATE: Final = 25
+FILM_SIZE: Final = (1280, 720)
+"""Width and height, pixels."""
+FILM_CODEC: Final = "libx264"
+
+
+class Film:
+    """`async with Film(path, camera)`: films 25 pictures for each second of the event loop's time."""
+
+    def __init__(self, path: Path, camera: Camera | None, *, size: tuple[int, int] = FILM_SIZE) -> None:
+        if camera is None:
+            raise ConfigError("the cell has no camera to film with")
+        self.path = path
+        self.pictures = 0
+        self._camera = camera
+        self._size = size
+        self._session: CameraSession | None = None
+        self._task: asyncio.Task[None] | None = None
+        self._container: Any = None
+        self._stream: Any = None
+        self._av: Any = None
+
+    async def __aenter__(self) -> Self:
+        try:
+            self._av = import_module("av")
+        except ImportError:
+            raise ConfigError("films need PyAV; install the extra 'video'") from None
+        self.path.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            self._container = self._av.open(str(self.path), "w")
+        except OSError as error:
+            raise ConfigError(f"{self.path} cannot be written: {error}") from error
+        self._stream = self._container.add_stream(FILM_CODEC, rate=FILM_RATE)
+        self._stream.width, self._stream.height = self._size
+        self._stream.pix_fmt = "yuv420p"
+        self._stream.options = {"crf": "22", "preset": "veryfast"}
+        self._session = self._camera.open()
+        self._task = asyncio.create_task(self._record(), name="film")
+        return self
+
+    async def __aexit__(self, *_: object) -> None:
+        if self._task is not None:
+            self._task.cancel()
+            await asyncio.wait({self._task})
+        for packet in self._stream.encode():
+            self._container.mux(packet)
+        self._container.close()
+        if self._session is not None:
+            self._session.close()
+
+    async def _record(self) -> None:
+        loop = asyncio.get_running_loop()
+        due = loop.time()
+        assert self._session is not None
+        while True:
+            picture = self._session.look(*self._size, thoroughly=True)
+            frame = self._av.VideoFrame.from_ndarray(picture.image, format="rgb24")
+            frame.pts, frame.time_base = self.pictures, Fraction(1, FILM_RATE)
+            for packet in self._stream.encode(frame):
+                self._container.mux(packet)
+            self.pictures += 1
+            due += 1.0 / FILM_RATE
+            await asyncio.sleep(due - loop.time())

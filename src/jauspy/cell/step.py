@@ -8,12 +8,10 @@ from typing import Final
 import numpy as np
 import pinocchio as pin
 
-from jauspy.cell.chain import Chain, HangingChain
 from jauspy.cell.client import CellClient
 from jauspy.cell.frames import Array, se3, se3_of_pose, shifted, turned
-from jauspy.cell.layout import Layout
-from jauspy.cell.modular import ArmOperator
-from jauspy.cell.scene import connector_frame
+from jauspy.cell.modular_arm import ArmOperator, Chain, HangingChain
+from jauspy.cell.scene import Layout, connector_frame
 from jauspy.cell.schedule import TaskFailed
 
 HOVER: Final = 0.05

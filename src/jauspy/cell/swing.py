@@ -15,7 +15,7 @@ import numpy as np
 
 from jauspy.cell.frames import Array
 from jauspy.cell.measured import Measured
-from jauspy.cell.plots import figure
+from jauspy.cell.report import figure
 from jauspy.cell.session import NONE, Session, simulated
 from jauspy.errors import ConfigError
 from jauspy.platform.modular.arm import ArmController

@@ -10,8 +10,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.can_bus import on_bus
-from jauspy.cli.options import Bus, Json, World
+from jauspy.cli.options import Bus, Json, World, on_bus
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
 from jauspy.platform.can.cia402 import LIMIT_ACTIVE, error_text, register_text, state_of

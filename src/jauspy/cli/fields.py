@@ -1,4 +1,4 @@
-"""`field=value` of the command line to messages, and what fields a message has."""
+"""`field=value` of the command line to messages, what fields a message has, and examples as a person types them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from typing import Any, Final
 
 import yaml
 
-from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text
+from jauspy.codec.items import Bits, Blob, Choice, Formatted, Item, Number, Real, Text, Values
 from jauspy.codec.layout import Composite, Grid, Repeat, Slot, Union
 from jauspy.codec.message import Message
 from jauspy.codec.names import members, unit_symbol
@@ -203,3 +203,84 @@ def _number_kind(item: Number) -> str:
         lowest, highest = (0, 0) if item.code in FLOATS else limits(item.code)
         allowed = "number" if item.code in FLOATS else f"{lowest}..{highest}"
     return f"{allowed} {unit_symbol(item.units)}".strip()
+
+
+SAMPLES: Final = (0.5, 0.05, 0.0, 1.0)
+"""Numbers of which the first that is in range is taken."""
+WIDTH: Final = 100_000
+"""Columns of YAML, so that it is one line."""
+
+
+def example(registry: Registry, kind: type[Message], target: str = "ID") -> list[str]:
+    """The words of a command that sends or queries such a message; empty if no example of it can be encoded."""
+    layout = kind.layout()
+    if not isinstance(layout, Composite):
+        return []
+    fields = [
+        f"{name}={_example_text(value)}" for name, value in _example_fields(layout).items() if name != "presence_vector"
+    ]
+    try:
+        message_from(registry, kind.NAME, fields, Hints(kind.SERVICE, kind.VERSION))
+    except ConfigError:
+        return []
+    verb = "query" if kind.IS_QUERY else "send"
+    return ["jauspy", verb, target, kind.NAME, *fields]
+
+
+def _example_text(value: Any) -> str:
+    if isinstance(value, dict | list):
+        return yaml.safe_dump(value, default_flow_style=True, width=WIDTH, sort_keys=False).strip()
+    return str(value)
+
+
+def _example_fields(layout: Composite) -> dict[str, Any]:
+    """Required fields, or the first optional one when there is none."""
+    required = [slot for slot in layout.slots if not slot.optional]
+    return {slot.name: _example_value(slot.item) for slot in required or layout.slots[:1]}
+
+
+def _example_value(item: Item) -> Any:
+    match item:
+        case Composite():
+            return _example_fields(item)
+        case Repeat():
+            return [_example_value(item.item)] * max(1, item.count.minimum)
+        case Grid():
+            return _example_grid(item.sizes, _example_value(item.item))
+        case Union():
+            name, arm = next(iter(item.arms.items()))
+            return {name: _example_fields(arm)}
+        case Choice():
+            index, number = next(iter(item.items.items()))
+            return {"choice": _example_named(item.index, index), "value": _example_value(number)}
+        case Bits():
+            return {bit.name: _example_number(bit.values) for bit in item.bits}
+        case Formatted():
+            nested = next(iter(sorted(item.nested_formats)), None)
+            if nested is not None:
+                return {"format": _example_named(item.formats, nested), "data": {"message": "QueryStatus"}}
+            return {"format": _example_number(item.formats), "data": {"hex": "00"}}
+        case Blob():
+            return {"message": "QueryStatus"} if item.nested else {"hex": "00" * max(1, item.count.minimum)}
+        case Text():
+            return "name"[: item.length or None]
+        case Real():
+            low, high = item.scaling.lower, item.scaling.upper
+            return next((each for each in SAMPLES if low <= each <= high), low)
+        case Number():
+            return _example_number(item.values)
+    raise AssertionError(item)
+
+
+def _example_grid(sizes: Sequence[int], value: Any) -> Any:
+    return [_example_grid(sizes[1:], value) for _ in range(sizes[0])] if sizes else value
+
+
+def _example_number(values: Values) -> Any:
+    if values.enum:
+        return next(iter(values.enum)).name
+    return next((int(low) for low, _ in values.intervals), 1)
+
+
+def _example_named(values: Values, number: int) -> Any:
+    return next((each.name for each in values.enum or () if each == number), number)

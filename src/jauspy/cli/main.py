@@ -97,7 +97,7 @@ SCHEMA_VERBS: Final = {
 }
 CELL_VERBS: Final = {
     "assemble": (
-        "jauspy.cli.cell.assemble:assemble",
+        "jauspy.cli.cell.tasks:assemble",
         "Build an arm with five joints: the UR10 takes modules out of the bins and joins them.",
     ),
     "lift": (
@@ -115,7 +115,7 @@ CELL_VERBS: Final = {
         "Measure accuracy and repeatability of both arms, before and after a calibration.",
     ),
     "kitting": (
-        "jauspy.cli.cell.kitting:kitting",
+        "jauspy.cli.cell.trials:kitting",
         "Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.",
     ),
     "all": ("jauspy.cli.cell.all:all_tasks", "Run everything once; write films, plots and a page of results."),

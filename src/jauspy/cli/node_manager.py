@@ -21,7 +21,8 @@ from jauspy.cli import console
 from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent, file_mode
 from jauspy.cli.processes import end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
-from jauspy.node import NodeConfig, NodeManager, config_file, descriptors, status
+from jauspy.node import NodeConfig, NodeManager, config_file, status
+from jauspy.node.manager import raise_open_files_limit
 
 SOCKET: Final = "NOTIFY_SOCKET"
 WATCHDOG: Final = "WATCHDOG_USEC"
@@ -216,7 +217,7 @@ async def serve(config: NodeConfig, read: Callable[[], NodeConfig] | None, *, qu
     On SIGHUP the configuration that `read` returns replaces `config`.
     """
     console.log_to_stderr(config.log_level.upper(), JsonLines() if config.log == "json" else None)
-    descriptors.raise_limit()
+    raise_open_files_limit()
     async with NodeManager(config) as manager, SystemdNotifier() as services:
         loop = asyncio.get_running_loop()
         loop.add_signal_handler(signal.SIGUSR1, console.print_counters, manager.counters)

@@ -4,9 +4,14 @@ from __future__ import annotations
 
 import re
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+from jauspy.errors import ConfigError
+
+if TYPE_CHECKING:
+    from jauspy.modules.config import RobotConfig
 
 DEFAULT_PORT = 3794
 DEFAULT_ROOT = Path("/tmp")  # noqa: S108  # where JuniorRTE of the JAUS Toolset has its sockets
@@ -108,3 +113,12 @@ ModelPath = Annotated[
         help="Where models of an SDF world are searched first; may be repeated.",
     ),
 ]
+
+
+def on_bus(config: RobotConfig, bus: str | None) -> RobotConfig:
+    """The robot with its drives on this bus; that of its file if None. Raises `ConfigError` if it has no drives."""
+    if bus is None:
+        return config
+    if config.can is None:
+        raise ConfigError(f"--bus: {config.name} has no table [can] in its file, and so no drives (docs/hardware.md)")
+    return config.model_copy(update={"can": config.can.model_copy(update={"bus": bus})})

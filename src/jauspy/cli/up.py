@@ -14,7 +14,6 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.can_bus import on_bus
 from jauspy.cli.operator_console import DEFAULT_PORT as CONSOLE_PORT, console_beside
 from jauspy.cli.options import (
     DEFAULT_ADDRESS,
@@ -35,6 +34,7 @@ from jauspy.cli.options import (
     WithParent,
     World,
     file_mode,
+    on_bus,
 )
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError

@@ -10,6 +10,7 @@ import shutil
 import subprocess
 from collections.abc import AsyncIterator, Mapping
 from contextlib import AsyncExitStack, asynccontextmanager, suppress
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -19,7 +20,6 @@ from jauspy.cli import client, console
 from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
 from jauspy.cli.processes import run
 from jauspy.cli.still import size_of
-from jauspy.cli.stream_settings import StreamSettings, change_stream, known_size
 from jauspy.errors import ConfigError, RequestError, TransportError
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing import (
@@ -27,8 +27,19 @@ from jauspy.messages.environment_sensing import (
     RegisterDigitalResourceEndpoint as Register,
     RemoveDigitalResourceEndpoint as Remove,
 )
+from jauspy.messages.environment_sensing.v2_0.digital_video import SetDigitalVideoSensorConfiguration
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu import OCU
-from jauspy.platform.video_settings import MAX_BIT_RATE, MAX_RATE, MIN_BIT_RATE
+from jauspy.ocu.control import DEFAULT_AUTHORITY
+from jauspy.ocu.robot import ComponentClient
+from jauspy.platform.video_settings import (
+    MAX_BIT_RATE,
+    MAX_RATE,
+    MIN_BIT_RATE,
+    SUPPORTED_FRAME_SIZES,
+    FrameSize,
+    frame_size,
+)
 from jauspy.services.environment_sensing.digital_resource_discovery import RTP, parse_rtp_url
 from jauspy.video import need_video
 from jauspy.video.h264_payload import PPS, SPS, nal_type
@@ -343,3 +354,48 @@ async def _sleep(seconds: float | None) -> None:
         await asyncio.Event().wait()
     else:
         await asyncio.sleep(seconds)
+
+
+@dataclass(frozen=True, slots=True)
+class StreamSettings:
+    """What is to be changed; None keeps what the camera has."""
+
+    size: FrameSize | None = None
+    rate: int | None = None
+    """Pictures per second."""
+    bit_rate: int | None = None
+    """Kilobits per second."""
+
+    @property
+    def is_empty(self) -> bool:
+        """True if nothing is to be changed."""
+        return self == StreamSettings()
+
+
+def known_size(pixels: tuple[int, int] | None) -> FrameSize | None:
+    """JAUS's number of a size; raises `ConfigError` with the sizes that there are."""
+    if pixels is None:
+        return None
+    found = frame_size(*pixels)
+    if found not in SUPPORTED_FRAME_SIZES:
+        sizes = sorted(set(SUPPORTED_FRAME_SIZES.values()))
+        known = ", ".join(f"{width}x{height}" for width, height in sizes)
+        raise ConfigError(f"--size {pixels[0]}x{pixels[1]}: JAUS has no such size for video; it has: {known}")
+    return found
+
+
+async def change_stream(
+    camera: ComponentClient, sensor: int, settings: StreamSettings, *, authority: int = DEFAULT_AUTHORITY
+) -> None:
+    """Set them for all who watch, which needs control for a moment; raises `RequestError` with what was refused."""
+    service = camera.service("DigitalVideo")
+    order = SetDigitalVideoSensorConfiguration
+    wanted = order.DigitalVideoSensorConfigurationRec(
+        sensor, frame_size=settings.size, frame_rate=settings.rate, maximum_bit_rate=settings.bit_rate
+    )
+    async with service.control(authority):
+        await service.resume()
+        answer = await service.query(order(order.RequestIdRec(1), [wanted]), expects=ConfirmSensorConfiguration)
+    for each in answer.confirm_sensor_list:
+        if text := getattr(each, "error_message", ""):
+            raise RequestError(f"{camera.id} refused the settings of its video: {text}")

@@ -16,8 +16,7 @@ from jauspy.errors import ConfigError
 from jauspy.fuzz.checks import MEMORY_INTERVAL, Checks, CostLimit
 from jauspy.fuzz.findings import MAX_TRIES, FuzzFinding, Problem, minimise
 from jauspy.fuzz.messages import MessageMaker, Style, Target, targets
-from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate
-from jauspy.fuzz.offsets import offsets_of
+from jauspy.fuzz.mutation import Seed, from_payloads, from_schemas, mutate, offsets_of
 from jauspy.fuzz.package import CHECK, identity_findings, load_package
 from jauspy.messages import registry
 from jauspy.schema import load_builtin

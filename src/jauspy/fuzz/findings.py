@@ -12,7 +12,7 @@ from typing import Final
 from jauspy.codec.items import Item
 from jauspy.codec.layout import Repeat
 from jauspy.errors import ConfigError
-from jauspy.fuzz.offsets import Offset, offsets_of
+from jauspy.fuzz.mutation import Offset, offsets_of
 
 
 @dataclass(frozen=True, slots=True)

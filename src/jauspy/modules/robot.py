@@ -16,9 +16,8 @@ from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.modules.audit import AuditLog
-from jauspy.modules.cell_hosts import is_present
 from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.hosts import Announcement, check_parts, host_of
+from jauspy.modules.hosts import Announcement, check_parts, host_of, is_present
 from jauspy.modules.monitors import FaultMonitor, LoadMonitor, overloads, reason
 from jauspy.modules.operators import command_seals
 from jauspy.modules.realtime import RealTime

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import asyncio
 import math
+import resource
 import socket
 import struct
 from collections.abc import Callable, Mapping
@@ -14,7 +15,7 @@ from typing import TYPE_CHECKING, Final, Self, TypeAlias
 
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
-from jauspy.node import descriptors, liveness, status
+from jauspy.node import liveness, status
 from jauspy.node.component_senders import ComponentSenders
 from jauspy.node.config import NodeConfig, load_key, make_gateway, parse_pattern, source_limits
 from jauspy.node.ingress import Ingress
@@ -25,7 +26,7 @@ from jauspy.node.network import Network
 from jauspy.node.status import NodeState, StatusServer
 from jauspy.protocol import header, junior
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
-from jauspy.protocol.component_ports import ComponentPort
+from jauspy.protocol.component_ports import MAX_COMPONENTS, ComponentPort
 from jauspy.protocol.egress import ROUTED_COUNTERS
 from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
 from jauspy.protocol.sources import SourceChecks
@@ -35,6 +36,7 @@ from jauspy.transport.send_queue import QueueMemory
 
 if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
+
 
 _LOGGER = get_logger(__name__)
 
@@ -81,7 +83,7 @@ class NodeManager:
             compression=self.config.header_compression,
             max_message_age=self._max_age,
             is_dead=self._component_sockets.is_dead,
-            max_sockets=descriptors.max_component_sockets(),
+            max_sockets=max_component_sockets(),
             networks=[network.name for network in self.config.all_networks],
             gateway=make_gateway(self.config),
             sources=SourceChecks(
@@ -434,3 +436,25 @@ class RoutingCache:
         if self._timer is None:
             self._timer = loop.call_later(CACHE_LIFETIME, self.clear)
         return route
+
+
+MAX_OPEN_FILES: Final = 4096
+"""Limit of open files: a socket for each of up to 1024 components, TCP connections, logs and captures."""
+RESERVED_FILES: Final = 192
+"""Descriptors for networks, probes, connections, readers of status and metrics, serial lines and logs."""
+
+
+def raise_open_files_limit() -> None:
+    """Raise the soft limit of open files, which is 1024 on many systems."""
+    soft, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    enough = MAX_OPEN_FILES if hard == resource.RLIM_INFINITY else min(MAX_OPEN_FILES, hard)
+    if soft != resource.RLIM_INFINITY and soft < enough:
+        resource.setrlimit(resource.RLIMIT_NOFILE, (enough, hard))
+
+
+def max_component_sockets() -> int:
+    """The number of components on local sockets: each needs one descriptor. The reserve is at most half of all."""
+    limit, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
+    if limit == resource.RLIM_INFINITY:
+        return MAX_COMPONENTS
+    return min(MAX_COMPONENTS, max(limit - RESERVED_FILES, limit // 2))

@@ -28,7 +28,7 @@ status_timeout = 2.0
 ROBOT = """
 import sys, time
 from dataclasses import replace
-from jauspy.cli.can_bus import on_bus
+from jauspy.cli.options import on_bus
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 robot = find("can").open(robot_model(on_bus(load(sys.argv[1]), sys.argv[2])), "empty")

@@ -11,14 +11,13 @@ from typing import TYPE_CHECKING, Annotated, Final
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.cell.kitting import WAYS, break_even
 from jauspy.cli.cell.options import OUTPUT, Jobs, Out, check_extra
-from jauspy.cli.cell.trials import with_progress
+from jauspy.cli.cell.trials import WAYS, break_even, with_progress
 from jauspy.cli.processes import run
 
 if TYPE_CHECKING:
     from jauspy.cell.measured import Measured
-    from jauspy.cell.page import Promise, Section
+    from jauspy.cell.report import Promise, Section
 
 FILMED: Final = {
     "assemble": "The UR10 builds the arm with five joints",
@@ -44,7 +43,7 @@ def all_tasks(
     that is promised was measured.
     """
     check_extra()
-    from jauspy.cell.page import page
+    from jauspy.cell.report import page
 
     out.mkdir(parents=True, exist_ok=True)
     promises: list[Promise] = []
@@ -88,7 +87,7 @@ def _once(
 ) -> tuple[Promise, Section]:
     """A task that ran once; `figures` are those that were promised, its duration if there are none."""
     from jauspy.cell.measured import figure_text
-    from jauspy.cell.page import Promise, Section
+    from jauspy.cell.report import Promise, Section
 
     measured = found.failure or figures or f"done in {found.duration:.1f} s of the cell's time"
     promise = Promise(title, wanted, measured, found.success)
@@ -104,8 +103,7 @@ def _once(
 
 
 def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> tuple[Promise, Section]:
-    from jauspy.cell.page import Promise, Section
-    from jauspy.cell.plots import plot_trials
+    from jauspy.cell.report import Promise, Section, plot_trials
     from jauspy.cell.trials import run_trials, summarised
 
     console.note(f"{count} runs of {task}")
@@ -173,7 +171,7 @@ def _filled(figures: str, found: Measured) -> str:
 
 
 def _kitting(out: Path, seeds: int, jobs: int | None) -> tuple[Promise, Section]:
-    from jauspy.cell.page import Promise, Section
+    from jauspy.cell.report import Promise, Section
     from jauspy.cell.trials import mean_of, run_trials
 
     console.note(f"{seeds} kitting orders, each way")

@@ -1,4 +1,4 @@
-"""`jauspy cell lift`, `step` and `car`: one run of a task, and what was measured."""
+"""`jauspy cell assemble`, `lift`, `step` and `car`: one run of a task, and what was measured."""
 
 from __future__ import annotations
 
@@ -8,8 +8,9 @@ from pathlib import Path
 import typer
 
 from jauspy.cli import console
-from jauspy.cli.cell.options import Exact, Record, Seed, View, check_extra
-from jauspy.cli.options import Json
+from jauspy.cli.cell.options import Exact, Record, Seed, View, check_extra, millimetres
+from jauspy.cli.client import make_ocu
+from jauspy.cli.options import Connect, Json, OperatorKey, OwnId
 from jauspy.cli.processes import run
 
 
@@ -58,4 +59,61 @@ def _run(task: str, seed: int, *, exact: bool, film: Path | None, view: bool, js
         if found.failure:
             console.error(f"{task}: {found.failure}")
     if not found.success:
+        raise typer.Exit(1)
+
+
+def assemble(
+    *,
+    seed: Seed = 0,
+    exact: Exact = False,
+    record: Record = None,
+    view: View = False,
+    connect: Connect = None,
+    id: OwnId = None,
+    operator_key: OperatorKey = None,
+    json: Json = False,
+) -> None:
+    """Build an arm with five joints: the UR10 takes modules out of the bins and joins them.
+
+    Every grasp and every joint is verified by the connectors' state and by force; what fails is tried again another
+    way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task is
+    carried out by a cell that runs already, as `jauspy up cell`.
+
+    Exit status 1 when the arm could not be built; the reason is printed, and the cell is left at rest.
+    """
+    check_extra()
+    if connect is not None and (record or view or exact):
+        raise typer.BadParameter(
+            "--record, --view and --exact are for a cell that is simulated here; leave out --connect"
+        )
+    from dataclasses import asdict
+
+    from jauspy.cell import tasks
+    from jauspy.cell.measured import Measured
+    from jauspy.cell.session import NONE, connected
+    from jauspy.cli.cell.tables import assembly_table
+
+    async def here() -> Measured:
+        return await tasks.run_one("assemble", seed, NONE if exact else None, film=record, view=view)
+
+    async def elsewhere() -> Measured:
+        async with connected(make_ocu(id, connect, 3.0, operator=operator_key)) as session:
+            return await tasks.assemble(session, seed)
+
+    found = run(here() if connect is None else elsewhere())
+    if found is None:
+        return
+    if json:
+        console.print_json(asdict(found))
+    else:
+        console.stdout(140).print(assembly_table(found))
+        values = found.values
+        speed = f", {found.duration / found.wall:.1f} times real time" if found.wall else ""
+        console.print_lines(
+            f"{values.get('parts', 0):.0f} parts in {found.duration:.1f} s{speed}; smallest distance "
+            f"{millimetres(values.get('clearance', 0.0))} mm; {values.get('retries', 0):.0f} retries"
+        )
+    if not found.success:
+        if not json:
+            console.error(f"the arm was not finished: {found.failure}")
         raise typer.Exit(1)

@@ -23,11 +23,9 @@ from jauspy.cli.demo.grasp import ARM_CAMERA, STILL_FILE, Grasp, aim
 from jauspy.cli.demo.plan import Plan
 from jauspy.cli.demo.report import DemoState, Report, StageResult, View, time_limit
 from jauspy.cli.demo.tour import Tour
-from jauspy.cli.stream_settings import StreamSettings, change_stream
-from jauspy.cli.video import registered, url_of
+from jauspy.cli.video import StreamSettings, change_stream, registered, url_of
 from jauspy.geometry.poses import PlanarPose
-from jauspy.mapping.files import save_map
-from jauspy.mapping.grid import OccupancyGrid, Points, transformed
+from jauspy.mapping.grid import OccupancyGrid, Points, save_map, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
 from jauspy.modules.camera_config import CameraConfig

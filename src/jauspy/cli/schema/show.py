@@ -15,7 +15,7 @@ from rich.tree import Tree
 
 from jauspy.cli import console
 from jauspy.cli.definitions import definitions as message_definitions
-from jauspy.cli.examples import example
+from jauspy.cli.fields import example
 from jauspy.cli.options import Json
 from jauspy.cli.schema.ls import Match, SchemasOption, as_object, definitions, find, set_of
 from jauspy.codec.names import unit_symbol

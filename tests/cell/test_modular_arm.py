@@ -8,10 +8,9 @@ import numpy as np
 import pinocchio as pin
 import pytest
 
-from jauspy.cell.chain import Chain, HangingChain, Member
 from jauspy.cell.frames import offset_between, shifted
-from jauspy.cell.layout import Layout
-from jauspy.cell.modular import FIVE_JOINTS
+from jauspy.cell.modular_arm import FIVE_JOINTS, Chain, HangingChain, Member
+from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError
 
 BASE = shifted(0.6, 0.22, 0.2)

@@ -1,0 +1,342 @@
+"""The operator of a modular arm: its kinematics by parts and connectors, free paths in the planning scene, motions."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Final
+
+import numpy as np
+import pinocchio as pin
+
+from jauspy.cell.assembly import PARKED
+from jauspy.cell.client import CellClient
+from jauspy.cell.frames import Array, se3, se3_of_pose
+from jauspy.cell.motion import MotionPlanner, NoPath
+from jauspy.cell.scene import (
+    Clearance,
+    Layout,
+    LinkPiece,
+    Piece,
+    PlanningScene,
+    connector_frame,
+    pieces_of,
+    pieces_of_part,
+)
+from jauspy.cell.schedule import TaskFailed
+from jauspy.errors import ConfigError
+from jauspy.platform.modular.arm import ModularArmState
+from jauspy.platform.modular.parts import PartType
+
+FIVE_JOINTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_4", "servo_5")
+"""The parts of the arm with five joints, base to tip, when no part of another type had to be taken."""
+SHARE: Final = 0.6
+"""Fraction of the joints' speed at which the arm moves between tasks."""
+MIN_TIME: Final = 0.6
+"""Seconds of the shortest motion."""
+POLL: Final = 0.02
+
+
+class ArmOperator:
+    """Moves an arm that stands on a connector. `members` are its parts, base to tip."""
+
+    def __init__(
+        self, cell: CellClient, layout: Layout, base: pin.SE3, members: Sequence[Member], ur10: Array = PARKED
+    ) -> None:
+        self._ur10 = ur10
+        self.cell = cell
+        self.layout = layout
+        self.members = tuple(members)
+        self.base = base
+        """The frame in the world of the connector that carries the arm at first."""
+        self.base_name = ""
+        """Its name."""
+        self.last_goal: Array = np.zeros(sum(each.type.servo is not None for each in self.members))
+        """Where the last motion went."""
+        self.clearance = Clearance(1.0)
+        self.stand(Chain(base, self.members))
+        self.tip = f"{self.members[-1].name}/{self.members[-1].connector}"
+        """The connector at the end."""
+
+    def stand(self, chain: Chain) -> None:
+        """Plan for the arm standing as this chain does from now on."""
+        self.chain = chain
+        self.scene = self._make_scene()
+        self.planner = MotionPlanner(self.scene, chain, margin=0.01)
+
+    @classmethod
+    async def found(
+        cls, cell: CellClient, layout: Layout, parts: Sequence[str] = FIVE_JOINTS, base: str = "platform_1/top"
+    ) -> ArmOperator:
+        """The operator of the arm that stands on a base, by what its connectors report."""
+        owner, _, connector = base.partition("/")
+        pose = next(se3_of_pose(each.pose) for each in layout.setup.parts if each.name == owner)
+        if not any(each.fixed and each.name == owner for each in layout.setup.parts):
+            pose = (await cell.observe())[owner].pose
+        members, at = [], base
+        for part in parts:
+            state = await cell.connector(at)
+            if state.attached_to != part:
+                raise TaskFailed(f"{at} holds {state.attached_to or 'nothing'}, not {part}")
+            output = next(iter(layout.type_of(part).connectors))
+            members.append(Member(part, layout.type_of(part), se3(state.offset), output))
+            at = f"{part}/{output}"
+        arm = cls(cell, layout, pose * connector_frame(layout.type_of(owner), connector), members)
+        arm.base_name = base
+        return arm
+
+    def _make_scene(self) -> PlanningScene:
+        """What stands around the arm: the cell without the arm's own parts, and the UR10 at rest."""
+        whole = self.layout.scene()
+        scene = PlanningScene(self.chain, self.chain.links, wrist=None)
+        own = {member.name for member in self.members}
+        for name, pose in whole.poses.items():
+            if name not in own:
+                scene.put(name, whole.pieces(name), pose)
+        for link, piece, pose in whole.links_at(self._ur10):
+            scene.put(f"ur10 {link}", [piece], pose)
+        return scene
+
+    # --- state ----------------------------------------------------------------------------------------------------
+
+    async def state(self) -> ModularArmState:
+        """The arm's state, in the order of the chain; raises `TaskFailed` if it has other joints."""
+        state = await self.cell.arm()
+        if sorted(state.joints) != sorted(self.chain.joints):
+            raise TaskFailed(f"the arm has the joints {', '.join(state.joints)}, not {', '.join(self.chain.joints)}")
+        return state
+
+    async def positions(self) -> Array:
+        """Positions of the joints, base to tip, in radians."""
+        state = await self.state()
+        return self.ordered(state, state.positions)
+
+    def ordered(self, state: ModularArmState, values: Sequence[float]) -> Array:
+        """Values in the order of the controller's joints, in that of the chain."""
+        by_name = dict(zip(state.joints, values, strict=True))
+        return np.array([by_name[name] for name in self.chain.joints])
+
+    async def ready(self, within: float = 5.0) -> None:
+        """Wait until the arm has all its joints; raises `TaskFailed`."""
+        until = self.cell.now() + within
+        while sorted((await self.cell.arm()).joints) != sorted(self.chain.joints):
+            if self.cell.now() > until:
+                await self.state()
+            await self.cell.sleep(0.1)
+
+    # --- motions --------------------------------------------------------------------------------------------------
+
+    async def look(self, *ignored: str) -> None:
+        """Put the parts where the sensor sees them, without the arm's own and those ignored."""
+        own = {member.name for member in self.members} | set(ignored)
+        for name, seen in (await self.cell.observe()).items():
+            if name in own:
+                self.scene.remove(name)
+            else:
+                self.scene.put(name, pieces_of_part(self.layout.type_of(name)), seen.pose)
+
+    async def go(self, goal: Array, *, share: float = SHARE, margin: float | None = None) -> None:
+        """Move to a posture on a free path, a motion for each straight piece; raises `NoPath` or `MotionFailed`."""
+        start = await self.positions()
+        path = self.planner.to_posture(start, goal, margin=margin)
+        if path.clearance.distance < self.clearance.distance:
+            self.clearance = path.clearance
+        for a, b in pairwise(path.points):
+            await self.move(b, self.time(a, b, share))
+
+    def time(self, start: Array, goal: Array, share: float) -> float:
+        """Seconds for a motion at this fraction of the joints' speed, with smooth ends."""
+        return max(MIN_TIME, 1.9 * float(np.max(np.abs(goal - start) / (self.chain.speeds * share))))
+
+    async def move(self, goal: Array, duration: float) -> None:
+        """Move straight in joint space, unchecked, and wait until the arm is there."""
+        self.last_goal = goal
+        await self.cell.move_arm(await self.vector(goal), duration)
+
+    async def vector(self, goal: Array) -> list[float]:
+        """Positions in the order in which the arm's controller counts its joints."""
+        order = (await self.cell.arm()).joints
+        by_name = dict(zip(self.chain.joints, goal.tolist(), strict=True))
+        return [by_name.get(name, math.nan) for name in order]
+
+    def above(self, point: Sequence[float], near: Array, direction: Sequence[float] = (0.0, 0.0, -1.0)) -> list[Array]:
+        """Free postures with the tip at a point, pointing down, the closest first; raises `NoPath` without one."""
+        found = self.chain.pointing(np.array(point), np.array(direction), near)
+        if not found:
+            raise NoPath(f"the arm cannot point down at {', '.join(f'{each:.2f}' for each in point)}")
+        free = [each for each in found if self.scene.is_free(each, 0.0)]
+        if not free:
+            raise NoPath(f"no posture at the point is free: {self.scene.explain(found[0])}")
+        return free
+
+    async def wait_attached(self, connector: str, within: float) -> str:
+        """The part that a connector has attached; empty when it has not after `within` seconds."""
+        until = self.cell.now() + within
+        while True:
+            state = await self.cell.connector(connector)
+            if state.attached_to or self.cell.now() > until:
+                return state.attached_to
+            await self.cell.sleep(POLL)
+
+
+MAX_ITERATIONS: Final = 60
+TOLERANCE: Final = 1e-5
+"""Metres and radians."""
+LEANING: Final = 0.02
+"""Radians by which the tip may lean: four joints cannot also make up for parts that sit askew."""
+LEAN_WEIGHT: Final = 0.03
+"""Metres of the tip's place that count as much as a radian of its direction."""
+DAMPING: Final = 1e-7
+MAX_STEP: Final = 0.4
+BENDS: Final = (-1.9, -1.1, -0.4, 0.4, 1.1, 1.9)
+"""Starts of the joints in the middle, in radians."""
+
+
+@dataclass(frozen=True, slots=True)
+class Member:
+    """One part of a chain."""
+
+    name: str
+    type: PartType
+    offset: pin.SE3
+    """Its frame in that of the connector that holds it."""
+    connector: str
+    """Its connector that holds the next part, or is the tip."""
+
+
+class Chain:
+    """An arm that stands on a connector; joints are in the order base to tip."""
+
+    def __init__(self, base: pin.SE3, members: Iterable[Member]) -> None:
+        self.members = tuple(members)
+        self.model = pin.Model()
+        self.joints: list[str] = []
+        self.links: list[LinkPiece] = []
+        """Their shapes, each with the number of the joint that moves it."""
+        joint, frame = self._build(base)
+        self.tool = self.model.addFrame(pin.Frame("tip", joint, 0, frame, pin.FrameType.OP_FRAME))
+        self.data = self.model.createData()
+        fastest = {each.name: each.type.servo.max_speed for each in self.members if each.type.servo is not None}
+        self.speeds = np.array([fastest[name] for name in self.joints])
+        self.lower, self.upper = np.full(len(fastest), -math.tau), np.full(len(fastest), math.tau)
+
+    def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
+        """Make the model; returns the last joint, and the frame of the tip after it."""
+        joint, frame = 0, base
+        for member in self.members:
+            frame = frame * member.offset
+            self._add_links(member.name, pieces_of(member.type.solids, frame), joint)
+            if member.type.servo is not None:
+                servo = member.type.servo
+                placement = frame * se3(servo.joint)
+                axis = se3(servo.joint).rotation.T @ np.array(servo.axis)
+                joint = self.model.addJoint(joint, pin.JointModelRevoluteUnaligned(axis), placement, member.name)
+                self.joints.append(member.name)
+                self._add_links(member.name, pieces_of(servo.output), joint)
+                frame = pin.SE3.Identity()
+            if member.connector not in member.type.connectors:
+                raise ConfigError(f"{member.name} has no connector {member.connector!r}")
+            frame = frame * se3(member.type.connectors[member.connector])
+        return joint, frame
+
+    def _add_links(self, name: str, pieces: Iterable[Piece], joint: int) -> None:
+        self.links += [LinkPiece(name, piece, joint) for piece in pieces]
+
+    def forward(self, positions: Array) -> pin.SE3:
+        """The frame of the tip in the world."""
+        pin.framesForwardKinematics(self.model, self.data, positions)
+        return self.data.oMf[self.tool].copy()
+
+    @property
+    def root(self) -> Array:
+        """Where the first joint is, in the world."""
+        return np.array(self.model.jointPlacements[1].translation)
+
+    def solve_from(self, goal: pin.SE3, start: Array) -> Array | None:
+        """The posture near `start` with the tip at the place of `goal` and its z along that of `goal`."""
+        return self._solve(goal.translation, goal.rotation[:, 2], start)
+
+    def solve_down(self, point: Sequence[float], start: Array) -> Array | None:
+        """The posture near `start` with the tip at a point, pointing down; None without one."""
+        return self._solve(np.array(point), np.array([0.0, 0.0, -1.0]), start)
+
+    def velocity(self, positions: Array, velocities: Array) -> Array:
+        """Linear velocity of the tip in the world, m/s."""
+        jacobian = pin.computeFrameJacobian(self.model, self.data, positions, self.tool, pin.LOCAL_WORLD_ALIGNED)
+        return np.asarray(jacobian[:3] @ velocities)
+
+    def pointing(
+        self, position: Array, direction: Array, near: Array, *, bends: Sequence[float] = BENDS
+    ) -> list[Array]:
+        """Postures with the tip at a point and its z along a direction, in the world; closest to `near` first."""
+        found: list[Array] = []
+        for start in self._starts(position, near, bends):
+            q = self._solve(position, direction, start)
+            if q is None:
+                continue
+            q = near + np.mod(q - near + math.pi, math.tau) - math.pi
+            if all(np.max(np.abs(q - each)) > 1e-2 for each in found):
+                found.append(q)
+        return sorted(found, key=lambda each: float(np.max(np.abs(each - near))))
+
+    def _starts(self, position: Array, near: Array, bends: Sequence[float]) -> Iterable[Array]:
+        yield near
+        count = self.model.nq
+        if count < 3:
+            return
+        first = pin.SE3(self.model.jointPlacements[1])
+        local = first.actInv(np.asarray(position))
+        yaw = math.atan2(local[1], local[0])
+        for turn in (yaw, yaw + math.pi, -yaw, math.pi - yaw):  # the axis may point either way
+            for bend in itertools.product(bends, repeat=min(2, count - 2)):
+                start = np.zeros(count)
+                start[0] = turn
+                start[1 : 1 + len(bend)] = bend
+                yield start
+
+    def _solve(self, position: Array, direction: Array, start: Array) -> Array | None:
+        q = np.array(start)
+        for _ in range(MAX_ITERATIONS):
+            tip = self.forward(q)
+            off = np.concatenate([position - tip.translation, np.cross(tip.rotation[:, 2], direction)])
+            facing = float(tip.rotation[:, 2] @ direction)
+            if np.max(np.abs(off)) < TOLERANCE:
+                return q if facing > 0.0 else None
+            off[3:] *= LEAN_WEIGHT
+            jacobian = pin.computeFrameJacobian(self.model, self.data, q, self.tool, pin.LOCAL_WORLD_ALIGNED)
+            # of the rotation only what turns the z axis counts
+            axis = tip.rotation[:, 2]
+            across = np.eye(3) - np.outer(axis, axis)
+            rows = np.vstack([jacobian[:3], LEAN_WEIGHT * across @ jacobian[3:]])
+            step = rows.T @ np.linalg.solve(rows @ rows.T + DAMPING * np.eye(6), off)
+            far = float(np.max(np.abs(step)))
+            if far < TOLERANCE and np.max(np.abs(off[:3])) < 20.0 * TOLERANCE:
+                return q if facing > math.cos(LEANING) else None
+            q = q + step * min(1.0, MAX_STEP / max(far, 1e-12))
+        return None
+
+
+class HangingChain(Chain):
+    """An arm that stands on its last connector, whose frame in the world is `base`; the first part is free.
+
+    The joints are in the order from there, and their positions are those of the servo modules, as before. The tip is
+    the input flange of the first part.
+    """
+
+    def _build(self, base: pin.SE3) -> tuple[int, pin.SE3]:
+        joint, frame = 0, base
+        for member in reversed(self.members):
+            frame = frame * se3(member.type.connectors[member.connector]).inverse()
+            if member.type.servo is not None:
+                servo = member.type.servo
+                self._add_links(member.name, pieces_of(servo.output, frame), joint)
+                axis = se3(servo.joint).rotation.T @ np.array(servo.axis)
+                joint = self.model.addJoint(joint, pin.JointModelRevoluteUnaligned(-axis), frame, member.name)
+                self.joints.append(member.name)
+                frame = se3(servo.joint).inverse()
+            self._add_links(member.name, pieces_of(member.type.solids, frame), joint)
+            frame = frame * member.offset.inverse()
+        return joint, frame
