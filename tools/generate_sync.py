@@ -22,7 +22,7 @@ CLASSES: Final = {
     "Arm": "arm",
     "Gripper": "gripper",
     "Camera": "camera",
-    "RobotControl": "robot_control",
+    "RobotControl": "robot",
     "ComponentClient": "robot",
     "Robot": "robot",
     "OCU": "client",

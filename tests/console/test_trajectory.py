@@ -11,7 +11,7 @@ from jauspy.console.kept import Kept, checked_name
 from jauspy.console.manipulators import JointInfo
 from jauspy.console.trajectory import MAX_ROWS, Trajectory, TrajectoryRow
 from jauspy.errors import ConfigError
-from jauspy.ocu.joint_timing import MotionLimits
+from jauspy.ocu.joints import MotionLimits
 from jauspy.testing import VirtualNetwork
 
 TURN, ELBOW = "base_link_to_arm_link_1", "arm_link_2_to_arm_link_3"

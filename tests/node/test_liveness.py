@@ -11,8 +11,8 @@ import pytest
 from jauspy.ids import JausID
 from jauspy.node import NodeConfig, NodeManager, liveness
 from jauspy.protocol import judp, junior
+from jauspy.protocol.address_book import ComponentDirectory, ComponentPort
 from jauspy.protocol.addressing import LocalPort
-from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.header import Packet
 from jauspy.testing import until
 

@@ -15,7 +15,7 @@ from jauspy.ocu import OCU, client
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import LocalPort, UdpPort
 from jauspy.protocol.header import Packet
-from jauspy.protocol.id_clashes import CLASH_LIFETIME, MAX_CLASHES, NOTICES_PER_SECOND, IdClashes
+from jauspy.protocol.registrar import CLASH_LIFETIME, MAX_CLASHES, NOTICES_PER_SECOND, IdClashes
 from jauspy.protocol.routing import Router
 from jauspy.transport.udp import UdpTransport
 

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from jauspy.ocu.joint_timing import MotionLimits
+from jauspy.ocu.joints import MotionLimits
 
 LIMITS = MotionLimits(1.0, 2.0, 4.0)
 

@@ -6,7 +6,6 @@ from jauspy.ids import JausID
 from jauspy.logs import MAX_LINES_AT_ONCE
 from jauspy.protocol import (
     address_book,
-    component_ports,
     judp,
     junior,
     sources,
@@ -123,10 +122,10 @@ def test_duplicate_ids_are_logged_once_and_counted(
 
 def test_udp_components_leave_room_for_local_ones() -> None:
     node = Router("/root")
-    for number in range(component_ports.MAX_UDP_COMPONENTS + 10):
+    for number in range(address_book.MAX_UDP_COMPONENTS + 10):
         id = JausID(7, 1 + number // 200, 1 + number % 200)
         node.receive(junior.connect(id), UdpPort("127.0.0.1", 5000 + number), 0.0)
-    assert len(node.components) == component_ports.MAX_UDP_COMPONENTS
+    assert len(node.components) == address_book.MAX_UDP_COMPONENTS
     assert node.counters["dropped.component_refused"] == 10
     node.receive(junior.connect(HERE), PORT, 0.0)
     assert int(HERE) in node.components

@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given, strategies as st
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.protocol import component_ports, judp, junior, pending
+from jauspy.protocol import address_book, judp, junior, pending
 from jauspy.protocol.addressing import GROUP, LocalPort, Port, UdpPort
 from jauspy.protocol.duplicates import ECHO_LIFETIME, MulticastEchoes
 from jauspy.protocol.header import Ack, Broadcast, Packet
@@ -219,10 +219,10 @@ def test_malformed_datagrams_are_counted_and_nothing_is_sent(node: Router, data:
 
 def test_the_number_of_components_is_bounded() -> None:
     core = Router("/root")
-    for number in range(component_ports.MAX_COMPONENTS + 2):
+    for number in range(address_book.MAX_COMPONENTS + 2):
         id = JausID(1 + number, 1, 1)
         core.receive(junior.connect(id), port(id), 0.0)
-    assert len(core.components) == component_ports.MAX_COMPONENTS
+    assert len(core.components) == address_book.MAX_COMPONENTS
     assert core.counters["dropped.component_refused"] == 2
 
 

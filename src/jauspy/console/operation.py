@@ -13,8 +13,7 @@ from jauspy.console.watchdog import Watchdog
 from jauspy.errors import JausError
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu.driving import VELOCITY, WRENCH
-from jauspy.ocu.robot import Robot
-from jauspy.ocu.robot_control import RobotControl
+from jauspy.ocu.robot import Robot, RobotControl
 
 DEAD_MAN_TIME: Final = 0.2
 """Seconds without a message of the operator's browser after which the robot is stopped."""

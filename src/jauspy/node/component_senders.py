@@ -15,8 +15,8 @@ from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.node.liveness import MAX_ID, ComponentSockets
 from jauspy.protocol import junior
+from jauspy.protocol.address_book import ComponentPort
 from jauspy.protocol.addressing import LocalPort
-from jauspy.protocol.component_ports import ComponentPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.routing import Router
 from jauspy.transport import local

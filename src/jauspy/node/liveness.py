@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Final
 
-from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
+from jauspy.protocol.address_book import ComponentDirectory, ComponentPort
 from jauspy.transport.local import SocketProbe
 
 CHECK_INTERVAL: Final = 1.0

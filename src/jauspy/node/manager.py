@@ -25,8 +25,8 @@ from jauspy.node.local_users import LocalUsers, users_of
 from jauspy.node.network import Network
 from jauspy.node.status import NodeState, StatusServer
 from jauspy.protocol import header, junior
+from jauspy.protocol.address_book import MAX_COMPONENTS, ComponentPort
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port, SerialPort, TcpPort, UdpPort
-from jauspy.protocol.component_ports import MAX_COMPONENTS, ComponentPort
 from jauspy.protocol.egress import ROUTED_COUNTERS
 from jauspy.protocol.routing import RECEIVED_COUNTERS, Router
 from jauspy.protocol.sources import SourceChecks

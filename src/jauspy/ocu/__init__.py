@@ -10,8 +10,7 @@ from jauspy.ocu.driving import Progress
 from jauspy.ocu.gripper import Gripper
 from jauspy.ocu.joints import joint_efforts, joint_positions, joint_velocities, metres
 from jauspy.ocu.lists import Elements
-from jauspy.ocu.robot import ComponentClient, Robot
-from jauspy.ocu.robot_control import RobotControl
+from jauspy.ocu.robot import ComponentClient, Robot, RobotControl
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.streaming import CommandStream

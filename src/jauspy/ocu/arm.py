@@ -42,8 +42,7 @@ from jauspy.messages.manipulator import (
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.explain import check_ready, explain
-from jauspy.ocu.joint_timing import MotionLimits
-from jauspy.ocu.joints import JointTable, joint_table, position_records, reported
+from jauspy.ocu.joints import JointTable, MotionLimits, joint_table, position_records, reported
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.subsystems import ComponentInfo

@@ -1,13 +1,15 @@
 """The operator control unit: a component that is a client of all others."""
 
-# ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
-
 from __future__ import annotations
 
 import asyncio
 import atexit
-from collections.abc import AsyncGenerator, Callable, Mapping
-from contextlib import ExitStack
+import signal
+import sys
+import threading
+from collections import Counter
+from collections.abc import AsyncGenerator, Callable, Iterator, Mapping
+from contextlib import ExitStack, contextmanager
 from datetime import UTC, datetime
 from functools import partial
 from pathlib import Path
@@ -27,13 +29,15 @@ from jauspy.ocu.explain import explain
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.sealing import load_key
 from jauspy.ocu.service import ServiceClient
-from jauspy.ocu.termination import leave, orderly
 from jauspy.protocol.delivery import Delivery
 from jauspy.services.core import Discovery, Identity, Liveness
 from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
 from jauspy.services.host import Host
 from jauspy.transport import Transport
 from jauspy.transport.connect import transport_for
+
+# ruff: noqa: ASYNC109 - a timeout ends in an error that says what was asked, and of whom
+
 
 R = TypeVar("R", bound=Message)
 
@@ -321,3 +325,45 @@ def _builtin() -> Registry:
     from jauspy.messages import registry  # noqa: PLC0415 - only when no other registry is given
 
     return registry
+
+
+SIGNALS: Final = ("SIGTERM", "SIGHUP")
+"""Signals that would end the process at once."""
+
+
+_users: Final[Counter[int]] = Counter()
+"""How many open OCUs have a handler for each signal."""
+_left: Final[set[int]] = set()
+"""Signals that have begun to end the program; more of them must not interrupt its orderly end."""
+
+
+def leave(number: int, frame: object = None) -> None:  # noqa: ARG001 - a signal handler
+    """End the program as `sys.exit` does, with the exit status that a shell gives for this signal.
+
+    In an event loop that `asyncio.run` runs, all tasks are cancelled and waited for.
+    """
+    if not _left:
+        _left.add(number)
+        sys.exit(128 + number)
+
+
+@contextmanager
+def orderly(install: Callable[[int], object], remove: Callable[[int], object]) -> Iterator[None]:
+    """Inside, signals that would kill the process are handled by what `install` installs for each, in the main thread.
+
+    Without effect for signals that the program handles or ignores itself.
+    """
+    is_main = threading.current_thread() is threading.main_thread()
+    numbers = [getattr(signal, name) for name in SIGNALS if is_main and hasattr(signal, name)]
+    handled = [number for number in numbers if _users[number] or signal.getsignal(number) is signal.SIG_DFL]
+    for number in handled:
+        if not _users[number]:
+            install(number)
+        _users[number] += 1
+    try:
+        yield
+    finally:
+        for number in handled:
+            _users[number] -= 1
+            if not _users[number]:
+                remove(number)

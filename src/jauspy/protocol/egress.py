@@ -5,9 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Final
 
-from jauspy.protocol.address_book import AddressBook
+from jauspy.protocol.address_book import AddressBook, ComponentDirectory, ComponentPort
 from jauspy.protocol.addressing import GroupPort, LocalPort, NetworkPort, Port, SerialPort, TcpPort, UdpPort
-from jauspy.protocol.component_ports import ComponentDirectory, ComponentPort
 from jauspy.protocol.compression import Compression
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.duplicates import MulticastEchoes

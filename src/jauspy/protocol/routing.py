@@ -15,17 +15,21 @@ from jauspy.errors import ProtocolError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.protocol import addressing, judp, junior
-from jauspy.protocol.address_book import ADDRESS_LIFETIME, AddressBook
+from jauspy.protocol.address_book import (
+    ADDRESS_LIFETIME,
+    MAX_COMPONENTS,
+    AddressBook,
+    ComponentDirectory,
+    ComponentPort,
+)
 from jauspy.protocol.addressing import DEFAULT_NETWORK, GroupPort, LocalPort, NetworkPort, Port, UdpPort
-from jauspy.protocol.component_ports import MAX_COMPONENTS, ComponentDirectory, ComponentPort
 from jauspy.protocol.compression import Compression, is_compressed
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.egress import PORT_KINDS, EgressQueue
 from jauspy.protocol.gateway import Gateway
 from jauspy.protocol.header import Ack, Broadcast, RawPacket
-from jauspy.protocol.id_clashes import IdClashes
 from jauspy.protocol.pending import PendingDestinations
-from jauspy.protocol.registrar import DuplicateIdLog, Registrar
+from jauspy.protocol.registrar import DuplicateIdLog, IdClashes, Registrar
 from jauspy.protocol.sources import SourceChecks, TokenBuckets
 
 _LOGGER = get_logger(__name__)

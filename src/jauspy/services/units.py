@@ -1,4 +1,4 @@
-"""Conversions to what messages carry: efforts in percent, time stamps in UTC."""
+"""Conversions to what messages carry: efforts in percent, time stamps in UTC, texts in Latin-1."""
 
 from __future__ import annotations
 
@@ -32,3 +32,13 @@ def epoch_seconds(at: datetime) -> tuple[int, int] | tuple[None, None]:
     """Whole seconds since 1970, and the nanoseconds after them; a client may set a year that 32 bits do not reach."""
     seconds = int(at.timestamp())
     return (seconds, at.microsecond * 1000) if 0 <= seconds <= 0xFFFFFFFF else (None, None)
+
+
+MAX_TEXT: Final = 255
+"""Characters of a counted string in the messages of the cell."""
+
+
+def sent_text(text: str) -> str:
+    """The text in Latin-1, with question marks for other characters; cut off with an ellipsis where it is too long."""
+    sent = text.encode("latin-1", errors="replace").decode("latin-1")
+    return sent if len(sent) <= MAX_TEXT else f"{sent[: MAX_TEXT - 3]}..."

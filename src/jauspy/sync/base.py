@@ -8,8 +8,7 @@ from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Generic, NoReturn, Self, TypeVar
 
-from jauspy.ocu.client import OCU
-from jauspy.ocu.termination import leave, orderly
+from jauspy.ocu.client import OCU, leave, orderly
 from jauspy.sync.portal import Portal
 
 A = TypeVar("A")

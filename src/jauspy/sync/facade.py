@@ -13,8 +13,7 @@ from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
 from jauspy.ocu.driving import Progress, TOLERANCE
-from jauspy.ocu.joint_timing import MotionLimits
-from jauspy.ocu.joints import JointTable
+from jauspy.ocu.joints import JointTable, MotionLimits
 from jauspy.ocu.lists import Element
 from jauspy.ocu.robot import DEFAULT_SPEED
 from jauspy.ocu.state import Joints, RobotPose
@@ -39,7 +38,7 @@ from jauspy.ocu.gripper import Gripper as _Gripper
 from jauspy.ocu.lists import Elements as _Elements
 from jauspy.ocu.robot import ComponentClient as _ComponentClient
 from jauspy.ocu.robot import Robot as _Robot
-from jauspy.ocu.robot_control import RobotControl as _RobotControl
+from jauspy.ocu.robot import RobotControl as _RobotControl
 from jauspy.ocu.service import ServiceClient as _ServiceClient
 from jauspy.ocu.streaming import CommandStream as _CommandStream
 from jauspy.ocu.subscription import Subscription as _Subscription

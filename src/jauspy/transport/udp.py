@@ -14,7 +14,7 @@ from jauspy.protocol.address_book import Address, AddressBook
 from jauspy.protocol.addressing import UdpPort
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import RawPacket
-from jauspy.protocol.id_clashes import IdClashes
+from jauspy.protocol.registrar import IdClashes
 from jauspy.protocol.sources import SourceChecks
 from jauspy.transport import base, multicast, multicast as memberships
 from jauspy.transport.age import MAX_AGE, DatagramReader

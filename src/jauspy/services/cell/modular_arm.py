@@ -17,9 +17,9 @@ from jauspy.messages.cell import (
 )
 from jauspy.platform.modular.arm import ArmController, ModularArm
 from jauspy.platform.modular.parts import CellSetup
-from jauspy.services.cell.texts import sent_text
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
+from jauspy.services.units import sent_text
 
 CHECK_PERIOD: Final = 0.05
 """Seconds between two checks whether a motion has ended, and from a command to the first of them."""

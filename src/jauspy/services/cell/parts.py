@@ -8,8 +8,8 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.messages.cell import ReportModulePower, ReportPartObservations, SetModulePower
 from jauspy.platform.modular.cell import ModulePower, ObservedPart, PartSensor
-from jauspy.services.cell.texts import sent_text
 from jauspy.services.service import Service
+from jauspy.services.units import sent_text
 
 _Record: Final = ReportModulePower.ModulePowerRec
 

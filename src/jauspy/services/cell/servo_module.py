@@ -17,8 +17,8 @@ from jauspy.platform.description import Gains
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.parts import PartType
 from jauspy.platform.modular.servo import ServoModule
-from jauspy.services.cell.texts import sent_text
 from jauspy.services.command_timeout import ContinuousCommands
+from jauspy.services.units import sent_text
 
 _MODES: Final[Mapping[int, ControlMode]] = {
     SetServoTarget.Mode.POSITION_MODE: ControlMode.POSITION,

@@ -13,8 +13,8 @@ from jauspy.messages.cell import (
 )
 from jauspy.platform.modular.connector import ConnectorError, VacuumConnector
 from jauspy.platform.modular.parts import ConnectorLimits
-from jauspy.services.cell.texts import sent_text
 from jauspy.services.service import Service
+from jauspy.services.units import sent_text
 
 _Error: Final = ReportConnectorState.Error
 _ERRORS: Final = {
