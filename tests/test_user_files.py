@@ -10,9 +10,8 @@ import pytest
 from jauspy import user_files
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
-from jauspy.node import config_file
 from jauspy.node.address_books import load_address_book
-from jauspy.node.config import load_key
+from jauspy.node.config import load_config, load_key
 
 NESTED = "networks = " + "[" * 20_000 + "]" * 20_000
 
@@ -26,7 +25,7 @@ def pipe(tmp_path: Path) -> Path:
 
 def test_what_never_ends_is_refused(pipe: Path, tmp_path: Path) -> None:
     zero = Path("/dev/zero")
-    for read in (robot_files.load, config_file.load, load_address_book):
+    for read in (robot_files.load, load_config, load_address_book):
         with pytest.raises(ConfigError, match=r"pipe\.toml: is not a regular file"):
             read(pipe)
     with pytest.raises(ConfigError, match="key_file /dev/zero: is not a regular file"):
@@ -48,7 +47,7 @@ def test_a_file_that_is_too_large_is_not_read(tmp_path: Path) -> None:
 def test_deep_nesting_is_one_sentence(tmp_path: Path) -> None:
     path = tmp_path / "deep.toml"
     path.write_text(NESTED)
-    for read in (robot_files.load, config_file.load, load_address_book):
+    for read in (robot_files.load, load_config, load_address_book):
         with pytest.raises(ConfigError, match=r"deep\.toml: (is )?(nested too deeply|.*too deep)"):
             read(path)
     for name, text in (("deep.yaml", "[" * 20_000), ("deep.cfg", "<a>" * 20_000)):

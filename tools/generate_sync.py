@@ -17,7 +17,7 @@ CLASSES: Final = {
     "Subscription": "subscription",
     "Control": "control",
     "Elements": "lists",
-    "CommandStream": "streaming",
+    "CommandStream": "commands",
     "ServiceClient": "service",
     "Arm": "arm",
     "Gripper": "gripper",
@@ -36,7 +36,7 @@ BASES: Final = {
 OF_EXTRAS: Final = {"jauspy.video.frames"}
 """Modules that need packages of an extra; imported for type checkers only."""
 SKIPPED: Final = {"OCU": {"open", "close", "watch_program", "trace", "__aenter__", "__aexit__"}, "Control": {"on_sent"}}
-"""What `sync/base.py` has, and what is the OCU's own business."""
+"""What `sync/portal.py` has, and what is the OCU's own business."""
 SPECIAL: Final = {"__aenter__": "__enter__", "__aexit__": "__exit__", "__aiter__": "__iter__"}
 KEPT: Final = {"__len__", "__getitem__"}
 ALIASES: Final = {"Elements": {"replace": "__setitem__", "delete": "__delitem__"}}
@@ -307,8 +307,8 @@ def generated() -> str:
         "Generator": ("collections.abc", "Generator"),
         "Iterator": ("collections.abc", "Iterator"),
         "Portal": ("jauspy.sync.portal", "Portal"),
-        "Facade": ("jauspy.sync.base", "Facade"),
-        "OpensPortal": ("jauspy.sync.base", "OpensPortal"),
+        "Facade": ("jauspy.sync.portal", "Facade"),
+        "OpensPortal": ("jauspy.sync.portal", "OpensPortal"),
     }
     for name, file in CLASSES.items():
         module = f"jauspy.ocu.{file}"

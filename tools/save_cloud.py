@@ -9,8 +9,7 @@ import sys
 from pathlib import Path
 from typing import Final
 
-from jauspy.cloud.message import save
-from jauspy.cloud.socket import CloudSubscriber
+from jauspy.cloud.stream import CloudSubscriber, save
 from jauspy.errors import JausError
 
 PATIENCE: Final = 10.0

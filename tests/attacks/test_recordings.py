@@ -19,9 +19,9 @@ import numpy as np
 
 from jauspy.errors import ConfigError
 from jauspy.platform.video_settings import VideoSettings
-from jauspy.video import stamp
 from jauspy.video.h264 import H264Encoder
 from jauspy.video.h264_payload import Picture, packetise
+from jauspy.video.imaging import draw_numbers, read_numbers
 from jauspy.video.receiver import MAX_CANDIDATES, MAX_DATAGRAMS, RtpReceiver
 from jauspy.video.recorder import Recorder
 from jauspy.video.rtp import RtpPacket, sender_report
@@ -36,7 +36,7 @@ def scene(number: int, width: int, height: int) -> np.ndarray:
     """Noise that moves, and carries its number."""
     noise = np.random.default_rng(7).integers(0, 255, (height, width, 3), dtype=np.uint8)
     image = np.roll(noise, 3 * number, axis=1)
-    stamp.draw(image, number)
+    draw_numbers(image, number)
     return image
 
 
@@ -86,7 +86,7 @@ def recording(tmp_path: Path) -> Iterator[Recording]:
 
 
 def numbers(images: list) -> list[int]:
-    return [stamp.read(image)[0] for image in images]
+    return [read_numbers(image)[0] for image in images]
 
 
 @pytest.mark.parametrize(

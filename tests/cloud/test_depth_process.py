@@ -19,8 +19,7 @@ pytest.importorskip("numpy", reason="the extra 'cloud' is not installed")
 import numpy as np
 
 from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
-from jauspy.cloud.message import XYZ_RGB, Cloud
-from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
+from jauspy.cloud.stream import XYZ_RGB, Cloud, CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup

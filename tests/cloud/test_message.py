@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.cloud.message import Cloud, decode, save
+from jauspy.cloud.stream import Cloud, decode, save
 from jauspy.errors import ConfigError, DecodeError
 
 POINTS = struct.pack("<6f", 1.0, 2.0, 3.0, -1.0, 0.5, 0.25)

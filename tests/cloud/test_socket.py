@@ -14,9 +14,8 @@ pytest.importorskip("pynng", reason="pynng is not installed")
 
 import pynng
 
-from jauspy.cloud import socket
-from jauspy.cloud.message import Cloud
-from jauspy.cloud.socket import CloudPublisher, CloudSubscriber
+from jauspy.cloud import stream
+from jauspy.cloud.stream import Cloud, CloudPublisher, CloudSubscriber
 from jauspy.errors import ConfigError, TransportError
 
 POINT = struct.pack("<3f", 1.0, 2.0, 3.0)
@@ -108,7 +107,7 @@ def test_missing_pynng_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) ->
     def missing(name: str) -> None:
         raise ImportError(name)
 
-    monkeypatch.setattr(socket.importlib, "import_module", missing)
+    monkeypatch.setattr(stream.importlib, "import_module", missing)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[cloud\]'"):
         CloudPublisher("tcp://127.0.0.1:1")
 

@@ -12,7 +12,7 @@ from tests.conformance.simulated import TARGET, examined, robot
 from tests.helpers.sampling import sampled
 
 from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, offers_of
-from jauspy.conformance.offers import Offers
+from jauspy.conformance.profile import Offers
 from jauspy.conformance.state_tests.behaviour import component_under_test
 from jauspy.conformance.state_tests.plan import Planner
 from jauspy.conformance.state_tests.sample_messages import neutral
@@ -154,7 +154,7 @@ def test_components_are_tested_separately():
 
 
 def test_wildcard_target_queries_every_component():
-    from jauspy.conformance.offers import discover
+    from jauspy.conformance.profile import discover
     from jauspy.conformance.tester import Tester
 
     virtual_target = robot(name="inc1", tick=None)
@@ -184,7 +184,7 @@ def test_responsive_target_without_services_is_not_reported_as_dead():
 
 
 def test_offers_of_a_virtual_target_match_discovery():
-    from jauspy.conformance.offers import discover
+    from jauspy.conformance.profile import discover
     from jauspy.conformance.tester import Tester
 
     virtual_target = robot()

@@ -11,7 +11,7 @@ from tests.conformance.injectors import code, deaf_to
 from tests.conformance.simulated import examined, robot
 
 from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, run
-from jauspy.conformance.offers import Offers
+from jauspy.conformance.profile import Offers
 from jauspy.conformance.wire import LinkWire, UdpWire, random_sequence
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl, ReportStatus

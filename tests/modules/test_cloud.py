@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.cloud.socket import CloudSubscriber
+from jauspy.cloud.stream import CloudSubscriber
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
 from jauspy.modules.cloud import Clouds, points, stream

@@ -14,7 +14,8 @@ from pathlib import Path
 import pytest
 
 from jauspy.ids import JausID
-from jauspy.node import NodeManager, config_file
+from jauspy.node import NodeManager
+from jauspy.node.config import load_config
 from jauspy.sync.portal import Portal
 
 PATIENCE = 20
@@ -95,7 +96,7 @@ class Daemon:
         self.start()
 
     def start(self) -> None:
-        portal, manager = Portal("node manager"), NodeManager(config_file.load(self._config))
+        portal, manager = Portal("node manager"), NodeManager(load_config(self._config))
         portal.open()
         self._stack.callback(portal.close)
         portal.run(manager.open())

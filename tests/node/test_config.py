@@ -6,8 +6,8 @@ import pytest
 from pydantic import BaseModel
 
 from jauspy.errors import ConfigError
-from jauspy.node import NodeConfig, config as policy, config_file
-from jauspy.node.config import GatewayConfig, NetworkConfig, RuleConfig
+from jauspy.node import NodeConfig, config as policy
+from jauspy.node.config import GatewayConfig, NetworkConfig, RuleConfig, load_config, to_toml
 
 GATEWAY = """
 address = "10.0.0.1"
@@ -32,9 +32,9 @@ def written(tmp_path: Path) -> Path:
 @pytest.mark.parametrize("text", ["", GATEWAY, 'local_mode = 0o600\nmetrics = "127.0.0.1:9794"\nlog = "json"\n'])
 def test_printed_configuration_reads_back_equal(written: Path, text: str) -> None:
     written.write_text(text)
-    config = config_file.load(written)
-    written.write_text(config_file.to_toml(config))
-    assert config_file.load(written) == config
+    config = load_config(written)
+    written.write_text(to_toml(config))
+    assert load_config(written) == config
 
 
 @pytest.mark.parametrize("model", [NodeConfig, NetworkConfig, GatewayConfig, RuleConfig])
@@ -45,11 +45,11 @@ def test_all_settings_have_a_comment_and_unset_ones_an_example(model: type[BaseM
 
 
 def test_the_examples_in_comments_are_valid(written: Path) -> None:
-    printed = config_file.to_toml(NodeConfig()).splitlines()
+    printed = to_toml(NodeConfig()).splitlines()
     settings = [line for line in printed if not line.startswith("# ") or line[2:].split(" = ")[0].isidentifier()]
     plain = [line.removeprefix("# ") for line in printed if line in settings or line.startswith("# [")]
     written.write_text("\n".join(plain).replace('"0.0.0.0"', '"10.0.0.1"'))
-    config = config_file.load(written)
+    config = load_config(written)
     assert config.gateway is not None
     assert policy.make_gateway(config) is not None
     assert config.metrics == "127.0.0.1:9794"
@@ -57,7 +57,7 @@ def test_the_examples_in_comments_are_valid(written: Path) -> None:
 
 def test_options_override_the_file(written: Path) -> None:
     written.write_text("port = 5000\nmulticast_ttl = 3\n")
-    config = config_file.load(written, {"port": 6000, "address": None})
+    config = load_config(written, {"port": 6000, "address": None})
     assert (config.port, config.multicast_ttl, config.address) == (6000, 3, "0.0.0.0")
 
 
@@ -94,17 +94,17 @@ def test_options_override_the_file(written: Path) -> None:
 def test_mistakes_name_file_key_and_fix(written: Path, text: str, told: str) -> None:
     written.write_text(text)
     with pytest.raises(ConfigError) as caught:
-        config_file.load(written)
+        load_config(written)
     assert str(caught.value).startswith(f"{written}: is ")
     assert told in str(caught.value)
 
 
 def test_missing_file_is_an_error(written: Path) -> None:
     with pytest.raises(ConfigError, match="cannot be read: No such file"):
-        config_file.load(written)
+        load_config(written)
 
 
 def test_unknown_message_error_has_similar_names(written: Path) -> None:
     written.write_text('[gateway]\nsubsystem = 1\n[[gateway.rules]]\nmessages = ["QueryStatsu"]')
     with pytest.raises(ConfigError, match=r"gateway.rules\[0\].messages: .*QueryStatus.*write its id"):
-        policy.make_gateway(config_file.load(written))
+        policy.make_gateway(load_config(written))

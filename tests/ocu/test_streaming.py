@@ -7,7 +7,7 @@ import pytest
 from jauspy.messages import registry
 from jauspy.messages.mobility import SetLocalVector, SetLocalVectorExt, SetTravelSpeed
 from jauspy.messages.ugv import SetSkidSteerEffort
-from jauspy.ocu.streaming import neutral
+from jauspy.ocu.commands import neutral
 from jauspy.services.command_timeout import CONTINUOUS_COMMANDS, Zero
 
 Speed = SetLocalVectorExt.Speed

@@ -31,9 +31,9 @@ from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSett
 from jauspy.video import camera_process
 from jauspy.video.camera_process import NICENESS, CameraProcess
 from jauspy.video.h264 import H264Decoder
+from jauspy.video.imaging import read_numbers
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import MAX_RECEIVERS
-from jauspy.video.stamp import read
 
 SMALL = VideoSettings(320, 240, 20)
 TINY = StillSettings(128, 96, StillFormat.PNG)
@@ -116,9 +116,9 @@ async def test_two_receivers_see_the_same_pictures(camera, receiver):
         first = await images(receiver, 3, decoder)
         camera.watch(at(other))
         second = await images(other, 3)
-        numbers = [read(image)[0] for image in [*first, *await images(receiver, len(second), decoder)]]
+        numbers = [read_numbers(image)[0] for image in [*first, *await images(receiver, len(second), decoder)]]
     assert numbers == list(range(numbers[0], numbers[0] + len(numbers)))
-    assert read(second[0])[0] > numbers[2]
+    assert read_numbers(second[0])[0] > numbers[2]
     assert camera.counters["started"] == 1
     await until(lambda: camera.description.startswith("draws sky and floor"), TIMEOUT)
 
@@ -139,13 +139,13 @@ async def test_streams_can_be_paused_played_and_left(camera, receiver):
         camera.watch(at(receiver))
         camera.watch(at(other))
         paused = H264Decoder()
-        before = read((await images(receiver, 2, paused))[-1])[0]
+        before = read_numbers((await images(receiver, 2, paused))[-1])[0]
         camera.watch(at(receiver), playing=False)
-        seen = read((await images(other, 20))[-1])[0]
-        leftover = [read(paused.decode(picture))[0] for picture in receiver.take()]
+        seen = read_numbers((await images(other, 20))[-1])[0]
+        leftover = [read_numbers(paused.decode(picture))[0] for picture in receiver.take()]
         assert len(leftover) < 20
         camera.watch(at(receiver))
-        after = read((await images(receiver, 1, paused))[0])[0]
+        after = read_numbers((await images(receiver, 1, paused))[0])[0]
         assert after > seen > before
         camera.leave(at(receiver))
         camera.leave(at(other))

@@ -12,7 +12,7 @@ from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoS
 from jauspy.video import h264_payload
 from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.h264_payload import MAX_PAYLOAD, Picture
-from jauspy.video.stamp import read
+from jauspy.video.imaging import read_numbers
 
 
 def kinds(nals):
@@ -41,7 +41,7 @@ def test_pictures_are_encoded_without_delay(scene):
     encoder, decoder = H264Encoder(), H264Decoder()
     for number in range(8):
         image = decoder.decode(Picture(number, tuple(encoder.encode(scene(number))), whole=True))
-        assert read(image) == [number]
+        assert read_numbers(image) == [number]
         assert np.abs(image.astype(int) - scene(number)).mean() < 12.0
 
 
@@ -105,7 +105,7 @@ def test_profile_and_level_are_those_of_the_stream(scene, profile, number, prese
         sps = pictures[0][0]
         assert (h264_payload.nal_type(sps), sps[1], sps[3]) == (h264_payload.SPS, number, told)
         images = [decoder.decode(Picture(each, units, whole=True)) for each, units in enumerate(pictures)]
-        assert [read(image) for image in images] == [[0], [1], [2]]
+        assert [read_numbers(image) for image in images] == [[0], [1], [2]]
 
 
 def test_constrained_baseline_is_signalled(scene):

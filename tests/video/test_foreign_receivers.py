@@ -15,9 +15,9 @@ import numpy as np
 
 from jauspy.platform.video_settings import H264Settings, Preset, Profile, VideoSettings
 from jauspy.video.h264 import H264Encoder
+from jauspy.video.imaging import read_numbers
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.sender import RtpSender
-from jauspy.video.stamp import read
 
 from .players import PLAYERS, playing
 
@@ -64,7 +64,7 @@ def test_all_pictures_arrive_without_errors(player, settings, scene, tmp_path):
             showing.join()
         process.kill()  # asked to end, it would wait for a reader of its last pictures
     images = [np.frombuffer(data, np.uint8).reshape(settings.height, settings.width) for data in seen]
-    first = read(images[0])[0]
-    assert [read(image)[0] for image in images] == [(first + n) % PICTURES for n in range(PICTURES)]
+    first = read_numbers(images[0])[0]
+    assert [read_numbers(image)[0] for image in images] == [(first + n) % PICTURES for n in range(PICTURES)]
     assert not sender.counters["dropped"]
     assert complaints.read_text() == ""

@@ -23,10 +23,10 @@ from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import h264_payload
 from jauspy.video.h264 import H264Decoder, H264Encoder
 from jauspy.video.h264_payload import Picture
+from jauspy.video.imaging import read_numbers
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.rtp import RtpPacket
 from jauspy.video.sender import RtpSender
-from jauspy.video.stamp import read
 
 from .players import ffmpeg, gstreamer, playing
 
@@ -107,7 +107,7 @@ class Film:
 
     def right(self, seen: list[np.ndarray]) -> set[int]:
         """The numbers of those that were seen as they are."""
-        pairs = ((read(image)[0], image) for image in seen)
+        pairs = ((read_numbers(image)[0], image) for image in seen)
         return {n for n, image in pairs if n < PICTURES and _alike(image, self.true[n]) > LIKE}
 
 

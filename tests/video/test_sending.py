@@ -15,10 +15,10 @@ from jauspy.errors import ConfigError, TransportError
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video import rtp
 from jauspy.video.h264 import H264Decoder, H264Encoder
+from jauspy.video.imaging import read_numbers
 from jauspy.video.receiver import SOURCE_TIMEOUT, RtpReceiver
 from jauspy.video.recorder import Recorder
 from jauspy.video.sender import MAX_RECEIVERS, MIN_IDR_INTERVAL, RtpSender
-from jauspy.video.stamp import read
 
 RATE = 15
 
@@ -49,7 +49,7 @@ def take(receiver, count):
 
 
 def numbers(decoder, pictures):
-    return [read(decoder.decode(picture))[0] for picture in pictures]
+    return [read_numbers(decoder.decode(picture))[0] for picture in pictures]
 
 
 @pytest.fixture
@@ -189,7 +189,7 @@ def test_picture_is_correct_after_the_next_idr(scene):
             sound = whole and (sound or picture.is_idr)
             idrs += picture.is_idr and not whole
             if sound:
-                assert read(image) == [number]
+                assert read_numbers(image) == [number]
                 assert abs(image.astype(int) - scene(number)).mean() < 12.0
                 checked += 1
     assert receiver.counters["damaged"] > 5
@@ -210,7 +210,7 @@ def test_recording_has_all_pictures_at_their_times(scene, sender, receivers, tmp
     assert recorder.pictures == 20
     with av.open(str(tmp_path / "front.mp4")) as film:
         frames = list(film.decode(video=0))
-    assert [read(frame.to_ndarray(format="rgb24"))[0] for frame in frames] == list(range(20))
+    assert [read_numbers(frame.to_ndarray(format="rgb24"))[0] for frame in frames] == list(range(20))
     assert [round(frame.time * RATE) for frame in frames] == list(range(20))
 
 

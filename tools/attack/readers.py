@@ -23,8 +23,8 @@ from jauspy.errors import CodecError, JausError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.mapper import Mapper
 from jauspy.modules import robot_files
-from jauspy.node import config_file
 from jauspy.node.address_books import load_address_book
+from jauspy.node.config import load_config
 from jauspy.schema.loader import load_own
 
 ROBOT: Final = Path(__file__).parents[2] / "examples/tracked.toml"
@@ -81,7 +81,7 @@ def addresses(path: Path) -> None:
 
 def node_manager(path: Path) -> None:
     """Read the configuration of a node manager, with its address books."""
-    config_file.load(path).known_addresses()
+    load_config(path).known_addresses()
 
 
 def scan(path: Path) -> None:

@@ -12,8 +12,7 @@ import time
 from pathlib import Path
 from typing import Final
 
-from jauspy.cloud.message import save
-from jauspy.cloud.socket import CloudSubscriber
+from jauspy.cloud.stream import CloudSubscriber, save
 
 TIMEOUT: Final = 0.5
 _ELEMENT: Final = b"\nelement "

@@ -14,8 +14,7 @@ import statistics
 import time
 
 from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
-from jauspy.cloud.message import Cloud
-from jauspy.cloud.socket import CloudSubscriber
+from jauspy.cloud.stream import Cloud, CloudSubscriber
 from jauspy.modules.realtime import RealTime
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import backends

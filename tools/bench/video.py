@@ -36,9 +36,9 @@ from jauspy.platform.camera import Quality
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.h264 import H264Decoder
+from jauspy.video.imaging import read_numbers
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
-from jauspy.video.stamp import read
 
 LOUD = {**os.environ, "GST_DEBUG": "2", "GST_DEBUG_NO_COLOR": "1"}
 """Has GStreamer tell warnings of its decoder."""
@@ -61,7 +61,7 @@ class Seen:
 
     def take(self, image: np.ndarray) -> None:
         """A picture has been decoded now."""
-        number, micros = read(image, rows=2)
+        number, micros = read_numbers(image, rows=2)
         self.numbers.append(number)
         self.times.append(time.monotonic())
         self.delays.append((round(self.times[-1] * 1e6) - micros & 0xFFFFFFFF) / 1e6)

@@ -23,8 +23,7 @@ from jauspy.cli.processes import stoppable
 from jauspy.cli.schema.ls import find as find_definitions
 from jauspy.codec.registry import Registry
 from jauspy.conformance import reports
-from jauspy.conformance.offers import Offers
-from jauspy.conformance.profile import Profile, Step, find, known
+from jauspy.conformance.profile import Offers, Profile, Step, find, known
 from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
 from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
 from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run

@@ -15,10 +15,9 @@ from rich.text import Text
 from jauspy.cli import console
 from jauspy.codec.message import counted
 from jauspy.errors import ConfigError, SchemaError
-from jauspy.fuzz.campaign import CampaignPlan, CampaignResult, fuzzer, run
+from jauspy.fuzz.campaign import CHECK as IDENTITY, CampaignPlan, CampaignResult, fuzzer, run
 from jauspy.fuzz.findings import FuzzFinding, load_finding
 from jauspy.fuzz.mutation import file_payloads
-from jauspy.fuzz.package import CHECK as IDENTITY
 
 SchemasOption = Annotated[
     list[str] | None,

@@ -21,7 +21,8 @@ from jauspy.cli import console
 from jauspy.cli.options import DEFAULT_ROOT, OwnRoot, WithParent, file_mode
 from jauspy.cli.processes import end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
-from jauspy.node import NodeConfig, NodeManager, config_file, status
+from jauspy.node import NodeConfig, NodeManager, status
+from jauspy.node.config import load_config, to_toml
 from jauspy.node.manager import raise_open_files_limit
 
 SOCKET: Final = "NOTIFY_SOCKET"
@@ -181,14 +182,14 @@ def node_manager(
         raise typer.BadParameter("it requires --status", param_hint="--json")
     if show_status:
         return _status(local_root, config, as_json=as_json)
-    settings = config_file.load(config, overrides)
+    settings = load_config(config, overrides)
     if print_config:
-        console.print_lines(*config_file.to_toml(settings).splitlines())
+        console.print_lines(*to_toml(settings).splitlines())
         return None
     if with_parent:
         end_with_parent()
 
-    run(serve(settings, None if config is None else lambda: config_file.load(config, overrides), quiet=with_parent))
+    run(serve(settings, None if config is None else lambda: load_config(config, overrides), quiet=with_parent))
     if own_root:
         remove_if_empty(settings.local_root)
     return None
@@ -197,7 +198,7 @@ def node_manager(
 def _status(root: Path | None, config: Path | None, *, as_json: bool) -> None:
     """Read the status twice, to compute rates, and print it."""
     if root is None:
-        root = DEFAULT_ROOT if config is None else config_file.load(config).local_root
+        root = DEFAULT_ROOT if config is None else load_config(config).local_root
 
     async def read_twice() -> tuple[dict[str, Any], dict[str, Any]]:
         before = await status.read(root)

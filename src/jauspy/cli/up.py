@@ -42,7 +42,7 @@ from jauspy.modules import robot_files
 from jauspy.modules.cloud import Clouds
 from jauspy.modules.config import MOTIONLESS, RobotConfig
 from jauspy.modules.robot import RobotRunner
-from jauspy.node import config_file
+from jauspy.node.config import load_config
 from jauspy.platform import backends
 from jauspy.platform.camera import Quality
 from jauspy.platform.contract import PartId, Snapshot
@@ -321,7 +321,7 @@ class NodeSupervisor:
 
 def gateway_port(path: Path, subsystem: int, root: Path, *, starts: bool) -> int:
     """The port in a gateway's configuration file; raises `ConfigError` unless it fits this robot."""
-    config = config_file.load(path)
+    config = load_config(path)
     if config.gateway is None:
         raise ConfigError(f"{path}: has no [gateway]; `jauspy node-manager --print-config` prints an example")
     if config.gateway.subsystem != subsystem:

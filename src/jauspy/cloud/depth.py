@@ -8,8 +8,7 @@ from collections import Counter
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.cloud.message import XYZ_RGB
-from jauspy.cloud.socket import CloudPublisher
+from jauspy.cloud.stream import XYZ_RGB, CloudPublisher
 from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera, CameraSession, DepthFrame
 from jauspy.worker_process import CountersReport, Parent, SupervisedWorker, WorkerReady

@@ -7,8 +7,7 @@ from collections.abc import Callable, Iterator, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
-from jauspy.conformance.offers import Offers
-from jauspy.conformance.profile import Profile, Step, find
+from jauspy.conformance.profile import Offers, Profile, Step, find
 from jauspy.conformance.results import Result, Verdict
 from jauspy.conformance.runner import Settings, restore_target, results
 from jauspy.conformance.tester import Tester

@@ -10,8 +10,7 @@ from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.conformance.offers import DISCOVERY_CLIENT, Offers, discover
-from jauspy.conformance.profile import Profile, Step
+from jauspy.conformance.profile import DISCOVERY_CLIENT, Offers, Profile, Step, discover
 from jauspy.conformance.results import Report, Result, StepOutcome, Verdict
 from jauspy.conformance.tester import HARMLESS_QUERIES, TIMEOUT, Tester
 from jauspy.conformance.wire import Wire

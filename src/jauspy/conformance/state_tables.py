@@ -14,8 +14,7 @@ from typing import Final, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, near
-from jauspy.conformance.offers import ALL_SERVICES, ServiceKey
-from jauspy.conformance.profile import Step
+from jauspy.conformance.profile import ALL_SERVICES, ServiceKey, Step
 from jauspy.conformance.results import Failed, Skipped, StepOutcome
 from jauspy.conformance.silences import silences_of
 from jauspy.conformance.tester import (

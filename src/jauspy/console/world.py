@@ -305,7 +305,7 @@ class World:
         if find_spec("pynng") is None:
             self.problems["cloud"] = "point clouds need pynng: pip install 'jauspy[cloud]'"
             return
-        from jauspy.cloud.socket import CloudSubscriber  # noqa: PLC0415 - needs pynng
+        from jauspy.cloud.stream import CloudSubscriber  # noqa: PLC0415 - needs pynng
 
         with CloudSubscriber(address) as subscriber:
             while True:

@@ -8,7 +8,7 @@ from typing import Annotated, Self, TypeAlias
 from pydantic import Field, model_validator
 
 from jauspy.cloud.depth import DepthSettings
-from jauspy.cloud.message import MAX_POINTS
+from jauspy.cloud.stream import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.modules.config_base import StrictConfig, UrdfName
 from jauspy.platform.camera import CameraSetup, OutsideSetup, Viewpoint

@@ -12,7 +12,7 @@ from contextlib import AsyncExitStack, asynccontextmanager, suppress
 from typing import Final, Protocol
 
 from jauspy.cloud.depth import DepthProcess, DepthStream
-from jauspy.cloud.socket import CloudPublisher
+from jauspy.cloud.stream import CloudPublisher
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig
 from jauspy.platform.camera import Camera

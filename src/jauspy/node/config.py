@@ -1,4 +1,4 @@
-"""The settings of a node manager, with their defaults, and the gateway, limits and keys that they describe.
+"""The settings of a node manager, with their defaults, its TOML file, and the gateway, limits and keys they describe.
 
 The docstring of each setting is its comment in the output of `jauspy node-manager --print-config`.
 """
@@ -6,17 +6,20 @@ The docstring of each setting is its comment in the output of `jauspy node-manag
 from __future__ import annotations
 
 import ipaddress
+import json
 import re
 import secrets
 import stat
+import textwrap
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 from typing import Annotated, Any, Final, Literal, Self
 
 from pydantic import AfterValidator, BaseModel, BeforeValidator, ConfigDict, Field, ValidationError, model_validator
+from pydantic.fields import FieldInfo
 
-from jauspy.config_errors import explain
+from jauspy.config_errors import explain, line_prefix, models_in
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -30,7 +33,7 @@ from jauspy.protocol.sources import SourceLimits
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.multicast import ANY, RECEIVE_BUFFER
 from jauspy.transport.serial import SerialLine
-from jauspy.user_files import read_file
+from jauspy.user_files import read_file, read_toml
 
 _RANGE: Final = re.compile(r"(0[xX][0-9a-fA-F]{1,4})(?:-(0[xX][0-9a-fA-F]{1,4}))?")
 
@@ -409,3 +412,99 @@ def _message_ids(number: int, text: str) -> range:
     except ConfigError as error:
         raise ConfigError(f"gateway.rules[{number}].messages: {error}; or write its id, as in 0x2301") from None
     return range(code, code + 1)
+
+
+_COMMENT_WIDTH: Final = 100
+
+
+def load_config(path: Path | None, overrides: Mapping[str, Any] | None = None) -> NodeConfig:
+    """The settings of a TOML file; `overrides` that are not None, as of the command line, take precedence.
+
+    Raises `ConfigError` that names the file, the line, the key and its permitted values.
+    """
+    given = {key: value for key, value in (overrides or {}).items() if value is not None}
+    if path is None:
+        return NodeConfig.make(**given)
+    data = read_toml(path)
+    try:
+        return NodeConfig.model_validate(data | given)
+    except ValidationError as error:
+        text = path.read_text()
+        problems = "".join(
+            f"\n  {'' if problem['loc'][:1] and problem['loc'][0] in given else line_prefix(text, problem['loc'])}"
+            f"{explain(problem, NodeConfig)}"
+            for problem in error.errors(include_url=False)
+        )
+        raise ConfigError(f"{path}: is not a configuration of a node manager:{problems}") from None
+
+
+def to_toml(config: NodeConfig) -> str:
+    """All settings as a TOML file for `load`; those without a value are comments."""
+    head = "# Configuration of jauspy node-manager. Omitted keys have defaults; command line options take precedence."
+    return "\n".join([head, *_toml_table(config, "")]).rstrip() + "\n"
+
+
+def _toml_table(model: BaseModel, prefix: str) -> Iterator[str]:
+    """The lines of a table: its own values first, then its tables."""
+    fields = type(model).model_fields
+    tables = [name for name, field in fields.items() if any(models_in(field.annotation)) or _toml_is_mapping(field)]
+    for name, field in fields.items():
+        if name not in tables:
+            yield from ["", *_toml_comment(field), _toml_line(name, getattr(model, name), field)]
+    for name in tables:
+        yield from ["", *_toml_comment(fields[name])]
+        yield from _toml_tables(getattr(model, name), f"{prefix}{name}", fields[name])
+
+
+def _toml_tables(value: object, name: str, field: FieldInfo) -> Iterator[str]:
+    if isinstance(value, BaseModel):
+        yield from [f"[{name}]", *_toml_table(value, f"{name}.")]
+    elif isinstance(value, Mapping):
+        yield f"[{name}]"
+        yield from (f"{json.dumps(str(key))} = {_toml_value(each)}" for key, each in value.items())
+    elif value:
+        for each in value:  # type: ignore[attr-defined]  # a tuple of models
+            yield from [f"[[{name}]]", *_toml_table(each, f"{name}.")]
+    else:
+        for example in field.examples or ():
+            lines = _toml_tables((example,) if value == () else example, name, field)
+            yield from ("#" if not line else line if line[0] == "#" else f"# {line}" for line in lines)
+
+
+def _toml_is_mapping(field: FieldInfo) -> bool:
+    return getattr(field.annotation, "__origin__", None) in (dict, Mapping)
+
+
+def _toml_comment(field: FieldInfo) -> list[str]:
+    text = " ".join((field.description or "").split())
+    if field.is_required():
+        text += " It must be given."
+    elif (default := field.get_default(call_default_factory=True)) not in (None, (), {}):
+        text += f" Default: {_toml_value(default, octal=_toml_is_octal(field))}."
+    return textwrap.wrap(text, _COMMENT_WIDTH, initial_indent="# ", subsequent_indent="# ")
+
+
+def _toml_line(name: str, value: object, field: FieldInfo) -> str:
+    if value is None:
+        return f"# {name} = {_toml_value(field.examples[0] if field.examples else '')}"
+    return f"{name} = {_toml_value(value, octal=_toml_is_octal(field))}"
+
+
+def _toml_is_octal(field: FieldInfo) -> bool:
+    extra = field.json_schema_extra
+    return isinstance(extra, dict) and bool(extra.get("octal"))
+
+
+def _toml_value(value: object, *, octal: bool = False) -> str:
+    """TOML of a scalar or a list."""
+    match value:
+        case bool():
+            return str(value).lower()
+        case int():
+            return f"0o{value:o}" if octal else str(value)
+        case float():
+            return repr(value)
+        case tuple() | list():
+            return f"[{', '.join(_toml_value(each) for each in value)}]"
+        case _:
+            return json.dumps(str(value))

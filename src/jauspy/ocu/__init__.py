@@ -3,6 +3,7 @@
 from jauspy.ocu.arm import Arm
 from jauspy.ocu.camera import Camera
 from jauspy.ocu.client import OCU
+from jauspy.ocu.commands import CommandStream
 from jauspy.ocu.connection import Stats
 from jauspy.ocu.control import Control
 from jauspy.ocu.discovery import Appeared, Changed, Vanished
@@ -13,7 +14,6 @@ from jauspy.ocu.lists import Elements
 from jauspy.ocu.robot import ComponentClient, Robot, RobotControl
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.state import Joints, RobotPose
-from jauspy.ocu.streaming import CommandStream
 from jauspy.ocu.subscription import Subscription
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 

@@ -25,12 +25,11 @@ from jauspy.messages.mobility import (
     SetWrenchEffort,
 )
 from jauspy.messages.ugv import QueryPlatformSpecifications, ReportPlatformSpecifications
-from jauspy.ocu.commands import perform
+from jauspy.ocu.commands import CommandStream, perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.explain import NOT_CONTROLLED, check_ready
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.state import RobotPose, pose_of
-from jauspy.ocu.streaming import CommandStream
 
 RATE: Final = 10.0
 """Hz at which a velocity is repeated."""

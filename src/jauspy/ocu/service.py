@@ -14,14 +14,13 @@ from jauspy.codec.message import Message, Query
 from jauspy.errors import RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
-from jauspy.ocu.commands import perform
+from jauspy.ocu.commands import CommandStream, perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
 from jauspy.ocu.explain import explain
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.replies import reply_class
 from jauspy.ocu.stills import Photo, configuration, take_photo
-from jauspy.ocu.streaming import CommandStream
 from jauspy.ocu.subscription import Subscription, subscribe
 from jauspy.ocu.subsystems import ServiceInfo
 

@@ -21,8 +21,7 @@ from jauspy.ocu.stills import Photo
 from jauspy.ocu.subscription import EventRequest, R
 from jauspy.ocu.subsystems import ComponentInfo, NodeInfo, ServiceInfo, SubsystemInfo
 from jauspy.protocol.delivery import Delivery
-from jauspy.sync.base import Facade, OpensPortal
-from jauspy.sync.portal import Portal
+from jauspy.sync.portal import Facade, OpensPortal, Portal
 from jauspy.transport import Transport
 from jauspy.video.h264_payload import Picture
 from pathlib import Path
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
 from jauspy.ocu.arm import Arm as _Arm
 from jauspy.ocu.camera import Camera as _Camera
 from jauspy.ocu.client import OCU as _OCU
+from jauspy.ocu.commands import CommandStream as _CommandStream
 from jauspy.ocu.control import Control as _Control
 from jauspy.ocu.gripper import Gripper as _Gripper
 from jauspy.ocu.lists import Elements as _Elements
@@ -40,7 +40,6 @@ from jauspy.ocu.robot import ComponentClient as _ComponentClient
 from jauspy.ocu.robot import Robot as _Robot
 from jauspy.ocu.robot import RobotControl as _RobotControl
 from jauspy.ocu.service import ServiceClient as _ServiceClient
-from jauspy.ocu.streaming import CommandStream as _CommandStream
 from jauspy.ocu.subscription import Subscription as _Subscription
 
 

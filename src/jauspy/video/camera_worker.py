@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Final
 import cv2
 
 from jauspy.errors import JausError
-from jauspy.video import stamp
 from jauspy.video.camera_protocol import (
     AddReceiver,
     ChangeImaging,
@@ -20,7 +19,7 @@ from jauspy.video.camera_protocol import (
     TakeStill,
 )
 from jauspy.video.h264 import H264Encoder
-from jauspy.video.imaging import Imaging
+from jauspy.video.imaging import Imaging, draw_numbers
 from jauspy.video.sender import RtpSender
 from jauspy.worker_process import CountersReport, Parent, WorkerReady
 
@@ -127,7 +126,7 @@ class CameraWorker:
         settings, utc = self._encoder.settings, time.time()
         frame = self._imaging.take(self._camera, settings.width, settings.height)
         if self._stamped:
-            stamp.draw(frame.image, self._number, round(frame.taken * 1e6))
+            draw_numbers(frame.image, self._number, round(frame.taken * 1e6))
         self._number += 1
         nals = self._encoder.encode(frame.image, idr=self._sender.needs_idr(now))
         self._sender.send(nals, now, utc)

@@ -1,4 +1,7 @@
-"""Applies lens, shutter and sensor of a camera to rendered pictures. Import it after `need_video`."""
+"""Applies lens, shutter and sensor of a camera to rendered pictures, and draws numbers into them.
+
+The numbers survive coding: they count and time images. Import it after `need_video`.
+"""
 
 from __future__ import annotations
 
@@ -16,6 +19,7 @@ from jauspy.platform.imaging import FocusMode, ImagingMode, ImagingSettings, Met
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import CameraSession, CameraSetup, Distances, Image
+
 
 WHITE_BALANCE: Final = {
     WhiteBalance.AUTO: (1.0, 1.0, 1.0),
@@ -259,3 +263,28 @@ def _reduced(frame: Frame, width: int, height: int) -> Frame:
     if distances is not None:
         distances = np.asarray(cv2.resize(distances, (width, height), interpolation=cv2.INTER_NEAREST), np.float32)
     return Frame(image, frame.taken, light, distances)
+
+
+STAMP_BITS: Final = 32
+"""Squares of a row, most significant bit on the left; a row takes the whole width of the image."""
+
+_BLACK, _WHITE = 16, 235
+
+
+def draw_numbers(image: Image, *numbers: int) -> None:
+    """Draw each number modulo 2**32 as a row of squares, from the top edge of the image down."""
+    side = image.shape[1] // STAMP_BITS
+    for row, number in enumerate(numbers):
+        bits = np.array([number >> shift & 1 for shift in reversed(range(STAMP_BITS))], dtype=np.uint8)
+        line = np.where(np.repeat(bits, side), _WHITE, _BLACK).astype(np.uint8)
+        image[row * side : (row + 1) * side, : STAMP_BITS * side] = line[None, :, None]
+
+
+def read_numbers(image: Image, rows: int = 1) -> list[int]:
+    """The numbers of the first rows; `image` has the shape (height, width) or (height, width, channels)."""
+    side = image.shape[1] // STAMP_BITS
+    grey = image if image.ndim == 2 else image.mean(axis=2)
+    tops = grey[: rows * side, : STAMP_BITS * side].reshape(rows, side, STAMP_BITS, side)
+    edge = side // 4
+    middles = tops[:, edge : side - edge, :, edge : side - edge].mean(axis=(1, 3)) > (_BLACK + _WHITE) / 2
+    return [int("".join("01"[bit] for bit in row.astype(int)), 2) for row in middles]

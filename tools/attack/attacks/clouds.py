@@ -13,8 +13,7 @@ from collections.abc import Iterator
 
 import psutil
 
-from jauspy.cloud.message import MAGIC, Cloud
-from jauspy.cloud.socket import CloudPublisher
+from jauspy.cloud.stream import MAGIC, Cloud, CloudPublisher
 from jauspy.errors import ConfigError
 
 from ..arena import Arena

@@ -11,8 +11,7 @@ from typing import Final
 
 from jauspy.conformance import waypoint_drive
 from jauspy.conformance.checks import carries, carries_only, has, near, that
-from jauspy.conformance.offers import ALL_SERVICES
-from jauspy.conformance.profile import Action, Profile, Step, ask, tell
+from jauspy.conformance.profile import ALL_SERVICES, Action, Profile, Step, ask, tell
 from jauspy.conformance.tester import Tester
 from jauspy.messages.core import (
     ConfirmControl,

@@ -15,7 +15,7 @@ from typing import Final, NamedTuple, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
-from jauspy.conformance.offers import ServiceKey
+from jauspy.conformance.profile import ServiceKey
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.schema import behavior, model

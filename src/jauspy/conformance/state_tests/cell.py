@@ -6,9 +6,8 @@ from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.conformance.results import Skipped
-from jauspy.conformance.state_tests.effects import effect
+from jauspy.conformance.state_tests.effects import Limit, effect
 from jauspy.conformance.state_tests.explorer import Explorer, Stimulus
-from jauspy.conformance.state_tests.settings import Limit
 from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.cell import (
     MoveModularArm,

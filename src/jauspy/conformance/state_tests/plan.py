@@ -11,8 +11,7 @@ from typing import Final, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import has
-from jauspy.conformance.offers import ALL_SERVICES, Offers, ServiceKey
-from jauspy.conformance.profile import Profile, Step
+from jauspy.conformance.profile import ALL_SERVICES, Offers, Profile, ServiceKey, Step
 from jauspy.conformance.results import Skipped
 from jauspy.conformance.state_tables import table_steps
 from jauspy.conformance.state_tests import sample_messages
@@ -29,7 +28,7 @@ from jauspy.conformance.state_tests.behaviour import (
 )
 from jauspy.conformance.state_tests.cell import CELL_COMMANDS
 from jauspy.conformance.state_tests.driving import DRIVING
-from jauspy.conformance.state_tests.effects import EFFECTS
+from jauspy.conformance.state_tests.effects import CLOCK_STIMULI, EFFECTS, LIMITS
 from jauspy.conformance.state_tests.events import COMMANDS, DUE, EVENTS, EXPIRED, NOT_RENEWED
 from jauspy.conformance.state_tests.explorer import (
     EMERGENCY_PREDICATES,
@@ -41,7 +40,6 @@ from jauspy.conformance.state_tests.explorer import (
 from jauspy.conformance.state_tests.lists import LISTS
 from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
 from jauspy.conformance.state_tests.sensors import SENSORS, STILL_IMAGES
-from jauspy.conformance.state_tests.settings import CLOCK_STIMULI, LIMITS
 from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Tester
 from jauspy.errors import ConfigError
