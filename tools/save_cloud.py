@@ -12,7 +12,7 @@ from typing import Final
 from jauspy.cloud.stream import CloudSubscriber, save
 from jauspy.errors import JausError
 
-PATIENCE: Final = 10.0
+TIMEOUT: Final = 10.0
 """Seconds without a cloud after which it gives up."""
 
 
@@ -21,9 +21,9 @@ def main(address: str, folder: str, count: str = "10", kind: str = "ply") -> int
     Path(folder).mkdir(parents=True, exist_ok=True)
     with CloudSubscriber(address) as subscriber:
         for _ in range(int(count)):
-            cloud = subscriber.receive(PATIENCE)
+            cloud = subscriber.receive(TIMEOUT)
             if cloud is None:
-                print(f"nothing was published at {address} for {PATIENCE:g} s", file=sys.stderr)
+                print(f"nothing was published at {address} for {TIMEOUT:g} s", file=sys.stderr)
                 return 1
             path = Path(folder) / f"cloud_{cloud.number:06}.{kind}"
             save(cloud, path)

@@ -34,7 +34,7 @@ STEP: Final = 0.3
 """Radians, or a third of metres, that each joint is moved, if its limits permit that."""
 TOLERANCE: Final = 0.1
 """Of that way."""
-PATIENCE: Final = 4.0
+TIMEOUT: Final = 4.0
 """Seconds."""
 SIZE: Final = (960, 720)
 
@@ -135,7 +135,7 @@ def _moves(robot: SimulatedRobot, group: JointGroup, at: int) -> bool:
         if not joint.lower <= goal <= joint.upper:
             continue
         _command(group, at, goal)
-        deadline = robot.time + PATIENCE + way / joint.velocity
+        deadline = robot.time + TIMEOUT + way / joint.velocity
         while robot.time < deadline:
             robot.advance(0.1)
             if abs(group.state().positions[at] - goal) < TOLERANCE * way:

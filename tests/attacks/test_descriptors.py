@@ -18,7 +18,7 @@ from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Packet
 
 MAX_FILES = 80
-PATIENCE = 10.0
+TIMEOUT = 10.0
 
 
 class Victim:
@@ -49,7 +49,7 @@ class Victim:
 
     def accepts(self, id: JausID) -> bool:
         """Connects again and again, as components do, until it is accepted."""
-        until = time.monotonic() + PATIENCE
+        until = time.monotonic() + TIMEOUT
         with self.connect(id) as sock:
             sock.settimeout(0.1)
             while time.monotonic() < until:
@@ -94,7 +94,7 @@ def test_connections_without_a_descriptor_are_tried_again_at_a_limited_rate(vict
         time.sleep(1.0)
         assert victim.log.stat().st_size < 4096
         resource.prlimit(victim.process.pid, resource.RLIMIT_NOFILE, limits)
-        reader.settimeout(PATIENCE)
+        reader.settimeout(TIMEOUT)
         assert reader.recv(1) == b"{"
     counted = asyncio.run(status.read(victim.root))["counters"]["accept_failed"] - before
     assert 1 <= counted <= 5

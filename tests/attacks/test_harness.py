@@ -74,8 +74,8 @@ def test_the_exit_status_tells_and_the_table_is_written(
         monkeypatch.setattr(harness, "ALL", attacks)
         monkeypatch.setattr(sys, "argv", ["attack", "--seconds", "0", "--write", str(page)])
         assert harness.main() == status
-    told = capsys.readouterr()
-    assert "two: 2 of 100 honest queries were lost" in told.err
+    reported = capsys.readouterr()
+    assert "two: 2 of 100 honest queries were lost" in reported.err
     text = page.read_text()
     assert text.startswith("before\n\n")
     assert text.endswith("\n\nafter\n")

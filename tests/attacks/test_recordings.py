@@ -180,8 +180,11 @@ def test_a_recording_can_be_read_when_its_program_was_killed(tmp_path: Path, suf
 def test_a_full_disk_is_told_at_once_and_what_was_recorded_can_be_read(tmp_path: Path) -> None:
     film = tmp_path / "front.mp4"
     done = record(film, "full")
-    recorded, told = done.stdout.splitlines()
-    assert told == f"cannot write {film}: File too large; what was recorded before can be read, but for the last second"
+    recorded, reported = done.stdout.splitlines()
+    assert (
+        reported
+        == f"cannot write {film}: File too large; what was recorded before can be read, but for the last second"
+    )
     assert film.stat().st_size <= 100_000
     assert int(recorded) - RATE <= frames(film) < PICTURES
 

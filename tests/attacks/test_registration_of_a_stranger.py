@@ -118,8 +118,8 @@ def test_a_robot_on_another_machine_stays_unambiguous(cable: tuple[str, str], ro
         try:
             assert any("stop it" in line for line in running.stdout or ())
             command = [*outside, sys.executable, "-c", ATTACK, str(free_port)]
-            told = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+            reported = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
         finally:
             running.terminate()
             running.communicate(timeout=20)
-    assert told.stdout == "101.1.102\n", told.stderr
+    assert reported.stdout == "101.1.102\n", reported.stderr

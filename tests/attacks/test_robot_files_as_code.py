@@ -89,9 +89,9 @@ def test_a_robot_file_does_not_read_secrets_from_the_environment(tmp_path, monke
     path = tmp_path / "it.xacro"
     path.write_text(f'<robot name="{reading.format("API_TOKEN")}" xmlns:xacro="http://www.ros.org/wiki/xacro"/>')
     monkeypatch.setenv("API_TOKEN", "s3cr3t")
-    with pytest.raises(ConfigError, match="environment variable API_TOKEN is not read, because") as told:
+    with pytest.raises(ConfigError, match="environment variable API_TOKEN is not read, because") as reported:
         xacro_files.expand(str(path))
-    assert "s3cr3t" not in str(told.value)
+    assert "s3cr3t" not in str(reported.value)
     for value in ("1", "-2.5", "true", "Off"):
         monkeypatch.setenv("API_TOKEN", value)
         assert f'name="{value}"' in xacro_files.expand(str(path))

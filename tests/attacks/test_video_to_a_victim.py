@@ -153,8 +153,8 @@ def test_two_machines(cable: tuple[str, str], root: Path, free_port: int) -> Non
             hosts = {"10.77.0.3": "refused", "10.77.0.2": "refused", "127.0.0.1": "refused", "10.77.0.255": "refused"}
             hosts |= {"10.77.0.1": "sent"}
             command = [*client, sys.executable, "-c", ASK, str(free_port), *hosts]
-            told = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
+            reported = subprocess.run(command, capture_output=True, text=True, timeout=60, check=False)
         finally:
             running.terminate()
             running.communicate(timeout=20)
-    assert dict(line.split() for line in told.stdout.splitlines()) == hosts, told.stderr
+    assert dict(line.split() for line in reported.stdout.splitlines()) == hosts, reported.stderr

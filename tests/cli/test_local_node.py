@@ -62,14 +62,14 @@ async def test_repeated_start_error_is_logged_once(
     other = NodeManager(NodeConfig(address="127.0.0.1", port=0, local_root=root))
     await with_port.open()
     await other.open()
-    told = ""
+    reported = ""
     async with up.node_manager(root, free_port):
         await other.close()
         async with asyncio.timeout(20):
-            while "--port" not in told:
-                told += capsys.readouterr().err
+            while "--port" not in reported:
+                reported += capsys.readouterr().err
                 await asyncio.sleep(0.02)
         await with_port.close()
         await until(lambda: is_there(root))
-        told += capsys.readouterr().err
-    assert told.count("Error") == 1
+        reported += capsys.readouterr().err
+    assert reported.count("Error") == 1

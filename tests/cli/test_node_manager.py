@@ -149,9 +149,9 @@ def test_invalid_file_error_names_file_key_and_fix(tmp_path):
 
 
 def test_status_of_a_running_node_manager_is_printed(node_manager, free_port, local_root):
-    told = run("--status", "--local-root", str(local_root))
-    assert told.stdout.startswith(f"node manager, process {node_manager.pid}, up ")
-    assert f"0.0.0.0:{free_port}" in told.stdout
+    reported = run("--status", "--local-root", str(local_root))
+    assert reported.stdout.startswith(f"node manager, process {node_manager.pid}, up ")
+    assert f"0.0.0.0:{free_port}" in reported.stdout
     assert json.loads(run("--status", "--json", "--local-root", str(local_root)).stdout)["pid"] == node_manager.pid
 
 
@@ -182,19 +182,19 @@ def test_sighup_reloads_the_file_and_rejects_an_invalid_one(free_port, local_roo
 
 @pytest.mark.slow
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reported"),
     [
         ("", "has no [gateway]"),
         ("[gateway]\nsubsystem = 102", "gateway.subsystem = 102: the robot is subsystem 101"),
     ],
 )
-def test_robot_rejects_the_gateway_of_another_subsystem(tmp_path, local_root, text, told):
+def test_robot_rejects_the_gateway_of_another_subsystem(tmp_path, local_root, text, reported):
     file = tmp_path / "gateway.toml"
     file.write_text(text)
     command = [*COMMAND[:-1], "up", "inc1", "--gateway", str(file), "--local-root", str(local_root)]
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=30)
     assert done.returncode == 1
-    assert told in done.stderr
+    assert reported in done.stderr
 
 
 @pytest.mark.slow

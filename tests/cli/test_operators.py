@@ -55,7 +55,7 @@ def test_what_is_printed_may_follow_anything(folder, capsys, before):
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reported"),
     [
         ("", "operators: is missing"),
         ("?", "is not TOML"),
@@ -66,11 +66,11 @@ def test_what_is_printed_may_follow_anything(folder, capsys, before):
         ("[operators]\n[roles]\nking = 256", "roles.king = 256"),
     ],
 )
-def test_an_operators_file_that_is_wrong(folder, text, told):
+def test_an_operators_file_that_is_wrong(folder, text, reported):
     file = folder / "operators.toml"
     key = file.read_text().partition('key = "')[2].partition('"')[0]
     file.write_text(text.replace("KEY", key))
-    with pytest.raises(ConfigError, match=re.escape(told)):
+    with pytest.raises(ConfigError, match=re.escape(reported)):
         load(file)
 
 

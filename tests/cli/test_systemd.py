@@ -26,8 +26,8 @@ def test_unit_passes_systemd_analyze(tmp_path: Path) -> None:
     unit = tmp_path / UNIT.name
     unit.write_text(re.sub(r"^ExecStart=\S+", f"ExecStart={sys.executable}", UNIT.read_text(), flags=re.M))
     done = subprocess.run([*VERIFY, str(unit)], capture_output=True, text=True, check=False, timeout=60)
-    told = [line for line in (done.stdout + done.stderr).splitlines() if UNIT.name in line]
-    assert (done.returncode, told) == (0, [])
+    reported = [line for line in (done.stdout + done.stderr).splitlines() if UNIT.name in line]
+    assert (done.returncode, reported) == (0, [])
     unit.write_text(unit.read_text().replace("WatchdogSec=10", "WatchdogSecs=ten"))
     wrong = subprocess.run([*VERIFY, str(unit)], capture_output=True, text=True, check=False, timeout=60)
     assert "WatchdogSecs" in wrong.stderr
@@ -49,11 +49,11 @@ class Service:
         self.process = process
         self._socket = sock
 
-    def told(self) -> str:
+    def reported(self) -> str:
         return self._socket.recv(1000).decode()
 
     def told_beside_the_watchdog(self) -> str:
-        while (text := self.told()) == "WATCHDOG=1":
+        while (text := self.reported()) == "WATCHDOG=1":
             continue
         return text
 
@@ -90,8 +90,8 @@ def service(request: pytest.FixtureRequest, free_port: int, local_root: Path, tm
 
 
 def test_readiness_and_stop_are_notified(service: Service) -> None:
-    assert service.told() == "READY=1"
-    assert [service.told() for _ in range(3)] == 3 * ["WATCHDOG=1"]
+    assert service.reported() == "READY=1"
+    assert [service.reported() for _ in range(3)] == 3 * ["WATCHDOG=1"]
     service.process.send_signal(signal.SIGHUP)
     assert re.fullmatch(r"RELOADING=1\nMONOTONIC_USEC=\d+", service.told_beside_the_watchdog())
     assert service.told_beside_the_watchdog() == "READY=1\nSTATUS=running"
@@ -103,19 +103,19 @@ def test_readiness_and_stop_are_notified(service: Service) -> None:
 @pytest.mark.slow
 def test_hanging_event_loop_does_not_feed_the_watchdog(service: Service) -> None:
     """Stopped as by a debugger: systemd would restart it after WatchdogSec."""
-    assert service.told() == "READY=1"
+    assert service.reported() == "READY=1"
     service.process.send_signal(signal.SIGSTOP)
     os.waitid(os.P_PID, service.process.pid, os.WSTOPPED)
     while not service.is_silent(0):  # what it had sent before
         continue
     assert service.is_silent(5 * WATCHDOG)
     service.process.send_signal(signal.SIGCONT)
-    assert service.told() == "WATCHDOG=1"
+    assert service.reported() == "WATCHDOG=1"
 
 
 @pytest.mark.slow
 def test_failed_start_never_notifies_readiness(service: Service, free_port: int, other_root: Path) -> None:
-    assert service.told() == "READY=1"
+    assert service.reported() == "READY=1"
     name = str(other_root / "notify")
     with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as sock:
         sock.bind(name)

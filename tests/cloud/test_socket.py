@@ -19,7 +19,7 @@ from jauspy.cloud.stream import Cloud, CloudPublisher, CloudSubscriber
 from jauspy.errors import ConfigError, TransportError
 
 POINT = struct.pack("<3f", 1.0, 2.0, 3.0)
-PATIENCE = 20.0
+TIMEOUT = 20.0
 
 
 @pytest.fixture
@@ -35,7 +35,7 @@ def subscriber(address: str) -> Iterator[CloudSubscriber]:
 
 def until_heard(publish: Callable[[], None], subscriber: CloudSubscriber) -> Cloud:
     """Publish until the subscriber, which connects in its own time, gets something."""
-    until = time.monotonic() + PATIENCE
+    until = time.monotonic() + TIMEOUT
     while time.monotonic() < until:
         publish()
         if (cloud := subscriber.receive(0.05)) is not None:
@@ -51,7 +51,7 @@ def test_clouds_arrive_in_order_with_their_numbers(address: str, subscriber: Clo
         before = subscriber.counters["received"]
         for _ in range(5):
             publisher.publish(POINT * 2, "other", 6.0)
-        found = [subscriber.receive(PATIENCE) for _ in range(5)]
+        found = [subscriber.receive(TIMEOUT) for _ in range(5)]
     assert last.rows() == [(1.0, 2.0, 3.0)]
     assert [(len(each), each.frame, each.time) for each in found if each] == [(2, "other", 6.0)] * 5
     assert [each.number - found[0].number for each in found if each and found[0]] == [0, 1, 2, 3, 4]
@@ -69,7 +69,7 @@ def test_slow_subscriber_counts_lost_clouds(address: str, subscriber: CloudSubsc
             found.append(cloud)
         publisher.publish(POINT, "a", 0.0)
         while found[-1].number < first.number + 201:
-            found.append(cloud := subscriber.receive(PATIENCE))
+            found.append(cloud := subscriber.receive(TIMEOUT))
             assert cloud is not None
     assert len(found) < 150, "it was to lose some"
     assert subscriber.counters["lost"] == found[-1].number - first.number - (len(found) - 1)
@@ -133,5 +133,5 @@ def test_a_stream_of_rubbish_does_not_keep_it_from_returning(address: str, subsc
             took = time.monotonic() - begin
             stop.set()
             thread.join()
-    assert took < PATIENCE / 4
+    assert took < TIMEOUT / 4
     assert subscriber.counters["malformed"] > 1

@@ -105,19 +105,19 @@ async def test_deferred_answer_is_sent_when_available():
 
 
 async def test_acknowledgement_callbacks_are_called_and_bounded(virtual_network):
-    hub, told = LoopbackHub(), []
+    hub, reported = LoopbackHub(), []
     async with component(hub, clock=loop_time) as me, Peer(hub) as peer:
         me.host.receive(RequestControl(1).encode(), PEER, loop_time())
         for _ in range(100):
-            me.host.send(PEER, ReportHeartbeatPulse(), on_acknowledged=told.append)
+            me.host.send(PEER, ReportHeartbeatPulse(), on_acknowledged=reported.append)
         me.wake()
-        assert told == []
+        assert reported == []
         sent = [await peer.next() for _ in range(101)][1:]
         assert [each.ack for each in sent] == [Ack.REQUIRED] * 64 + [Ack.NONE] * 36
         peer.transport.send(pack(Packet(PEER, ME, b"", sent[0].sequence, ack=Ack.ACK)))
-        await until(lambda: told == [True])
-        await until(lambda: len(told) == 64)
-        assert told == [True] + [False] * 63
+        await until(lambda: reported == [True])
+        await until(lambda: len(reported) == 64)
+        assert reported == [True] + [False] * 63
         assert me.host.controller == PEER, "who does not acknowledge may be there all the same"
 
 

@@ -22,7 +22,7 @@ from jauspy.codec.message import Message, Struct
 from jauspy.conformance import TargetComponent, VirtualTarget, silences, state_tables
 from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.explorer import MIN_AUTHORITY
-from jauspy.conformance.state_tests.sensors import IMAGE_TIMEOUT as PICTURE_PATIENCE
+from jauspy.conformance.state_tests.sensors import IMAGE_TIMEOUT as PICTURE_TIMEOUT
 from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.tester import CLIENTS, OBSERVER
 from jauspy.ids import JausID
@@ -293,7 +293,7 @@ FAMILIES: Final = (
     Family("is short", "^[A-Z].* is as its definition says", answers(spoilt)),
     Family("is late", "in time$", delays(lambda payload, to: to in ROLES)),
     Family("has other ids and codes", rf"has (request_id_rec\.)?({'|'.join(CODES)})", answers(changed(other_codes))),
-    Family("takes its time for a picture", "in time$", delays(lambda payload, to: to in ROLES, PICTURE_PATIENCE * 1.5)),
+    Family("takes its time for a picture", "in time$", delays(lambda payload, to: to in ROLES, PICTURE_TIMEOUT * 1.5)),
     Family("has no pictures", "has a picture", answers(changed(no_pictures))),
     _second("gives no second answer", answers(silence, *SECOND)),
     _second("gives a short second answer", answers(spoilt, *SECOND)),

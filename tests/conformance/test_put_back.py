@@ -29,10 +29,10 @@ SENSORS = [
 )
 def test_settings_are_restored(profile, target, query):
     virtual_target = robot(name="inc1", component=target.component, tick=None)
-    told = []
+    reported = []
 
     def look(tester):
-        told.append(tester.client("42.1.1").ask(query, type(query).REPORT))
+        reported.append(tester.client("42.1.1").ask(query, type(query).REPORT))
 
     asking = Profile("asking", "x", (Step("1", "x", look),))
     examined(asking, virtual_target, target)
@@ -40,7 +40,7 @@ def test_settings_are_restored(profile, target, query):
     report = examined(profile, virtual_target, target, only=(f"{READY}/{command}/controller",))
     assert report.status == 0
     examined(asking, virtual_target, target)
-    assert told[0] == told[1]
+    assert reported[0] == reported[1]
 
 
 def test_clock_is_restored():

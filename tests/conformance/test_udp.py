@@ -22,7 +22,7 @@ from jauspy.transport import multicast
 GROUP = "239.255.77.1"
 ROBOT, JUDGE = JausID(101, 1, 1), JausID(42, 1, 1)
 QUESTION = judp.pack(Packet(ROBOT, JUDGE, b"\x00\x2b\x02", 7))
-PATIENCE = 20.0
+TIMEOUT = 20.0
 
 
 def say(data: bytes, address: tuple[str, int]) -> None:
@@ -53,7 +53,7 @@ def test_multicasts_are_received_beside_a_node_manager(node_manager, free_port):
         (note,) = wire.notes
         assert f"UDP port {free_port} is taken" in note
         say(QUESTION, (GROUP, free_port))
-        arrival = wire.receive(time.monotonic() + PATIENCE)
+        arrival = wire.receive(time.monotonic() + TIMEOUT)
     finally:
         wire.close()
     assert arrival is not None
@@ -64,7 +64,7 @@ def test_datagrams_for_the_node_manager_are_not_received(node_manager, free_port
     wire = UdpWire(group=(GROUP, free_port), port=free_port)
     try:
         say(QUESTION, ("127.0.0.1", free_port))
-        node_manager.settimeout(PATIENCE)
+        node_manager.settimeout(TIMEOUT)
         assert node_manager.recv(100) == QUESTION
         assert wire.receive(time.monotonic()) is None
     finally:
@@ -83,7 +83,7 @@ def test_multicasts_are_received_once_on_a_free_port(free_port):
         assert (wire.port, wire.notes) == (free_port, [])
         say(QUESTION, (GROUP, free_port))
         say(QUESTION[:-1] + b"\x01", ("127.0.0.1", free_port))
-        heard = [wire.receive(time.monotonic() + PATIENCE) for _ in range(2)]
+        heard = [wire.receive(time.monotonic() + TIMEOUT) for _ in range(2)]
         assert wire.receive(time.monotonic()) is None
     finally:
         wire.close()
@@ -107,7 +107,7 @@ def test_many_open_files_do_not_break_receiving(free_port):
     try:
         wire = UdpWire(group=(GROUP, free_port), port=free_port)
         say(QUESTION, ("127.0.0.1", free_port))
-        arrival = wire.receive(time.monotonic() + PATIENCE)
+        arrival = wire.receive(time.monotonic() + TIMEOUT)
         wire.close()
     finally:
         for each in files:

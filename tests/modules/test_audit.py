@@ -300,10 +300,10 @@ def test_the_verb(path, write, capsys, tmp_path):
     write()
     (tmp_path / "operators.toml").write_text(f'[operators]\nalice = {{ role = "operator", key = "{KEY.public}" }}\n')
     cli.audit(path=path, operators=tmp_path / "operators.toml")
-    told = capsys.readouterr().out
-    assert "7 lines; commands: 5 of alice; 0 refused" in told
-    assert "5 verified" in told
-    head = told.rpartition("head: ")[2].strip()
+    reported = capsys.readouterr().out
+    assert "7 lines; commands: 5 of alice; 0 refused" in reported
+    assert "5 verified" in reported
+    head = reported.rpartition("head: ")[2].strip()
     write()
     cli.audit(path=path, head=[head])
     with pytest.raises(ConfigError, match="line 7 was changed"):

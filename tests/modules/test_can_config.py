@@ -77,6 +77,8 @@ def test_a_drive_that_does_not_match_is_told_with_file_and_line(tmp_path: Path) 
     file.write_text(
         'extends = "inc1"\nname = "mine"\n[can.drives.arm_1]\nnode = 4\njoint = "elbow"\nencoder_counts = 4096\n'
     )
-    told = robot_model(load(file)).can
-    assert isinstance(told, str)
-    assert told.startswith(f"{file}: line 5: can.drives.arm_1.joint = 'elbow': is in no group; those of groups are: ")
+    reported = robot_model(load(file)).can
+    assert isinstance(reported, str)
+    assert reported.startswith(
+        f"{file}: line 5: can.drives.arm_1.joint = 'elbow': is in no group; those of groups are: "
+    )

@@ -10,7 +10,7 @@ from importlib.util import find_spec
 
 import pytest
 from tests.helpers.sampling import sampled
-from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
+from tests.modules.workcell import BACKENDS, OTHER, Workcell, outcomes
 
 from jauspy.codec.message import Message
 from jauspy.geometry.kinematics import forward_kinematics
@@ -116,8 +116,8 @@ def test_tool_reaches_commanded_poses(backend: str, robot: str) -> None:
     ends: list[int] = []
     for number in range(3):
         goal = arm.random_pose(rng)
-        assert told(arm, CreateCommandEvent(1, 60, command(goal))) == []
-        arm.run(9.0, lambda: ends.extend(told(arm)))
+        assert outcomes(arm, CreateCommandEvent(1, 60, command(goal))) == []
+        arm.run(9.0, lambda: ends.extend(outcomes(arm)))
         assert ends == [0] * (number + 1)
         distance, turn = errors(arm.pose(), goal)
         assert distance < MILLIMETRE
@@ -160,8 +160,8 @@ def test_tool_offset_is_applied(arm: Handler) -> None:
 
 def test_pose_out_of_reach_is_counted_and_the_arm_holds(arm: Handler) -> None:
     before = arm.positions()
-    ends: list[int] = told(arm, CreateCommandEvent(1, 60, NOWHERE))
-    arm.run(2.0, lambda: ends.extend(told(arm)))
+    ends: list[int] = outcomes(arm, CreateCommandEvent(1, 60, NOWHERE))
+    arm.run(2.0, lambda: ends.extend(outcomes(arm)))
     assert ends == [1]
     assert arm.host.counters["out_of_reach"] == 1
     assert arm.positions() == pytest.approx(before, abs=0.003)
@@ -172,7 +172,7 @@ def test_zero_quaternion_is_ignored_and_counted(arm: Handler) -> None:
     goal = arm.pose_at((0.2, 1.3, -1.0, 0.2, -0.3))
     arm.tell(command(goal))
     zero = replace(command(arm.pose()), **dict.fromkeys(list(NOWHERE.__dataclass_fields__)[3:], 0.0))
-    assert told(arm, CreateCommandEvent(1, 60, zero)) == [1]
+    assert outcomes(arm, CreateCommandEvent(1, 60, zero)) == [1]
     assert arm.host.counters["no_attitude"] == 1
     arm.run(8.0)
     distance, _ = errors(arm.pose(), goal)
@@ -181,8 +181,8 @@ def test_zero_quaternion_is_ignored_and_counted(arm: Handler) -> None:
 
 def test_unreachable_attitude_fails_but_the_point_is_reached(arm: Handler) -> None:
     goal = replace(arm.pose(), rotation=arm.pose_at((-0.4, 1.2, -0.9, 0.3, 0.9)).rotation)
-    ends: list[int] = told(arm, CreateCommandEvent(1, 60, command(goal)))
-    arm.run(12.0, lambda: ends.extend(told(arm)))
+    ends: list[int] = outcomes(arm, CreateCommandEvent(1, 60, command(goal)))
+    arm.run(12.0, lambda: ends.extend(outcomes(arm)))
     assert ends == [1]
     distance, turn = errors(arm.pose(), goal)
     assert distance < MILLIMETRE
@@ -191,12 +191,12 @@ def test_unreachable_attitude_fails_but_the_point_is_reached(arm: Handler) -> No
 
 def test_command_event_fails_when_the_pose_is_abandoned(arm: Handler) -> None:
     goals = [command(arm.pose_at((turn, 1.3, -1.0, 0.2, -0.3))) for turn in (-1.0, 1.0)]
-    assert told(arm, CreateCommandEvent(1, 60, goals[0])) == []
+    assert outcomes(arm, CreateCommandEvent(1, 60, goals[0])) == []
     arm.run(0.3)
-    assert told(arm, goals[1]) == [1], "another pose"
-    assert told(arm, CreateCommandEvent(1, 60, goals[0])) == []
-    assert told(arm, moving(0.0, 0.0, 0.0, 0.01, 0.0, 0.0)) == [1], "another service"
-    assert told(arm, CreateCommandEvent(1, 60, goals[0]), Standby()) == [1]
+    assert outcomes(arm, goals[1]) == [1], "another pose"
+    assert outcomes(arm, CreateCommandEvent(1, 60, goals[0])) == []
+    assert outcomes(arm, moving(0.0, 0.0, 0.0, 0.01, 0.0, 0.0)) == [1], "another service"
+    assert outcomes(arm, CreateCommandEvent(1, 60, goals[0]), Standby()) == [1]
 
 
 @pytest.mark.parametrize("stop", sampled([Standby(), ReleaseControl(), SetEmergency(1)], 1))
@@ -247,11 +247,11 @@ def test_list_of_poses_is_executed(arm: Handler) -> None:
     rows = [element(uid, (uid + 1) % 4, command(goal)) for uid, goal in enumerate(goals, 1)]
     assert arm.tell(SetElement(SetElement.RequestIDRec(7), rows)) == [ConfirmElementRequest(7)]
     assert errors(arm.commanded(), arm.pose()) == pytest.approx((0.0, 0.0), abs=1e-3)
-    ends: list[int] = told(arm, CreateCommandEvent(1, 100, m.ExecuteList(element_uid=1)))
+    ends: list[int] = outcomes(arm, CreateCommandEvent(1, 100, m.ExecuteList(element_uid=1)))
     seen, heading = [], []
 
     def look() -> None:
-        ends.extend(told(arm))
+        ends.extend(outcomes(arm))
         seen.append(arm.ask(m.QueryActiveElement()).element_uid)
         if seen[-1]:
             heading.append(errors(arm.commanded(), goals[seen[-1] - 1])[0])
@@ -267,8 +267,8 @@ def test_pose_out_of_reach_ends_the_list(arm: Handler) -> None:
     rows = [element(1, 2, NOWHERE), element(2, 0, command(arm.pose_at((0.2, 1.3, -1.0, 0.2, -0.3))))]
     before = arm.positions()
     arm.tell(SetElement(SetElement.RequestIDRec(7), rows))
-    ends: list[int] = told(arm, CreateCommandEvent(1, 100, m.ExecuteList(element_uid=1)))
-    arm.run(3.0, lambda: ends.extend(told(arm)))
+    ends: list[int] = outcomes(arm, CreateCommandEvent(1, 100, m.ExecuteList(element_uid=1)))
+    arm.run(3.0, lambda: ends.extend(outcomes(arm)))
     assert ends == [1]
     assert arm.ask(m.QueryActiveElement()).element_uid == 0
     assert arm.positions() == pytest.approx(before, abs=0.003)

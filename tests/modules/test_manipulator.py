@@ -8,7 +8,7 @@ from importlib.util import find_spec
 from typing import Any
 
 import pytest
-from tests.modules.workcell import BACKENDS, OTHER, Workcell, told
+from tests.modules.workcell import BACKENDS, OTHER, Workcell, outcomes
 
 from jauspy.codec.message import Message
 from jauspy.geometry.poses import Transform
@@ -155,16 +155,16 @@ def test_joint_positions_are_reached(arm: Workcell) -> None:
 
 
 def test_command_event_reports_success_or_failure(arm: Workcell) -> None:
-    assert told(arm, CreateCommandEvent(1, 60, positions(arm, GOAL))) == []
+    assert outcomes(arm, CreateCommandEvent(1, 60, positions(arm, GOAL))) == []
     ends: list[int] = []
-    arm.run(6.0, lambda: ends.extend(told(arm)))
+    arm.run(6.0, lambda: ends.extend(outcomes(arm)))
     assert ends == [0]
     back = CreateCommandEvent(1, 60, positions(arm, (0.0, 1.0, -1.0, 0.0, 0.0)))
-    assert told(arm, back) == []
-    assert told(arm, velocities(0.1, 0.1, 0.1, 0.1, 0.1)) == [1]
-    assert told(arm, back, Standby()) == [1]
+    assert outcomes(arm, back) == []
+    assert outcomes(arm, velocities(0.1, 0.1, 0.1, 0.1, 0.1)) == [1]
+    assert outcomes(arm, back, Standby()) == [1]
     arm.tell(Resume())
-    assert told(arm, CreateCommandEvent(1, 60, velocities(0.1))) == [1], "it does not fit the joints"
+    assert outcomes(arm, CreateCommandEvent(1, 60, velocities(0.1))) == [1], "it does not fit the joints"
 
 
 def test_the_motion_profile_limits_speed(arm: Workcell) -> None:

@@ -42,9 +42,9 @@ def test_a_load_that_is_too_heavy_is_told_once(caplog: pytest.LogCaptureFixture)
     cell.robot.data.xfrc_applied[hand][2] = -12.0 * 9.81
     cell.run(2.0)
     joints = {name: group.joints for name, group in link.groups.items()}
-    told = overloads(module, joints, link.snapshot)["arm_link_1_to_arm_link_2"]
-    assert "cannot carry its load (1" in told
-    assert "N m of 110 N m)" in told
+    reported = overloads(module, joints, link.snapshot)["arm_link_1_to_arm_link_2"]
+    assert "cannot carry its load (1" in reported
+    assert "N m of 110 N m)" in reported
     warned = [each.getMessage() for each in caplog.records if "arm_link_1_to_arm_link_2 cannot" in each.getMessage()]
     assert len(warned) == 1
     assert cell.host.counters["overload"] >= 1

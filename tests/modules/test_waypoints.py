@@ -116,7 +116,7 @@ def test_list_may_mix_frames_and_keeps_the_speed(world: World) -> None:
     assert world.distance(0.0, 0.0) < 0.2
 
 
-def told(world: World, *messages: Message) -> list[bool]:
+def outcomes(world: World, *messages: Message) -> list[bool]:
     """How the commands ended of which command events tell now: True for those that were carried out."""
     events = [each for each in world.tell(*messages) if isinstance(each, CommandEvent)]
     return [each.command_result == CommandEvent.CommandResult.SUCCESSFUL for each in events]
@@ -130,10 +130,10 @@ GO = SetTravelSpeed(speed=1.0)
 
 
 def test_command_event_succeeds_when_the_waypoint_is_reached(world: World) -> None:
-    assert told(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == [True], "it is only kept until a speed is set"
-    assert told(world, watched(GO)) == []
+    assert outcomes(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == [True], "it is only kept until a speed is set"
+    assert outcomes(world, watched(GO)) == []
     ends: list[bool] = []
-    world.run_until(lambda: bool(ends), 15.0, lambda: ends.extend(told(world)))
+    world.run_until(lambda: bool(ends), 15.0, lambda: ends.extend(outcomes(world)))
     assert ends == [True]
     assert world.distance(2.0, 0.0) < 0.15
 
@@ -151,18 +151,18 @@ def test_command_event_succeeds_when_the_waypoint_is_reached(world: World) -> No
 )
 def test_command_event_fails_when_the_drive_is_preempted(world: World, end: Message) -> None:
     world.tell(SetLocalWaypoint(x=20.0, y=0.0))
-    assert told(world, watched(GO)) == []
+    assert outcomes(world, watched(GO)) == []
     world.run(1.0)
-    assert told(world, end) == [False]
+    assert outcomes(world, end) == [False]
 
 
 def test_new_waypoint_during_a_drive_is_a_lasting_command(world: World) -> None:
     world.tell(SetLocalWaypoint(x=20.0, y=0.0))
     world.tell(GO)
-    assert told(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == []
-    assert told(world, SetTravelSpeed(speed=0.0)) == [], "it waits, and has not given up"
-    assert told(world, watched(SetTravelSpeedExt(speed=Speed(Speed.Choice.ROTATIONS_PER_MINUTE, 9.0)))) == [False]
-    assert told(world, GO, Standby()) == [False]
+    assert outcomes(world, watched(SetLocalWaypoint(x=2.0, y=0.0))) == []
+    assert outcomes(world, SetTravelSpeed(speed=0.0)) == [], "it waits, and has not given up"
+    assert outcomes(world, watched(SetTravelSpeedExt(speed=Speed(Speed.Choice.ROTATIONS_PER_MINUTE, 9.0)))) == [False]
+    assert outcomes(world, GO, Standby()) == [False]
 
 
 def test_waypoint_is_driven_to_after_the_speed_is_set(world: World) -> None:

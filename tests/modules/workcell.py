@@ -98,6 +98,6 @@ BACKENDS = [
 """Modules are tested on the simulator, and in the slow tests on the kinematic backend and on simulated drives, too."""
 
 
-def told(cell: Workcell, *messages: Message) -> list[int]:
+def outcomes(cell: Workcell, *messages: Message) -> list[int]:
     """How commands ended, of which command events tell now: 0 is carried out."""
     return [int(each.command_result) for each in cell.tell(*messages) if isinstance(each, CommandEvent)]

@@ -18,7 +18,7 @@ from jauspy.node import NodeManager
 from jauspy.node.config import load_config
 from jauspy.sync.portal import Portal
 
-PATIENCE = 20
+TIMEOUT = 20
 IP_RECVTTL = 12
 """From linux/in.h."""
 TEN = "00010203040506070809"
@@ -49,7 +49,7 @@ class End:
     def __init__(self, sock: socket.socket, node: str | tuple[str, int] | None) -> None:
         self.socket = sock
         self._node = node
-        sock.settimeout(PATIENCE)
+        sock.settimeout(TIMEOUT)
 
     def says(self, text: str) -> None:
         if self._node is None:

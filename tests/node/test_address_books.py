@@ -63,7 +63,7 @@ def test_fkie_yaml_is_read(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "told"),
+    ("name", "text", "reported"),
     [
         ("a.json", "{}", "use one of .toml"),
         ("a.toml", "x = ", "a.toml"),
@@ -85,8 +85,8 @@ def test_fkie_yaml_is_read(tmp_path: Path) -> None:
         ("a.cfg", f'<X><AddressBook J{"9" * 5000}="10.0.0.5:1"/></X>', "J and the id in decimal"),
     ],
 )
-def test_mistakes_name_the_file_and_the_form(tmp_path: Path, name: str, text: str, told: str) -> None:
-    with pytest.raises(ConfigError, match=f"address book .*{told}"):
+def test_mistakes_name_the_file_and_the_form(tmp_path: Path, name: str, text: str, reported: str) -> None:
+    with pytest.raises(ConfigError, match=f"address book .*{reported}"):
         load(tmp_path, name, text)
 
 

@@ -19,8 +19,8 @@ def converse(hosts: list[str], root: Path, count: int, **settings: Any) -> list[
         members = []
         for host, id in zip(hosts, ids, strict=True):
             others = [each for each in ids if each != id]
-            told = {"root": str(root / id), "id": id, "others": others, "count": count, "settings": settings}
-            member = stack.enter_context(started(host, str(PROGRAMS / "member.py"), json.dumps(told)))
+            reported = {"root": str(root / id), "id": id, "others": others, "count": count, "settings": settings}
+            member = stack.enter_context(started(host, str(PROGRAMS / "member.py"), json.dumps(reported)))
             members.append((member.stdin, member.stdout))
         for word, answer in (("go", "sent"), ("stop", None)):
             for writer, _ in members:
@@ -40,20 +40,20 @@ def test_acknowledged_messages_arrive_once_each(
     """One tenth of the packets is lost; a fifth of the messages is large, in five packets of three frames each."""
     made = switch(count)
     getattr(made, how)()
-    told = converse(made.hosts, root, 40 // count)
-    delivered = {text for each in told for text, arrived in each["sent"].items() if arrived}
-    received = Counter(itertools.chain.from_iterable(each["received"] for each in told))
+    reported = converse(made.hosts, root, 40 // count)
+    delivered = {text for each in reported for text, arrived in each["sent"].items() if arrived}
+    received = Counter(itertools.chain.from_iterable(each["received"] for each in reported))
     assert max(received.values()) == 1
     assert delivered <= set(received)
     assert len(delivered) == count * (count - 1) * (40 // count)
-    counted = sum((Counter(each["counters"]) for each in told), Counter())
+    counted = sum((Counter(each["counters"]) for each in reported), Counter())
     assert min(counted["resent"], counted["dropped.duplicate"]) > 0
 
 
 def test_compressed_headers_survive_a_bad_network(switch: Callable[[int], Switch], root: Path) -> None:
     made = switch(2)
     made.relay()
-    told = converse(made.hosts, root, 60, header_compression="propose")
-    received = Counter(itertools.chain.from_iterable(each["received"] for each in told))
-    assert received == Counter(text for each in told for text in each["sent"])
-    assert sum(each["counters"].get("compression.received", 0) for each in told) > 10
+    reported = converse(made.hosts, root, 60, header_compression="propose")
+    received = Counter(itertools.chain.from_iterable(each["received"] for each in reported))
+    assert received == Counter(text for each in reported for text in each["sent"])
+    assert sum(each["counters"].get("compression.received", 0) for each in reported) > 10

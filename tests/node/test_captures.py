@@ -10,7 +10,7 @@ import socket
 import struct
 
 import pytest
-from tests.node.daemon import IP_RECVTTL, PATIENCE, TEN, Daemon, End, plain
+from tests.node.daemon import IP_RECVTTL, TEN, TIMEOUT, Daemon, End, plain
 
 from jauspy.ids import JausID
 from jauspy.protocol.endpoint import Endpoint
@@ -198,7 +198,7 @@ def test_a_serial_line(daemon: Daemon) -> None:
     def line_tells(text: str) -> None:
         arrived = b""
         while len(arrived) < len(plain(text)) // 2:
-            assert select.select([daemon.line], [], [], PATIENCE)[0]
+            assert select.select([daemon.line], [], [], TIMEOUT)[0]
             arrived += os.read(daemon.line, 1)
         assert arrived.hex() == plain(text)
 

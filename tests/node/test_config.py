@@ -62,7 +62,7 @@ def test_options_override_the_file(written: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("text", "told"),
+    ("text", "reported"),
     [
         ("port = 70000", "port = 70000: input should be less than or equal to 65535"),
         ("prot = 1", "prot = 1: there is no such key; known here are: address, address6, address_books,"),
@@ -91,12 +91,12 @@ def test_options_override_the_file(written: Path) -> None:
         ("port = ", "is not TOML"),
     ],
 )
-def test_mistakes_name_file_key_and_fix(written: Path, text: str, told: str) -> None:
+def test_mistakes_name_file_key_and_fix(written: Path, text: str, reported: str) -> None:
     written.write_text(text)
     with pytest.raises(ConfigError) as caught:
         load_config(written)
     assert str(caught.value).startswith(f"{written}: is ")
-    assert told in str(caught.value)
+    assert reported in str(caught.value)
 
 
 def test_missing_file_is_an_error(written: Path) -> None:

@@ -229,7 +229,7 @@ def test_foreign_address_is_an_error(root: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    ("settings", "told"),
+    ("settings", "reported"),
     [
         ({"port": 70000}, "port = 70000"),
         ({"address": "localhost"}, "write an IPv4 address"),
@@ -237,7 +237,7 @@ def test_foreign_address_is_an_error(root: Path) -> None:
         ({"ports": 1}, "ports = 1"),
     ],
 )
-def test_invalid_settings_cause_one_sentence(settings: dict[str, object], told: str) -> None:
+def test_invalid_settings_cause_one_sentence(settings: dict[str, object], reported: str) -> None:
     with pytest.raises(ConfigError, match="node manager setting") as caught:
         NodeConfig.make(**settings)
-    assert told in str(caught.value)
+    assert reported in str(caught.value)

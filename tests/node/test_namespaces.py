@@ -33,8 +33,8 @@ asyncio.run(main(sys.argv[1]))
 @contextlib.contextmanager
 def node_manager(namespace: str, root: Path, **settings: object) -> Iterator[None]:
     root.mkdir()
-    told = json.dumps(settings | {"local_root": str(root)})
-    command = ("ip", "netns", "exec", namespace, sys.executable, "-c", DAEMON, told)
+    reported = json.dumps(settings | {"local_root": str(root)})
+    command = ("ip", "netns", "exec", namespace, sys.executable, "-c", DAEMON, reported)
     with subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE) as process:
         assert process.stdout is not None
         assert process.stdout.readline() == b"ready\n"
@@ -149,8 +149,8 @@ def test_two_hosts_communicate_by_ipv6_only(cable: tuple[str, str], root: Path, 
             run("ip", "-n", namespace, "-4", "addr", "flush", "dev", end)
             run("ip", "-n", namespace, "addr", "add", f"fd77::{number}/64", "dev", end, "nodad")
         for number, (namespace, folder) in enumerate(zip(cable, (near, far), strict=True), 1):
-            told = json.loads(settings.replace("{}", str(number)))
-            stack.enter_context(node_manager(namespace, folder, **told))
+            reported = json.loads(settings.replace("{}", str(number)))
+            stack.enter_context(node_manager(namespace, folder, **reported))
         a = stack.enter_context(component(near, NEAR))
         b = stack.enter_context(component(far, FAR))
         until_heard(a, near, b)

@@ -51,14 +51,14 @@ async def test_status_has_components_peers_queues_and_drops(root: Path, introduc
     async with NodeManager(config(root)) as node:
         before = await status.read(root)
         _, peer = await traffic(node, introduce, udp)
-        told = status.with_rates(before, await status.read(root))
-        assert told["components"] == [{"id": "101.1.1", "path": str(root / str(int(HERE))), "waiting": 0}]
+        reported = status.with_rates(before, await status.read(root))
+        assert reported["components"] == [{"id": "101.1.1", "path": str(root / str(int(HERE))), "waiting": 0}]
         host, port = peer.getsockname()
-        assert [(each["id"], each["address"]) for each in told["peers"]] == [("42.1.1", f"{host}:{port}")]
-        assert told["counters"]["dropped.malformed.version"] == 1
-        assert told["rates"]["dropped.malformed.version"] > 0
-        assert told["queues"] == {"ingress": 0, "unknown_destinations": 0}
-        assert told["networks"][0]["address"] == f"127.0.0.1:{node.port}"
+        assert [(each["id"], each["address"]) for each in reported["peers"]] == [("42.1.1", f"{host}:{port}")]
+        assert reported["counters"]["dropped.malformed.version"] == 1
+        assert reported["rates"]["dropped.malformed.version"] > 0
+        assert reported["queues"] == {"ingress": 0, "unknown_destinations": 0}
+        assert reported["networks"][0]["address"] == f"127.0.0.1:{node.port}"
         assert stat.S_IMODE((root / status.SOCKET_NAME).stat().st_mode) == 0o660
     assert list(root.iterdir()) == [root / str(int(HERE))]
 
@@ -306,8 +306,8 @@ async def test_readiness_and_watchdog_are_notified(root: Path, monkeypatch: pyte
         monkeypatch.setenv("NOTIFY_SOCKET", str(root / "notify"))
         monkeypatch.setenv("WATCHDOG_USEC", "20000")
         async with SystemdNotifier() as services:
-            told = [await receive(manager) for _ in range(3)]
-            assert told == [b"READY=1", b"WATCHDOG=1", b"WATCHDOG=1"]
+            reported = [await receive(manager) for _ in range(3)]
+            assert reported == [b"READY=1", b"WATCHDOG=1", b"WATCHDOG=1"]
             services.ready("running")
         rest = {await receive(manager), await receive(manager)}
         assert rest & {b"READY=1\nSTATUS=running", b"STOPPING=1"}

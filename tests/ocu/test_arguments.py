@@ -81,7 +81,7 @@ FINDING = {
     "number": (lambda it: it.query(101, QueryStatus()), "not the int 101$"),
     "discover": (lambda it: it.discover("101"), r"^a subsystem is a whole number, not the str '101'$"),
     "discover id": (lambda it: it.discover(JausID(101, 1, 102)), r"^a subsystem is a whole number, not the JausID"),
-    "patience": (lambda it: it.discover_all(timeout="1"), r"^timeout is a number"),
+    "limit": (lambda it: it.discover_all(timeout="1"), r"^timeout is a number"),
     "each": (lambda it: first(it.query_each("101.1.255", QueryStatus)), r"^query_each\(\) takes a message, and"),
     "within": (lambda it: first(it.query_each("101.1.255", QueryStatus(), within="1")), r"^within is a number"),
     "watch": (lambda it: first(it.watch(interval="1")), r"^interval is a number"),

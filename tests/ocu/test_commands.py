@@ -67,7 +67,7 @@ def clock_of(component) -> SlowClock:
     return component.host.service(SlowClock)
 
 
-def told(component, *, success: bool) -> None:
+def reported(component, *, success: bool) -> None:
     clock_of(component).ended(success)
     component.wake()
 
@@ -86,7 +86,7 @@ async def test_perform_returns_when_the_command_is_complete(robot, client):
     task = await begun(client, robot)
     await asyncio.sleep(20)
     assert not task.done()
-    told(robot, success=True)
+    reported(robot, success=True)
     await asyncio.wait_for(task, 0.1)
 
 
@@ -103,7 +103,7 @@ async def test_performed_standby_is_no_loss_of_control(client):
 
 async def test_abandoned_command_raises_request_error(robot, client):
     task = await begun(client, robot)
-    told(robot, success=False)
+    reported(robot, success=False)
     with pytest.raises(
         RequestError, match=r"101\.1\.1 did not carry out SetTime \(it said so after 0\.\d s\): it gave up"
     ):
@@ -121,14 +121,14 @@ async def test_concurrent_commands_are_distinguished(robot, client):
     second = asyncio.create_task(client.perform(Standby(), within=1))
     await second
     assert not first.done()
-    told(robot, success=True)
+    reported(robot, success=True)
     await first
 
 
 @pytest.mark.parametrize("success", [True, False])
 async def test_equal_concurrent_commands_share_the_result(virtual_network, robot, client, success):
     tasks = [await begun(client, robot), await begun(client, robot)]
-    told(robot, success=success)
+    reported(robot, success=success)
     results = await asyncio.wait_for(asyncio.gather(*tasks, return_exceptions=True), 1)
     assert [type(each) for each in results] == [type(None) if success else RequestError] * 2
     assert len(virtual_network.sent(CommandEvent)) == 1
@@ -152,7 +152,7 @@ async def test_cancelled_wait_keeps_the_event_for_an_equal_command(virtual_netwo
             await task
     await client.status()
     assert not virtual_network.sent(CancelEvent)
-    told(robot, success=True)
+    reported(robot, success=True)
     await asyncio.wait_for(third, 1)
 
 
@@ -170,14 +170,14 @@ async def test_lost_confirmation_is_requested_again(virtual_network, robot, clie
     virtual_network.lose(ConfirmEventRequest, times=1)
     task = await begun(client, robot)
     await asyncio.sleep(3)
-    told(robot, success=True)
+    reported(robot, success=True)
     await task
 
 
 async def test_lost_result_is_resent(virtual_network, robot, client):
     virtual_network.lose(CommandEvent, times=2)
     task = await begun(client, robot)
-    told(robot, success=True)
+    reported(robot, success=True)
     await asyncio.wait_for(task, 1)
     assert len(virtual_network.sent(CommandEvent)) == 3
 
@@ -196,7 +196,7 @@ async def test_late_or_lost_confirmations_do_not_repeat_the_command(virtual_netw
     task = await begun(client, robot)
     if takes_time:
         await asyncio.sleep(3)
-    told(robot, success=True)
+    reported(robot, success=True)
     await asyncio.wait_for(task, 5)
     assert len(virtual_network.sent(CreateCommandEvent)) > 1
     assert clock.begun == 1
@@ -221,7 +221,7 @@ async def test_equal_concurrent_commands_have_separate_limits(robot, client, lim
         await asyncio.wait_for(short, 4)
     await asyncio.sleep(20)
     assert not long.done()
-    told(robot, success=True)
+    reported(robot, success=True)
     await asyncio.wait_for(long, 1)
 
 
@@ -262,7 +262,7 @@ async def test_cancelled_wait_ends_the_event_but_not_the_command(virtual_network
     await client.status()
     assert len(virtual_network.sent(CancelEvent)) == 1
     assert clock_of(robot).begun == 1
-    told(robot, success=True)
+    reported(robot, success=True)
     assert not virtual_network.sent(CommandEvent)
 
 

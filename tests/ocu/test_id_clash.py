@@ -55,15 +55,15 @@ async def test_both_programs_are_told(tmp_path: Path, port: int, monkeypatch, ca
     )
     early, late = (OCU("42.1.1", f"local:{tmp_path / str(number)}") for number in (0, 1))
     async with here, there, early, late:
-        with pytest.raises(ResponseTimeout, match=r"the id 42\.1\.1 is in use twice") as told:
+        with pytest.raises(ResponseTimeout, match=r"the id 42\.1\.1 is in use twice") as reported:
             await late.discover(101, timeout=0.5)
         with pytest.raises(ResponseTimeout, match="in use twice"):
             await late.query("101.1.1", late.service("101.1.1", "Management").message("QueryStatus")(), timeout=0.1)
         async with asyncio.timeout(20):
             while len([each for each in caplog.records if "in use twice" in each.getMessage()]) < 2:
                 await asyncio.sleep(0.01)
-    assert "start the robot" not in str(told.value)
-    assert "127.0.0.1" in str(told.value)
+    assert "start the robot" not in str(reported.value)
+    assert "127.0.0.1" in str(reported.value)
 
 
 async def test_programs_without_a_node_manager_are_told():

@@ -7,7 +7,7 @@ import pytest
 from jauspy.ocu.subscription import MAX_DELAY, SequenceTracker
 
 
-def told(*numbers: int, rate: float = 10.0) -> list[int | None]:
+def reported(*numbers: int, rate: float = 10.0) -> list[int | None]:
     """What each of these numbers, one period apart, says of those before."""
     sequence, period = SequenceTracker(), 1.0 / rate
     return [sequence.missing(number & 0xFF, rate, index * period) for index, number in enumerate(numbers)]
@@ -25,7 +25,7 @@ def told(*numbers: int, rate: float = 10.0) -> list[int | None]:
     ],
 )
 def test_gaps_are_counted_by_sequence_numbers(numbers, missing):
-    assert told(*numbers) == missing
+    assert reported(*numbers) == missing
 
 
 @pytest.mark.parametrize("rate", [0.0, 0.1, 10.0, 100.0])

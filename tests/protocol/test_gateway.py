@@ -18,8 +18,8 @@ HERE = LocalPort(f"/root/{int(LOCAL)}")
 
 def gateway(*rules: GatewayRule, networks: tuple[str, ...] = ("lan", "vehicle"), subsystem: int = 101) -> Router:
     inside = networks[1:]
-    told = Gateway(subsystem, networks, inside, GatewayRules(rules, inside=inside))
-    return Router("/root", networks=networks, gateway=told)
+    reported = Gateway(subsystem, networks, inside, GatewayRules(rules, inside=inside))
+    return Router("/root", networks=networks, gateway=reported)
 
 
 def message(source: JausID, destination: JausID, sequence: int = 1, code: int = 0x2002, **fields: object) -> bytes:

@@ -100,8 +100,8 @@ def test_duplicate_ids_are_reported_once_each(caplog: pytest.LogCaptureFixture) 
     for port in (LocalPort("/root/thief"), LocalPort("/root/thief"), PEER, PEER):
         sent = receive(core, judp.pack(Packet(OURS, THEIRS, b"\x02\x20")), port)
         assert {to for to, _ in sent} <= {PEER}  # a notice of the clash
-    told = [record.getMessage() for record in caplog.records if record.levelno == logging.WARNING]
-    assert ["/root/thief" in told[0], "10.0.0.9:3794" in told[1], len(told)] == [True, True, 2]
+    reported = [record.getMessage() for record in caplog.records if record.levelno == logging.WARNING]
+    assert ["/root/thief" in reported[0], "10.0.0.9:3794" in reported[1], len(reported)] == [True, True, 2]
     assert (core.counters["dropped.duplicate_id"], core.counters["dropped.hijack"]) == (2, 2)
     for number in range(registrar.MAX_LOGGED_CASES + 5):
         stolen = judp.pack(Packet(OURS, THEIRS, b"\x02\x20"))

@@ -144,8 +144,8 @@ def test_broadcasts_are_not_repeated_by_node_managers() -> None:
         network.run(0.2)
     assert not network.hosts[A].received
     for id in (B, C):
-        told = [packet.payload[2] for packet in network.hosts[id].received]
-        assert sorted(told) == list(range(200))
+        reported = [packet.payload[2] for packet in network.hosts[id].received]
+        assert sorted(reported) == list(range(200))
     assert sum(host.node.counters["routed.multicast"] for host in network.hosts.values()) == 200
 
 

@@ -84,9 +84,9 @@ def test_result_set_at_once_is_sent(rig, clock):
     (later,) = clock.open
     clock.strike()
     rig.run(0.0)
-    told = []
-    later.add_done_callback(told.append)
-    assert told == [ReportTime(time_stamp=NOON)]
+    reported = []
+    later.add_done_callback(reported.append)
+    assert reported == [ReportTime(time_stamp=NOON)]
 
 
 def test_repeated_query_is_answered_once(rig, clock):
@@ -159,11 +159,11 @@ def test_exception_in_a_callback_does_not_affect_others(rig, clock):
     (later,) = clock.open
     rig.tell(B, QueryTime(1))
     clock.open[1].add_done_callback(lambda _: 1 / 0)
-    told = []
-    clock.open[1].add_done_callback(told.append)
+    reported = []
+    clock.open[1].add_done_callback(reported.append)
     clock.strike()
     assert [to for _, to, _ in rig.run(0.0)] == [A, B]
-    assert told == [later.report]
+    assert reported == [later.report]
     assert rig.host.counters["action_failed"] == 1
 
 
@@ -201,12 +201,12 @@ def test_periodic_events_wait_for_deferred_replies(rig, clock):
 
 def test_events_on_change_report_deferred_changes_only(rig, clock):
     rig.tell(A, CreateEvent(1, EVERY_CHANGE, 0.0, QueryTime(1)))
-    told = []
+    reported = []
     for stamp in (NOON, NOON, ONE, ONE, NOON):
         rig.run(0.1)
         clock.strike(stamp)
-        told += rig.run(0.001)
-    assert contents(told) == [ReportTime(time_stamp=stamp) for stamp in (NOON, ONE, NOON)]
+        reported += rig.run(0.001)
+    assert contents(reported) == [ReportTime(time_stamp=stamp) for stamp in (NOON, ONE, NOON)]
 
 
 def test_overdue_event_reports_the_fallback(rig):

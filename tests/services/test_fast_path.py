@@ -114,9 +114,9 @@ commands = st.one_of(
     st.just(SetTime(TimeStamp(1, 2, 3, 4, 5), None)),
     queries,
 )
-told = st.tuples(st.just("tell"), st.sampled_from(CLIENTS), commands)
+reported = st.tuples(st.just("tell"), st.sampled_from(CLIENTS), commands)
 steps = st.one_of(
-    *(told,) * 3,
+    *(reported,) * 3,
     st.tuples(st.just("run"), st.sampled_from([0.01, 0.3, 1.1]), st.none()),
     st.tuples(st.just("mood"), st.sampled_from(MOODS), st.none()),
     st.tuples(st.just("move"), st.floats(-5, 5), st.none()),

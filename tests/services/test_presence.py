@@ -115,16 +115,18 @@ ABOUT_SENSORS = [
 
 @pytest.mark.parametrize("query", ABOUT_SENSORS, ids=lambda each: f"{each.NAME}-{each.VERSION}")
 def test_vector_of_a_sensor_applies_to_its_record(query: type[Message]) -> None:
-    (wanted,), (told,) = records(query, "query_presence_vector"), records(query.REPORT)
+    (wanted,), (reported,) = records(query, "query_presence_vector"), records(query.REPORT)
     report, asked = made(TARGETS[query.REPORT]), made(TARGETS[query])
-    one, *_ = getattr(report, told.name)
-    setattr(report, told.name, [replace(one, sensor_id=each) for each in (1, 2, 3)])
+    one, *_ = getattr(report, reported.name)
+    setattr(report, reported.name, [replace(one, sensor_id=each) for each in (1, 2, 3)])
 
     def changed(*vectors: tuple[int, int]) -> list[int]:
         """The sensors whose records lack something, when this is asked of each; 0 is all."""
         first, *_ = getattr(asked, wanted.name)
         setattr(asked, wanted.name, [replace(first, sensor_id=i, query_presence_vector=v) for i, v in vectors])
-        both = zip(getattr(report, told.name), getattr(apply_presence_vectors(report, asked), told.name), strict=True)
+        both = zip(
+            getattr(report, reported.name), getattr(apply_presence_vectors(report, asked), reported.name), strict=True
+        )
         return [before.sensor_id for before, after in both if before != after]
 
     assert changed((0, ALL)) == []

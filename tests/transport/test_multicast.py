@@ -144,9 +144,9 @@ def test_ipv6_interfaces_are_selected_by_name_or_address(
         "eth1": [(four, "10.0.0.2")],
         "wlan0": [(six, "fe80::2%wlan0")],
     }
-    told = {
+    reported = {
         name: [SimpleNamespace(family=family, address=address) for family, address in own]
         for name, own in machine.items()
     }
-    monkeypatch.setattr(psutil, "net_if_addrs", lambda: told)
+    monkeypatch.setattr(psutil, "net_if_addrs", lambda: reported)
     assert multicast.names([chosen]) == found

@@ -98,12 +98,12 @@ def test_undecodable_data_is_counted():
 @pytest.mark.parametrize(("profile", "number"), [(Profile.BASELINE, 66), (Profile.MAIN, 77), (Profile.HIGH, 100)])
 @pytest.mark.parametrize("preset", Preset)
 def test_profile_and_level_are_those_of_the_stream(scene, profile, number, preset):
-    for level, told in ((None, 22), (9, 31)):
+    for level, reported in ((None, 22), (9, 31)):
         encoder = H264Encoder(VideoSettings(coding=H264Settings(profile, level, preset)))
         decoder = H264Decoder()
         pictures = [tuple(encoder.encode(scene(each))) for each in range(3)]
         sps = pictures[0][0]
-        assert (h264_payload.nal_type(sps), sps[1], sps[3]) == (h264_payload.SPS, number, told)
+        assert (h264_payload.nal_type(sps), sps[1], sps[3]) == (h264_payload.SPS, number, reported)
         images = [decoder.decode(Picture(each, units, whole=True)) for each, units in enumerate(pictures)]
         assert [read_numbers(image) for image in images] == [[0], [1], [2]]
 

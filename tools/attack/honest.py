@@ -24,7 +24,7 @@ from jauspy.protocol.endpoint import Endpoint
 from jauspy.transport import LocalTransport
 
 ALL_FIELDS: Final = 0x1FF
-PATIENCE: Final = 2.0
+TIMEOUT: Final = 2.0
 """Seconds in which an answer has to come."""
 START_TIMEOUT: Final = 20.0
 _PAUSE: Final = 0.02
@@ -70,7 +70,7 @@ class Operator:
         now, asked, waiting = time.monotonic(), self.asked, list(self._waiting.items())
         silence = max(self.silence, now - self._heard_at)
         lost = self._given_up
-        for _ in range(round(PATIENCE / _PAUSE)):
+        for _ in range(round(TIMEOUT / _PAUSE)):
             if not self._unanswered(waiting):
                 break
             await asyncio.sleep(_PAUSE)
@@ -91,16 +91,16 @@ class Operator:
         if not self.first_answer.is_set():
             self._fields = deque(each for each in range(1, ALL_FIELDS + 1) if each & ~fields == 0)
             self.first_answer.set()
-        elif fields in self._waiting and now - self._waiting[fields] < PATIENCE:
+        elif fields in self._waiting and now - self._waiting[fields] < TIMEOUT:
             del self._waiting[fields]
             self.silence = max(self.silence, now - self._heard_at)
             self._heard_at = now
 
 
-async def main(told: dict[str, Any]) -> None:
+async def main(reported: dict[str, Any]) -> None:
     """Ask until standard input is closed."""
-    config = NodeConfig.make(**told["settings"])
-    operator = Operator(JausID.parse(told["id"]), JausID.parse(told["robot"]), config.local_root)
+    config = NodeConfig.make(**reported["settings"])
+    operator = Operator(JausID.parse(reported["id"]), JausID.parse(reported["robot"]), config.local_root)
     async with NodeManager(config):
         await operator.transport.open()
         async with asyncio.timeout(START_TIMEOUT):
@@ -110,7 +110,7 @@ async def main(told: dict[str, Any]) -> None:
         operator.begin()
         print("ready", flush=True)
         async with asyncio.TaskGroup() as tasks:
-            asking = tasks.create_task(ask_on(operator, told["rate"]))
+            asking = tasks.create_task(ask_on(operator, reported["rate"]))
             while word := (await asyncio.to_thread(sys.stdin.readline)).strip():
                 if word == "begin":
                     operator.begin()

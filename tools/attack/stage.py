@@ -173,8 +173,8 @@ class Stage:
     def _start_operator(self) -> subprocess.Popen[bytes]:
         address = f"udp://{self.lan.hosts['robot'].address}:{PORT}"
         settings = self._settings("operator") | {"addresses": {"101.255.255": address}}
-        told = {"settings": settings, "id": OPERATOR_ID, "robot": ROBOT_ID, "rate": QUERY_RATE}
-        command = self.lan.hosts["operator"].command(sys.executable, HONEST, json.dumps(told))
+        reported = {"settings": settings, "id": OPERATOR_ID, "robot": ROBOT_ID, "rate": QUERY_RATE}
+        command = self.lan.hosts["operator"].command(sys.executable, HONEST, json.dumps(reported))
         with (self.folder / "operator.log").open("wb") as log:
             process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
         self._stack.callback(_end, process)

@@ -62,8 +62,8 @@ def as_text(results: Sequence[Result]) -> str:
 def as_markdown(results: Sequence[Result], run: Run) -> str:
     """The table for the documentation, with the circumstances of the run."""
     day = datetime.now(UTC).date()
-    told = f"jauspy {run.version}, {day}, {run.seconds:g} s in all, seed {run.seed}, {run.network}, {run.machine}:"
-    lines = [told, "", *("| " + " | ".join(row) + " |" for row in (*_HEAD, *rows(results)))]
+    reported = f"jauspy {run.version}, {day}, {run.seconds:g} s in all, seed {run.seed}, {run.network}, {run.machine}:"
+    lines = [reported, "", *("| " + " | ".join(row) + " |" for row in (*_HEAD, *rows(results)))]
     return "\n".join(lines)
 
 

@@ -145,10 +145,10 @@ def measure(backend: str, options: argparse.Namespace) -> Run:
         viewer = stack.enter_context(ready(str(VIEWER), str(port))) if options.cameras else None
         driven, seen = _cores(robot, lambda: asyncio.run(drive(port, options.samples)))
         pictures = "" if viewer is None else f"; pictures {viewer.communicate()[0].decode().strip()}"
-        told = json.loads(robot.communicate()[0])
-    commands = [Sample(*each) for each in told["commands"]]
-    rows, unseen = split(seen, commands, [(at, speed) for at, speed in told["reads"]])
-    counters = told["counters"]
+        announced = json.loads(robot.communicate()[0])
+    commands = [Sample(*each) for each in announced["commands"]]
+    rows, unseen = split(seen, commands, [(at, speed) for at, speed in announced["reads"]])
+    counters = announced["counters"]
     return Run(rows, unseen, idle, driven, counters["late"], counters["steps"], pictures)
 
 

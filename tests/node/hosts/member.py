@@ -24,11 +24,11 @@ WINDOW = 4
 
 
 class Member:
-    def __init__(self, told: dict) -> None:
-        self.told = told
-        self.id = JausID.parse(told["id"])
+    def __init__(self, reported: dict) -> None:
+        self.reported = reported
+        self.id = JausID.parse(reported["id"])
         self.endpoint = Endpoint(self.id, first_sequence=random.randrange(65536), delivery=Delivery(resends=20))
-        self.transport = LocalTransport(self.id, Path(told["root"]))
+        self.transport = LocalTransport(self.id, Path(reported["root"]))
         self.transport.received = self.take
         self.received: list[str] = []
         self.outcomes: dict[int, asyncio.Future[bool]] = {}
@@ -63,9 +63,11 @@ class Member:
 
     async def send_all(self) -> dict[str, bool]:
         async def to(other: str, first: int) -> list[tuple[str, bool]]:
-            return [await self.deliver(other, number) for number in range(first, self.told["count"], WINDOW)]
+            return [await self.deliver(other, number) for number in range(first, self.reported["count"], WINDOW)]
 
-        parts = await asyncio.gather(*(to(other, first) for other in self.told["others"] for first in range(WINDOW)))
+        parts = await asyncio.gather(
+            *(to(other, first) for other in self.reported["others"] for first in range(WINDOW))
+        )
         return dict(each for part in parts for each in part)
 
 
@@ -74,9 +76,9 @@ async def line() -> str:
 
 
 async def main() -> None:
-    told = json.loads(sys.argv[1])
-    config = NodeConfig.make(local_root=told["root"], **told["settings"])
-    member = Member(told)
+    reported = json.loads(sys.argv[1])
+    config = NodeConfig.make(local_root=reported["root"], **reported["settings"])
+    member = Member(reported)
     async with NodeManager(config) as node:
         await member.transport.open()
         ticking = asyncio.create_task(member.tick())

@@ -18,11 +18,11 @@ UDP = b"\x11"
 
 
 def main() -> None:
-    told = json.loads(sys.argv[1])
-    chance = random.Random(told["seed"])
+    reported = json.loads(sys.argv[1])
+    chance = random.Random(reported["seed"])
     selector = selectors.DefaultSelector()
     sockets = []
-    for name in told["ports"]:
+    for name in reported["ports"]:
         sock = socket.socket(socket.AF_PACKET, socket.SOCK_RAW, socket.htons(ALL_FRAMES))
         sock.bind((name, ALL_FRAMES))
         sock.setblocking(False)
@@ -39,10 +39,10 @@ def main() -> None:
                 continue
             bad = frame[23:24] == UDP
             for sock in sockets:
-                if sock is key.fileobj or (bad and chance.random() < told["loss"]):
+                if sock is key.fileobj or (bad and chance.random() < reported["loss"]):
                     continue
-                for _ in range(1 + (bad and chance.random() < told["twice"])):
-                    at = time.monotonic() + (told["delay"] * chance.random() if bad else 0)
+                for _ in range(1 + (bad and chance.random() < reported["twice"])):
+                    at = time.monotonic() + (reported["delay"] * chance.random() if bad else 0)
                     heapq.heappush(late, (at, next(order), sock, frame))
         while late and late[0][0] <= time.monotonic():
             _, _, sock, frame = heapq.heappop(late)

@@ -65,8 +65,8 @@ class Switch:
 
     def relay(self) -> None:
         """Frames pass through a program."""
-        told = json.dumps(json.loads(RELAY) | {"ports": self.ports})
-        self._stack.enter_context(started(self.name, str(PROGRAMS / "relay.py"), told))
+        reported = json.dumps(json.loads(RELAY) | {"ports": self.ports})
+        self._stack.enter_context(started(self.name, str(PROGRAMS / "relay.py"), reported))
 
     def bridge(self) -> None:
         """Nothing is lost."""
@@ -97,5 +97,5 @@ class Switch:
             try:
                 run("tc", "-n", self.name, "qdisc", "add", "dev", port, "root", *NETEM)
             except (FileNotFoundError, subprocess.CalledProcessError) as error:
-                told = getattr(error, "stderr", None) or str(error).encode()
-                pytest.skip(f"needs tc and the kernel's sch_netem: {told.decode().strip()}")
+                reported = getattr(error, "stderr", None) or str(error).encode()
+                pytest.skip(f"needs tc and the kernel's sch_netem: {reported.decode().strip()}")

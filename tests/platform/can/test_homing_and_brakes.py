@@ -35,9 +35,11 @@ def powered_on(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("jauspy.platform.can.robot.Fleet", forgetful)
 
 
-def home(changes: dict[str, Any], told: list[str]) -> None:
+def home(changes: dict[str, Any], announced: list[str]) -> None:
     model = replace(described("inc1")[1], can=setup_of(**changes))
-    robot = CanRobot(model, setup_of(**changes), "virtual:motors", "empty", lambda master: master.home(told.append))
+    robot = CanRobot(
+        model, setup_of(**changes), "virtual:motors", "empty", lambda master: master.home(announced.append)
+    )
     try:
         assert simulated(robot, "arm_4").homed
         assert robot.drives["arm_4"].position == pytest.approx(0.0, abs=0.02)  # where its switch is
@@ -71,9 +73,9 @@ def test_nothing_moves_before_all_drives_know_their_position(
 
 @pytest.mark.usefixtures("powered_on")
 def test_homing_moves_one_drive_to_its_switch_and_says_so() -> None:
-    told: list[str] = []
-    home(HOMING, told)
-    assert told == ["drive 'arm_4' (node 7) moves 'arm_link_3_to_arm_link_4' by homing method 17, 10 s at most"]
+    announced: list[str] = []
+    home(HOMING, announced)
+    assert announced == ["drive 'arm_4' (node 7) moves 'arm_link_3_to_arm_link_4' by homing method 17, 10 s at most"]
 
 
 @pytest.mark.usefixtures("powered_on")
