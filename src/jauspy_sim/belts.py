@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 import mujoco
-import numpy as np
-from numpy.typing import NDArray
+
+from jauspy_sim.assembly import view
 
 ALONG_THE_TRACK: Final = 0.002
 """Cosines of normals to the track, of all contacts together, below which MuJoCo's own Jacobian is right."""
@@ -16,32 +15,20 @@ ALONG_THE_TRACK: Final = 0.002
 FRICTION: Final = 3
 """Rows of the Jacobian for a contact with friction: along the normal and two tangents."""
 
-MAX_KNOWN: Final = 128
-"""Sets of contacts that are remembered; a robot on its belts has few, between which it changes all the time."""
 
+class _Belt(NamedTuple):
+    """Where the rows of a contact have what a belt that touches needs; its three rows have the same columns."""
 
-@dataclass(frozen=True, slots=True)
-class _Rows:
-    """Where the Jacobian has what the belts' contacts need. Indices of columns: x, y and z of the base, and belts."""
-
-    rows: NDArray[np.int64]
-    """Contact; normal and tangents."""
-    places: NDArray[np.int64]
-    """Contact; normal and tangents; column."""
-    missing: NDArray[np.bool_] | None
-    """Where a sparse Jacobian has no such column; None for a dense one."""
-    belts: NDArray[np.int64]
-    """Places of the columns of belts that there are."""
-    pushes: NDArray[np.int64]
-    """Those of normals."""
-
-    @classmethod
-    def of(cls, rows: NDArray[np.int64], places: NDArray[np.int64], missing: NDArray[np.bool_] | None) -> _Rows:
-        """All of them."""
-        if missing is None:
-            return cls(rows, places, None, places[:, :, 3:].ravel(), places[:, 0, 3:].ravel())
-        there = ~missing[:, :, 3:]
-        return cls(rows, places, missing, places[:, :, 3:][there], places[:, 0, 3:][there[:, 0]])
+    dof: int
+    """The degree of freedom of the belt's joint."""
+    column: int
+    """Its place in each row."""
+    base: int
+    """That of x of the base; y and z follow."""
+    length: int
+    """Of each row."""
+    internal: bool = False
+    """The robot touches itself, and the rows of a sparse Jacobian have no columns of the base."""
 
 
 class Belts:
@@ -54,72 +41,63 @@ class Belts:
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, base: int, joints: Sequence[str]) -> None:
         """`base` is the first degree of freedom of the free joint; `joints` are the names of those of the belts."""
-        self._data, self._nv = data, int(model.nv)
+        self._data, self._nv, self._base = data, int(model.nv), base
         found = [model.joint(name) for name in joints]
-        dofs = [int(joint.dofadr[0]) for joint in found]
-        self._columns = np.array([base, base + 1, base + 2, *dofs])
-        self._column_of = np.full(self._nv, -1)
-        self._column_of[self._columns] = np.arange(len(self._columns))
-        self._dofs, self._qvel = np.array(dofs), data.qvel
+        self._qvel = view(data.qvel)
         self._frame = data.xmat[int(model.jnt_bodyid[found[0].id])].reshape(3, 3)
         x, y, _ = found[0].axis.tolist()
-        self._lateral = np.array((-y, x, 0.0))  # up times the axis of the joint
+        self._lateral = (-y, x, 0.0)  # up times the axis of the joint
         self._sparse = bool(mujoco.mj_isSparse(model))
-        self._uniform = bool((model.geom_condim == FRICTION).all() and (model.pair_dim == FRICTION).all())
-        self._known: dict[object, _Rows] = {}
+        dofs = {int(model.jnt_bodyid[joint.id]): int(joint.dofadr[0]) for joint in found}
+        bodies = model.geom_bodyid.tolist()
+        self._belts = {geom: dofs[body] for geom, body in enumerate(bodies) if body in dofs}
+        self._known: dict[tuple[int, int], tuple[_Belt, ...]] = {}
+        """By pairs of geometries that touched."""
 
     def run_around(self) -> None:
         """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it."""
-        data = self._data
-        first, end = data.ne + data.nf + data.nl, data.nefc
-        if first == end:
+        data, known, sparse, nv = self._data, self._known, self._sparse, self._nv
+        contacts = data.contact
+        jacobian = view(data.efc_J)
+        starts = view(data.efc_J_rowadr) if sparse else None
+        found = []
+        pushed = 0.0
+        for (one, other), row in zip(contacts.geom.tolist(), contacts.efc_address.tolist(), strict=True):
+            if row < 0:
+                continue
+            if (belts := known.get((one, other))) is None:
+                belts = known[one, other] = self._learn((one, other), row)
+            for belt in belts:
+                start = row * nv if starts is None else starts[row]
+                push = jacobian[start + belt.column]
+                pushed += push * push
+                found.append((row, start, belt))
+        if pushed < ALONG_THE_TRACK**2:
             return
-        found = self._find(first, end)
-        jacobian = data.efc_J
-        pushes = jacobian[found.pushes]
-        if pushes.dot(pushes) < ALONG_THE_TRACK**2:
-            return
-        block = jacobian[found.places]
-        if found.missing is not None:
-            block[found.missing] = 0.0
-        before = block[:, :, 3:]
-        x, y, z = self._frame.dot(self._lateral).tolist()
-        directions = block[:, :, :3]
-        tangents = directions[:, 0].dot(np.array(((0.0, z, -y), (-z, 0.0, x), (y, -x, 0.0))))
-        after = (directions @ tangents[:, :, None]) * before.any(axis=1)[:, None, :]
-        jacobian[found.belts] = after.ravel() if found.missing is None else after[~found.missing[:, :, 3:]]
-        change = (after - before).dot(self._qvel[self._dofs])
-        data.efc_aref[found.rows] -= data.efc_KBIP[found.rows, 1] * change
+        x, y, z = (self._frame @ self._lateral).tolist()
+        reference, stiffness = view(data.efc_aref), data.efc_KBIP[:, 1].tolist()
+        for row, start, belt in found:
+            speed, own, base = self._qvel[belt.dof], start + belt.column, start + belt.base
+            nx, ny, nz = jacobian[base], jacobian[base + 1], jacobian[base + 2]
+            tx, ty, tz = y * nz - z * ny, z * nx - x * nz, x * ny - y * nx
+            for line in range(row, row + FRICTION):
+                before = jacobian[own]
+                along = jacobian[base] * tx + jacobian[base + 1] * ty + jacobian[base + 2] * tz
+                after = 0.0 if belt.internal else along
+                jacobian[own] = after
+                reference[line] -= stiffness[line] * (after - before) * speed
+                own, base = own + belt.length, base + belt.length
 
-    def _find(self, first: int, end: int) -> _Rows:
-        """The rows of the contacts, from `first` on, as they were found when the Jacobian last had this structure."""
-        data = self._data
-        key: object = (first, end)
-        if self._sparse:
-            begin = data.efc_J_rowadr[first:end]
-            columns = data.efc_J_colind[begin[0] : data.nJ]
-            key = (first, begin.tobytes(), columns.tobytes(), data.efc_id[first:end].tobytes())
-        elif not self._uniform:
-            key = (first, data.efc_id[first:end].tobytes())
-        if (known := self._known.get(key)) is not None:
-            return known
-        if len(self._known) >= MAX_KNOWN:
-            self._known.clear()
-        found = self._known[key] = self._search(first, end)
-        return found
-
-    def _search(self, first: int, end: int) -> _Rows:
-        """Search the rows of contacts with friction, and where the Jacobian has their columns."""
-        data = self._data
-        _, starts, lengths = np.unique(data.efc_id[first:end], return_index=True, return_counts=True)
-        rows = first + starts[lengths >= FRICTION, None] + np.arange(FRICTION)
+    def _learn(self, geoms: tuple[int, int], row: int) -> tuple[_Belt, ...]:
+        """The belts of a contact between these, whose row along the normal is `row`. It depends on their bodies."""
+        contacts = self._data.contact
+        dofs = [self._belts[geom] for geom in geoms if geom in self._belts]
+        if contacts.dim[contacts.efc_address == row][0] < FRICTION:
+            return ()
         if not self._sparse:
-            return _Rows.of(rows, rows[:, :, None] * self._nv + self._columns, None)
-        begin = data.efc_J_rowadr[first:end]
-        wanted = self._column_of[data.efc_J_colind[begin[0] : data.nJ]]
-        found = np.flatnonzero(wanted >= 0)
-        places = np.full((end - first, len(self._columns)), -1)
-        places[np.searchsorted(begin, found + begin[0], side="right") - 1, wanted[found]] = found + begin[0]
-        rows = rows[(places[rows - first][:, 0, 3:] >= 0).any(axis=1)]  # those of belts
-        places = places[rows - first]
-        return _Rows.of(rows, places, places < 0)
+            return tuple(_Belt(dof, dof, self._base, self._nv) for dof in dofs)
+        begin, length = int(self._data.efc_J_rowadr[row]), int(self._data.efc_J_rownnz[row])
+        columns = self._data.efc_J_colind[begin : begin + length].tolist()
+        internal = self._base not in columns
+        base = 0 if internal else columns.index(self._base)
+        return tuple(_Belt(dof, columns.index(dof), base, length, internal) for dof in dofs)
