@@ -27,6 +27,8 @@ MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
 PANELS: Final = ("video", "world", "trajectory", "plots", "log")
+CELL: Final = "cell"
+"""The World of the factory cell, while its arm is assembled."""
 SOFTWARE_GL: Final = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
 PORT: Final = 3952
 WAIT: Final = 180_000
@@ -34,10 +36,9 @@ WAIT: Final = 180_000
 
 
 @contextmanager
-def console(backend: str) -> Iterator[str]:
-    """The URL of a console beside a robot, which both end with the block."""
-    root = tempfile.mkdtemp(prefix="jauspy-")
-    command = [sys.executable, "-m", "jauspy.cli.main", "up", "inc1", "--backend", backend, "--port", str(PORT)]
+def console(robot: str, backend: str, root: str) -> Iterator[str]:
+    """The URL of a console beside a robot, which both end with the block; `root` is the folder of its sockets."""
+    command = [sys.executable, "-m", "jauspy.cli.main", "up", robot, "--backend", backend, "--port", str(PORT)]
     command += ["--interface", "127.0.0.1", "--local-root", root, "--console", "--console-port", "0", "--plain"]
     with subprocess.Popen([*command, "--own-root"], stdout=subprocess.PIPE, text=True) as process:
         assert process.stdout is not None
@@ -118,6 +119,25 @@ def teach(page: Page) -> None:
     page.locator(".line.active").wait_for()
 
 
+@contextmanager
+def assembling(root: str) -> Iterator[None]:
+    """The UR10 of the cell takes parts out of the bins and joins them, as long as the block lasts."""
+    command = [sys.executable, "-m", "jauspy.cli.main", "cell", "assemble", "--seed", "7", "--connect", f"local:{root}"]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL) as process:
+        try:
+            yield
+        finally:
+            process.terminate()
+
+
+def show_cell(page: Page) -> None:
+    """Wait until four parts are joined, each of which appears as a component."""
+    page.get_by_role("tab", name="World").click()
+    page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 5")
+    page.locator(".component", has_text="CM-SRV").nth(1).wait_for(timeout=3 * WAIT)
+    page.mouse.move(2, 2)
+
+
 def save(picture: bytes, path: Path) -> None:
     """As JPEG of the best quality that fits into `MAX_BYTES`."""
     image = Image.open(io.BytesIO(picture)).convert("RGB")
@@ -138,9 +158,13 @@ def take_all(url: str, folder: Path, panels: Sequence[str]) -> None:
         page = browser.new_page(viewport=ViewportSize(width=1440, height=900))
         page.set_default_timeout(WAIT)
         page.goto(url)
-        prepare(page)
+        if CELL not in panels:
+            prepare(page)
         for panel in panels:
-            show(page, panel)
+            if panel == CELL:
+                show_cell(page)
+            else:
+                show(page, panel)
             for scheme in SCHEMES:
                 page.emulate_media(color_scheme="dark" if scheme == "dark" else "light")
                 for size, (width, height) in SIZES.items():
@@ -155,11 +179,19 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--backend", default="sim", help="of the robot")
     parser.add_argument("--output", type=Path, default=Path("docs/assets"), help="folder of the pictures")
-    parser.add_argument("--panel", action="append", choices=PANELS, help="only this one; may be given several times")
+    parser.add_argument(
+        "--panel", action="append", choices=(*PANELS, CELL), help="only this one; may be given several times"
+    )
     arguments = parser.parse_args()
     arguments.output.mkdir(parents=True, exist_ok=True)
-    with console(arguments.backend) as url:
-        take_all(url, arguments.output, arguments.panel or PANELS)
+    panels = arguments.panel or (*PANELS, CELL)
+    root = tempfile.mkdtemp(prefix="jauspy-")
+    if of_robot := [each for each in panels if each != CELL]:
+        with console("inc1", arguments.backend, root) as url:
+            take_all(url, arguments.output, of_robot)
+    if CELL in panels:
+        with console("cell", "sim", root) as url, assembling(root):
+            take_all(url, arguments.output, [CELL])
 
 
 if __name__ == "__main__":

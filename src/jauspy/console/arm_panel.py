@@ -9,7 +9,7 @@ from nicegui import ui
 
 from jauspy.console.gripper_panel import GripperPanel
 from jauspy.console.kept import Kept
-from jauspy.console.manipulators import JointInfo, Manipulator, manipulators
+from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
 from jauspy.console.server import Console
 from jauspy.errors import JausError
@@ -192,7 +192,6 @@ class ArmPanel:
             with ui.element("div").classes("row"):
                 linear = _slider("linear", (10, round(1000 * MAX_SPEED), 10), 50, "mm/s")
                 linear.on_value_change(lambda event: self._jog.props(f'data-linear="{event.value / 1000.0}"'))
-            with ui.element("div").classes("row"):
                 angular = _slider("angular", (2, math.floor(math.degrees(MAX_TURN)), 1), 15, "\u00b0/s")
                 angular.on_value_change(lambda event: self._jog.props(f'data-angular="{math.radians(event.value)}"'))
             self._jog.props(f'data-linear="0.05" data-angular="{math.radians(15.0)}"')
@@ -279,7 +278,7 @@ class _JointRow:
         self._setting = False
         self._at = math.nan
         limited = math.isfinite(joint.lower) and math.isfinite(joint.upper)
-        ui.label(printable(joint.name)).classes("joint").tooltip(printable(joint.name))
+        ui.label(joint_label(joint.name)).classes("joint").tooltip(printable(joint.name))
         self._now = ui.label("").classes("joint-value")
         self._number = (
             ui.number(value=round(position, 3) + 0.0, step=0.01, format="%.3f", on_change=self._entered)
@@ -306,11 +305,19 @@ class _JointRow:
                 return
         else:
             self._at = position
+            self._show_turn(position)
             self._now.set_text(f"{round(position, 3) + 0.0:.3f} {self._joint.unit}")
             share = (position - self._low) / (self._high - self._low)
             self._mark.style(f"--at: {min(1.0, max(0.0, share)):.3f}")
         if not self.touched and abs(self.wanted - position) > NEAR:
             self._set(position)
+
+    def _show_turn(self, position: float) -> None:
+        """A joint without limits has left the turn that the slider shows."""
+        now = self._joint.shown_range(position)
+        if not self._low <= position <= self._high and now != (self._low, self._high):
+            self._low, self._high = now
+            self._slider.props(f"min={self._low:.3f} max={self._high:.3f}")
 
     def _set(self, value: float) -> None:
         self._setting = True

@@ -26,20 +26,20 @@ class ControlPanel:
         with ui.element("section").classes("panel").props('aria-label="Control"') as self._panel:
             with ui.element("div").classes("row"):
                 ui.label("Control").classes("heading")
-                self._state = ui.label("").classes("state").props('role="status"')
+                self._state = ui.label("").classes("state grow").props('role="status"')
+                self._release = ui.button("release", on_click=self._release_control).props("outline no-caps dense")
             with ui.element("div").classes("asked").props('role="alert"') as self._asked:
                 self._question = ui.label("")
                 with ui.element("div").classes("row"):
                     ui.button("hand over", on_click=self._grant).props("unelevated no-caps")
                     ui.button("refuse", on_click=self._refuse).props("outline no-caps")
-            with ui.element("div").classes("row start"):
+            with ui.element("div").classes("row start") as self._start:
                 highest = user.authority
                 self._authority = ui.number(
                     "authority", value=min(DEFAULT_AUTHORITY, highest), min=0, max=highest, precision=0
                 ).props("dense outlined")
                 self._take = ui.button("take", on_click=self._take_control).props("unelevated no-caps")
                 self._ask = ui.button("ask", on_click=self._ask_for_control).props("unelevated no-caps")
-                self._release = ui.button("release", on_click=self._release_control).props("outline no-caps")
             self._problem = ui.label("").classes("problem").props('role="alert"')
         self._update()
         ui.timer(UPDATE_INTERVAL, self._update)
@@ -67,7 +67,7 @@ class ControlPanel:
         self._take.set_visibility(not mine)
         self._ask.set_visibility(others)
         self._release.set_visibility(mine)
-        self._authority.set_visibility(not mine)
+        self._start.set_visibility(not mine)
         request = operation.request if operation is not None else None
         self._asked.set_visibility(mine and request is not None)
         if operation is None:

@@ -53,6 +53,8 @@ class Fleet:
         self.states: dict[JausID, ComponentState] = {}
         self.on_event: Callable[[str], None] = lambda _: None
         """Called with a sentence when a robot or a state changes."""
+        self.on_robots: Callable[[Mapping[int, Robot]], None] = lambda _: None
+        """Called with `robots` after each discovery."""
         self._tasks: list[asyncio.Task[None]] = []
 
     def start(self) -> None:
@@ -99,6 +101,7 @@ class Fleet:
         for id in self.robots.keys() - robots.keys():
             self.on_event(f"robot {id} {printable(self.robots[id].name)} does not answer any more")
         self.robots = dict(sorted(robots.items()))
+        self.on_robots(self.robots)
         known = {component.id for robot in robots.values() for component in robot.components}
         self.states = {id: state for id, state in self.states.items() if id in known}
 

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from html import escape
 from typing import Any, Final
 
 from nicegui import ui
@@ -92,10 +94,15 @@ class LogPanel:
                 ui.label(printable(decoded)).classes("whole")
             else:
                 for each in fields_of(decoded):
-                    ui.label(printable(each.path.removeprefix("report_message."))).classes("path")
+                    ui.html(_path(each.path), sanitize=False).classes("path")
                     ui.label(f"{printable(each.text)} {each.unit}".rstrip()).classes("value")
         more = " \u2026" if len(line.payload) > MAX_HEX else ""
         self._hex.set_text(line.payload[:MAX_HEX].hex(" ") + more)
+
+
+def _path(path: str) -> str:
+    """The path of a field, which may be broken after its parts."""
+    return re.sub(r"(?<=[._\]])", "<wbr>", escape(printable(path.removeprefix("report_message."))))
 
 
 def _row(line: Line) -> dict[str, object]:

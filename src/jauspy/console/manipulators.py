@@ -34,6 +34,11 @@ Row: TypeAlias = tuple[float, Mapping[str, float]]
 """Seconds of a way, and the positions at its end by joint."""
 
 
+def joint_label(name: str) -> str:
+    """The name of a joint as panels show it: of `base_link_to_arm_link_1` the link that it moves."""
+    return printable(name).rpartition("_to_")[2]
+
+
 @dataclass(frozen=True, slots=True)
 class JointInfo:
     """A joint: radians or metres; limits are infinite where there are none."""

@@ -11,6 +11,7 @@ from jauspy.console.manipulators import operated
 from jauspy.console.users import LOCAL, User
 from jauspy.console.watchdog import Watchdog
 from jauspy.errors import JausError
+from jauspy.ids import JausID
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.ocu.driving import VELOCITY, WRENCH
 from jauspy.ocu.robot import Robot, RobotControl
@@ -62,6 +63,13 @@ class Operation:
         self._wanted: tuple[float, float] | None = None
         self._sending: asyncio.Task[None] | None = None
         self._request: ControlRequest | None = None
+        self._seen = robot
+        """As it was discovered last."""
+        self._missing: set[JausID] = set()
+        """Components in control that the last discovery has not found."""
+        self._refused: set[JausID] = set()
+        """Components that have appeared, and whose control was not granted."""
+        self._following: asyncio.Task[None] | None = None
 
     @property
     def is_controlled(self) -> bool:
@@ -136,10 +144,55 @@ class Operation:
         control, self._control, self.operator = self._control, None, ""
         self._cancel_timer()
         self._wanted, self.commanded = None, (0.0, 0.0)
+        self._missing, self._refused = set(), set()
         if control is not None:
             await control.__aexit__(None, None, None)
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, ())
+
+    def follow(self, robot: Robot) -> None:
+        """The robot as it was discovered now: what has appeared is controlled too, and what has gone is not any more.
+
+        A component has gone when two discoveries have not found it: one alone may have lost a packet.
+        """
+        if robot is self._seen:
+            return
+        self._seen = robot
+        control = self._control
+        if control is None:
+            self.robot = robot
+            return
+        wanted = {JausID.parse(each) for each in operated(robot)}
+        missing = set(control.ids) - wanted
+        gone, self._missing = missing & self._missing, missing
+        self._refused &= wanted
+        new = wanted - set(control.ids) - self._refused
+        if self._following is None or self._following.done():
+            kept = {each.id: each for each in self.robot.components if each.id in missing - gone}
+            if not kept:
+                self.robot.info = robot.info  # its driving and its motions go on
+            if new or gone:
+                change = self._change(control, new, gone)
+                self._following = asyncio.create_task(change, name=f"console: components of {robot.id}")
+
+    async def _change(self, control: RobotControl, new: set[JausID], gone: set[JausID]) -> None:
+        async with self._busy:
+            if self._control is not control:
+                return
+            for each in sorted(gone):
+                self._on_event(f"{each} has gone, and is not operated any more")
+            await control.exclude(gone)
+            for each in sorted(new):
+                try:
+                    await control.include([each])
+                except JausError as error:
+                    self._refused.add(each)
+                    self.problem = f"{each} has appeared, and is not operated: {error}"
+                    self._on_event(self.problem)
+                else:
+                    self._on_event(f"{each} has appeared, and is operated by {self.user.name} too")
+            if self._watchdog is not None:
+                self._watchdog.hold(self.robot.id, control.ids)
 
     async def release(self) -> None:
         """Stop, put the robot in Standby and release control. May be called twice."""

@@ -85,7 +85,7 @@ class _Page:
         self._wanted_tab = ""
         """That was clicked last; until then a robot is shown on the first tab that it has something for."""
         self._logged = 0
-        ui.colors(primary="#1f6feb")
+        ui.colors(primary="#1a63d6")
         ui.add_head_html("".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in STYLES))
         scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in SCRIPTS)
         ui.add_body_html(f'{scripts}<script>jauspy.start("{token}")</script>')

@@ -173,7 +173,7 @@ class PlotsPanel:
         self._sent: dict[int, int] = {}
         self._listed: tuple[tuple[int, str], ...] = ()
         with ui.element("div").classes("choice"):
-            self._component = _select("component", self._choose_component).classes("wide")
+            self._component = _select("component", self._choose_component).classes("wide named")
             self._message = _select("message", self._choose_message).classes("wide")
             self._field = _select("fields", lambda: None, multiple=True).classes("wide")
             self._rate = (

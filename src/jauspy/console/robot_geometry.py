@@ -1,5 +1,7 @@
 """What a robot looks like, for the browser: links, joints and shapes of its description, or what its services report.
 
+In a factory cell, also what stands around it, and the parts that its sensor sees.
+
 Poses are `[x, y, z, qx, qy, qz, qw]`; metres, radians, axes of REP-103.
 """
 
@@ -11,11 +13,13 @@ from pathlib import Path
 from typing import Any, Final
 
 from jauspy.geometry.frames import FrameTree
-from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
+from jauspy.geometry.poses import IDENTITY, JAUS_FROM_REP_103, Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, parse_tree
 from jauspy.geometry.vectors import X, Z, quaternion, rotation_about, rotation_from_quaternion
 from jauspy.ids import JausID
 from jauspy.messages.manipulator import ManipulatorCoordinateSystemRec, ReportManipulatorSpecifications
+from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, Shape, Solid
+from jauspy.printable import printable
 
 MESH_FORMATS: Final = (".obj", ".stl", ".glb", ".gltf")
 """Ends of the names of mesh files that browsers here read."""
@@ -23,6 +27,26 @@ PLAIN: Final = (0.6, 0.62, 0.65, 1.0)
 """Red, green, blue and opacity of a shape without a material."""
 BASE: Final = "base"
 """The root link of a robot whose description is not known: the frame of its pose."""
+FREE: Final = "free"
+"""The kind of a joint without an axis: its position is a pose, None while it is not known."""
+PART_SIZE: Final = 0.06
+"""Metres: the side of a part whose geometry is not known."""
+BELT_THICKNESS: Final = 0.06
+METAL: Final = (0.66, 0.68, 0.70, 1.0)
+PART_COLOURS: Final = {
+    PartKind.BASE: (0.36, 0.42, 0.50, 1.0),
+    PartKind.SERVO: (0.30, 0.33, 0.38, 1.0),
+    PartKind.BRACKET: METAL,
+    PartKind.TUBE: METAL,
+    PartKind.WHEEL: (0.22, 0.23, 0.25, 1.0),
+    PartKind.BOX: (0.74, 0.57, 0.37, 1.0),
+}
+BIN, BELT, TARGET, FIXTURE = (
+    (0.24, 0.45, 0.70, 1.0),
+    (0.24, 0.32, 0.30, 1.0),
+    (0.45, 0.66, 0.53, 1.0),
+    (0.42, 0.46, 0.52, 1.0),
+)
 _IDENTITY: Final = [0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
 
 
@@ -39,6 +63,11 @@ class RobotGeometry:
     """Files that shapes name by their place in this list."""
     left_out: list[str] = field(default_factory=list)
     """Meshes of formats that are not shown."""
+
+    @property
+    def links(self) -> set[str]:
+        """The names of all links."""
+        return {self.root, *(each["child"] for each in self.joints)}
 
     @property
     def moving(self) -> list[str]:
@@ -160,6 +189,84 @@ def _add_arm(found: RobotGeometry, id: JausID, report: ReportManipulatorSpecific
         parent = name
 
 
+def add_surroundings(found: RobotGeometry, cell: CellSetup) -> None:
+    """Add what stands in a cell, and no sensor sees, in the frame of its world, which is that of the root."""
+    seen = {each["name"] for each in found.joints}
+    for bin in cell.bins:
+        _add_solids(found, found.root, bin.solids(), BIN, Transform.from_pose(bin.pose))
+    for fixture in cell.fixtures:
+        _add_solids(found, found.root, fixture.solids, FIXTURE, Transform.from_pose(fixture.pose))
+    for part in cell.parts:
+        if part.fixed and part_joint(part.name) not in seen:
+            kind = cell.types[part.type]
+            _add_solids(found, found.root, kind.solids, PART_COLOURS[kind.kind], Transform.from_pose(part.pose))
+    flat = [(cell.conveyor, BELT_THICKNESS, BELT), (cell.target, 0.002, TARGET)]
+    for area, height, colour in flat:
+        if area is not None:
+            middle = Transform(position=(0.0, 0.0, -height / 2.0 if area is cell.conveyor else height / 2.0))
+            solid = Solid(Shape.CUBOID, (area.length, area.width, height), 0.0, middle)
+            _add_solids(found, found.root, (solid,), colour, Transform.from_pose(area.pose))
+
+
+def part_joint(name: str) -> str:
+    """The joint whose position is the pose of this part."""
+    return f"part {name}"
+
+
+def output_joint(name: str) -> str:
+    """The joint of the output of this servo module."""
+    return f"output of {name}"
+
+
+def add_part(found: RobotGeometry, name: str, type_name: str, kind: PartType | None) -> None:
+    """Add a part that a sensor sees; one whose type is not known is a box or a cylinder with its name."""
+    shown = printable(name)
+    link = shown if shown not in found.links else part_joint(shown)
+    found.joints.append(
+        {
+            "name": part_joint(name),
+            "parent": found.root,
+            "child": link,
+            "kind": FREE,
+            "origin": _IDENTITY,
+            "axis": [0, 0, 1],
+        }
+    )
+    if kind is None:
+        round_one = any(word in type_name for word in ("tube", "wheel"))
+        half = PART_SIZE / 2.0
+        solid = Solid(Shape.CYLINDER, (half, half, PART_SIZE)) if round_one else Solid(Shape.CUBOID, (PART_SIZE,) * 3)
+        _add_solids(found, link, (solid,), PLAIN)
+        found.shapes[-1]["label"] = shown
+        return
+    _add_solids(found, link, kind.solids, PART_COLOURS[kind.kind])
+    if (servo := kind.servo) is not None:
+        joint = {
+            "name": output_joint(name),
+            "parent": link,
+            "child": f"{link} output",
+            "kind": JointKind.REVOLUTE.value,
+        }
+        found.joints.append(joint | {"origin": _pose(servo.joint), "axis": list(servo.axis)})
+        _add_solids(found, f"{link} output", servo.output, METAL)
+
+
+def _add_solids(
+    found: RobotGeometry,
+    link: str,
+    solids: Sequence[Solid],
+    colour: Sequence[float],
+    place: Transform = IDENTITY,
+) -> None:
+    for each in solids:
+        shape: dict[str, Any] = {"link": link, "origin": _pose(place @ each.pose), "colour": list(colour)}
+        if each.shape is Shape.CUBOID:
+            shape |= {"kind": "box", "size": list(each.size)}
+        else:
+            shape |= {"kind": "cylinder", "radius": each.size[0], "length": each.size[2]}
+        found.shapes.append(shape)
+
+
 def _coordinate_system(record: ManipulatorCoordinateSystemRec) -> Transform:
     parts = (
         record.d_component_of_unit_quaternion_q,
@@ -181,9 +288,18 @@ def _pose(frame: Transform) -> list[float]:
 
 
 def positions_of(
-    geometry: RobotGeometry, description: RobotDescription | None, known: Mapping[str, float]
-) -> Sequence[float]:
+    geometry: RobotGeometry,
+    description: RobotDescription | None,
+    known: Mapping[str, float],
+    poses: Mapping[str, Sequence[float]],
+) -> list[float | Sequence[float] | None]:
     """Positions of the joints in `moving`; those that follow others are computed, those not known are at zero."""
-    if description is None:
-        return [known.get(name, 0.0) for name in geometry.moving]
-    return [description.joint(name).position(known) for name in geometry.moving]
+    described = {} if description is None else description.joints
+    found: list[float | Sequence[float] | None] = []
+    for each in geometry.joints:
+        name = each["name"]
+        if each["kind"] == FREE:
+            found.append(poses.get(name))
+        elif each["kind"] != JointKind.FIXED.value:
+            found.append(round(described[name].position(known) if name in described else known.get(name, 0.0), 4))
+    return found

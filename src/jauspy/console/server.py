@@ -7,7 +7,7 @@ import json
 import secrets
 import socket
 from collections import deque
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Mapping
 from contextlib import asynccontextmanager, nullcontext
 from dataclasses import dataclass
 from datetime import datetime
@@ -37,6 +37,7 @@ from jauspy.modules.audit import MAX_PAYLOAD, AuditLog
 from jauspy.ocu import OCU
 from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.emergency import obeys, set_emergency
+from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 from jauspy.services.core.command_seal import needs_seal
 
@@ -86,6 +87,7 @@ class Console:
         """Named poses that the console was started with."""
         self.fleet = Fleet(ocu)
         self.fleet.on_event = self.note
+        self.fleet.on_robots = self._follow
         self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
         self.total_events = 0
         self.traffic = Traffic(registry)
@@ -153,15 +155,18 @@ class Console:
             }
         )
 
+    def _follow(self, robots: Mapping[int, Robot]) -> None:
+        """Robots as they were discovered now."""
+        for id, operation in self._operations.items():
+            if id in robots:
+                operation.follow(robots[id])
+
     def operation(self, subsystem: int) -> Operation | None:
         """The operation of a robot; None when there is no such robot."""
         robot = self.fleet.robots.get(subsystem)
         if robot is None:
             return self._operations.get(subsystem)
-        operation = self._operations.setdefault(subsystem, Operation(robot, self.note, self._watchdog))
-        if not operation.is_controlled:
-            operation.robot = robot
-        return operation
+        return self._operations.setdefault(subsystem, Operation(robot, self.note, self._watchdog))
 
     def jogging(self, component: str) -> Jogging | None:
         """What moves the tool of this arm; None when there is no such arm."""

@@ -11,7 +11,7 @@ from nicegui import ui
 from nicegui.events import UploadEventArguments, ValueChangeEventArguments
 
 from jauspy.console.kept import Kept, checked_name
-from jauspy.console.manipulators import JointInfo, Manipulator, manipulators
+from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.motion import Motion
 from jauspy.console.server import Console
 from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular
@@ -41,9 +41,9 @@ class TrajectoryPanel:
         self.trajectory = Trajectory()
         with ui.element("div").classes("choice"):
             self._choice = ui.select({}, label="arm", on_change=self._choose).props("dense outlined options-dense")
-            self._choice.classes("wide")
+            self._choice.classes("wide named")
             self._name = ui.input("name", value=DEFAULT_NAME).props("dense outlined").classes("wide")
-            self._kept = ui.select([], label="saved on the server", on_change=self._load)
+            self._kept = ui.select([], label="saved", on_change=self._load)
             self._kept.props("dense outlined options-dense").classes("wide")
             ui.button("save", on_click=self._save).props("outline no-caps")
             ui.button("delete", on_click=self._delete).props("flat no-caps")
@@ -110,7 +110,7 @@ class TrajectoryPanel:
             with ui.element("div").classes("line head").props('role="row"'):
                 for text in ("", "s", *joints):
                     unit = f" [{units[text]}]" if text in units else ""
-                    ui.label(printable(text)).classes("joint").tooltip(f"{printable(text)}{unit}")
+                    ui.label(joint_label(text)).classes("joint").tooltip(f"{printable(text)}{unit}")
             if not self.trajectory.rows:
                 ui.label("Move the arm, then add its present positions as a row.").classes("hint empty")
             for index, row in enumerate(self.trajectory.rows):

@@ -8,22 +8,39 @@ import math
 import struct
 import zlib
 from collections import Counter, deque
-from collections.abc import AsyncGenerator, Awaitable, Callable, Iterable, Sequence
+from collections.abc import AsyncGenerator, Awaitable, Callable, Iterable, Mapping, Sequence
 from contextlib import aclosing
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from datetime import UTC, datetime
 from functools import partial
 from importlib.util import find_spec
 from typing import TYPE_CHECKING, Any, Final
 
 from jauspy.codec.message import Message
+from jauspy.console.manipulators import MODULAR_ARM
 from jauspy.console.reports import reports_of
-from jauspy.console.robot_geometry import RobotGeometry, described, joint_name, positions_of, reported
+from jauspy.console.robot_geometry import (
+    RobotGeometry,
+    add_part,
+    add_surroundings,
+    described,
+    joint_name,
+    output_joint,
+    part_joint,
+    positions_of,
+    reported,
+)
 from jauspy.console.route import Route
 from jauspy.errors import ConfigError, JausError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.ids import JausID
+from jauspy.messages.cell import (
+    QueryModularArmState,
+    QueryPartObservations,
+    ReportModularArmState,
+    ReportPartObservations,
+)
 from jauspy.messages.description import QueryJointDescription, ReportJointDescription
 from jauspy.messages.manipulator import (
     QueryJointPositions,
@@ -39,6 +56,7 @@ from jauspy.ocu.joints import DESCRIPTION, PAN_TILT_SENSOR, POSITION_SENSOR, SPE
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.state import RobotPose, pose_of
 from jauspy.ocu.subsystems import ComponentInfo
+from jauspy.platform.modular.parts import CellSetup, PartType
 from jauspy.printable import printable
 
 if TYPE_CHECKING:
@@ -48,6 +66,9 @@ RATE: Final = 10.0
 """Hz of poses, joint positions, and of the messages to browsers."""
 SCAN_RATE: Final = 4.0
 """Hz of scans: the map needs one each 0.1 m."""
+PART_SENSOR: Final = "cell:PartSensor"
+PART_STEP: Final = (0.003, 0.01)
+"""Metres and radians by which a part has moved when it is drawn elsewhere: less is the noise of the sensor."""
 TRACK_STEP: Final = 0.05
 """Metres between points of the track."""
 MAX_TRACK: Final = 5000
@@ -70,6 +91,11 @@ _CLOUD_HEADER: Final = struct.Struct("<BBHI")
 """Kind, values of a point, bytes of the link's name, padding after it, and the number of points: then float32."""
 
 
+def is_cell(robot: Robot) -> bool:
+    """True for a robot that stands in a cell with a sensor of parts: one that tells a pose there is a car of parts."""
+    return any(each.find(PART_SENSOR) for each in robot.components)
+
+
 class World:
     """One robot; `robot` returns it as it was discovered last, or None. `sources` are addresses of its point clouds."""
 
@@ -85,6 +111,8 @@ class World:
         """When the pose was received: seconds of the event loop's clock."""
         self.positions: dict[str, float] = {}
         """Of the joints that are reported."""
+        self.part_poses: dict[str, list[float]] = {}
+        """Of the parts that a sensor sees, by their joint: x, y, z and quaternion x, y, z, w in the robot's frame."""
         self.track: deque[tuple[float, float]] = deque(maxlen=MAX_TRACK)
         self.track_total = 0
         """Points of the track so far, those that were dropped too."""
@@ -104,6 +132,7 @@ class World:
         self._cloud_addresses = list(clouds)
         self._geometry: RobotGeometry | None = None
         self._description: RobotDescription | None = None
+        self._part_types: Mapping[str, PartType] = {}
         self._tables: dict[JausID, JointTable] = {}
         self._loading = asyncio.Lock()
         self._watchers: set[object] = set()
@@ -118,16 +147,23 @@ class World:
         geometry = await self.geometry()
         self._watchers.add(watcher)
         if not self._following:
-            self._following = [self._start("pose", self._follow_pose), self._start("map", self._follow_map)]
+            if not is_cell(self._found()):
+                self._following = [self._start("pose", self._follow_pose), self._start("map", self._follow_map)]
             self._following += [
                 self._start(f"cloud {each}", partial(self._follow_cloud, each)) for each in self._cloud_addresses
             ]
         if not self._reading_joints:
-            self._reading_joints = [
-                self._start(f"joints of {each.id}", partial(self._follow_joints, each))
-                for each in self._found().components
-                if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR)
-            ]
+            for each in self._found().components:
+                if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR):
+                    following = self._start(f"joints of {each.id}", partial(self._follow_joints, each))
+                    self._reading_joints.append(following)
+                for service, query, take in (
+                    (PART_SENSOR, QueryPartObservations(), self._take_parts),
+                    (MODULAR_ARM, QueryModularArmState(), self._take_modular_arm),
+                ):
+                    if each.find(service):
+                        what = f"{service.partition(':')[2]} {each.id}"
+                        self._reading_joints.append(self._start(what, partial(self._follow, what, each, query, take)))
         return geometry
 
     def unwatched_by(self, watcher: object) -> None:
@@ -177,9 +213,20 @@ class World:
                     self._geometry = described(found.description, found.source)
                     self.positions = found.start | self.positions
                     self._cloud_addresses += [each for each in found.clouds if each not in self._cloud_addresses]
+                    self._part_types = found.cell.types if found.cell is not None else {}
                 else:
                     self._geometry = reported(await self._read_specifications(robot))
+                await self._read_parts(robot)
+                if found is not None and found.cell is not None:
+                    add_surroundings(self._geometry, found.cell)
             return self._geometry
+
+    async def _read_parts(self, robot: Robot) -> None:
+        """What a sensor of parts sees now, so that the browser builds it at once."""
+        for each in robot.components:
+            if each.find(PART_SENSOR):
+                with contextlib.suppress(JausError):  # it is followed later
+                    self._take_parts(await self._ocu.query(each.id, QueryPartObservations()))
 
     async def _read_tables(self, robot: Robot) -> dict[JausID, JointTable]:
         found = {}
@@ -266,6 +313,27 @@ class World:
         elif (table := self._tables.get(id)) is not None and len(table.joints) == len(values):
             self.positions.update(table.from_reported(values))
 
+    def _take_parts(self, report: Message) -> None:
+        """Parts that nobody has seen before change what the robot looks like."""
+        assert isinstance(report, ReportPartObservations)
+        assert self._geometry is not None
+        known = {each["name"] for each in self._geometry.joints}
+        if new := [each for each in report.part_list if part_joint(each.name) not in known]:
+            geometry = self._geometry
+            self._geometry = replace(geometry, joints=[*geometry.joints], shapes=[*geometry.shapes])
+            for each in new:
+                add_part(self._geometry, each.name, each.type, self._part_types.get(each.type))
+        before, self.part_poses = self.part_poses, {}
+        for each in report.part_list:
+            quaternion = (each.orientation_x, each.orientation_y, each.orientation_z, each.orientation_w)
+            pose = [round(value, 4) + 0.0 for value in (each.x, each.y, each.z, *quaternion)]
+            old = before.get(part_joint(each.name))
+            self.part_poses[part_joint(each.name)] = old if old is not None and _is_near(old, pose) else pose
+
+    def _take_modular_arm(self, report: Message) -> None:
+        assert isinstance(report, ReportModularArmState)
+        self.positions.update({output_joint(each.name): each.position for each in report.joint_list})
+
     async def _follow_map(self) -> None:
         """Map while the robot is known; one robot without a lidar has no map."""
         if not any(each.find("environmentSensing:RangeSensor") for each in self._found().components):
@@ -325,7 +393,7 @@ class World:
         new = min(len(self.track), self.track_total - sent_track)
         pose = self.pose
         state: dict[str, Any] = {
-            "joints": [round(each, 4) for each in positions_of(self._geometry, self._description, self.positions)],
+            "joints": positions_of(self._geometry, self._description, self.positions, self.part_poses),
             "track": [[round(each, 2) for each in point] for point in list(self.track)[-new:]] if new else [],
         }
         if pose is not None:
@@ -369,6 +437,8 @@ class _Known:
     """Where joints are that no service reports."""
     clouds: list[str]
     """Addresses."""
+    cell: CellSetup | None
+    """What stands around it, and types of parts."""
 
 
 def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
@@ -387,8 +457,15 @@ def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
             groups = model.groups.values()
             start = {joint: at for group in groups for joint, at in zip(group.joints, group.start, strict=True)}
             addresses = [cloud.address for cloud in config.clouds]
-            return _Known(model.description, f"description of {printable(each)}", start, addresses)
+            return _Known(model.description, f"description of {printable(each)}", start, addresses, model.cell)
     return None
+
+
+def _is_near(one: Sequence[float], other: Sequence[float]) -> bool:
+    """True for two poses that differ by less than `PART_STEP`."""
+    far, turned = PART_STEP
+    alike = abs(sum(a * b for a, b in zip(one[3:], other[3:], strict=True)))
+    return math.dist(one[:3], other[:3]) < far and 2.0 * math.acos(min(1.0, alike)) < turned
 
 
 def _centimetres(value: float) -> int:

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 from nicegui import ui
 
 from jauspy.console.route import LIST_DRIVER, MAX_WAYPOINTS, Route, Waypoint
+from jauspy.console.world import is_cell
 from jauspy.errors import ConfigError, JausError
 from jauspy.ocu.robot import DEFAULT_SPEED, Robot
 from jauspy.ocu.state import RobotPose
@@ -278,14 +279,16 @@ class WorldPanel:
             with ui.element("div").classes("choice"):
                 view = ui.toggle(VIEWS, value="both").props("no-caps dense unelevated")
                 self._follow = _switch("follow", value=True)
-                _switch("scan", value=True)
+                scan = _switch("scan", value=True)
                 _switch("frames", value=False)
                 ui.element("div").classes("space")
-                for sign, factor, name in (("\u2212", 0.7, "smaller"), ("+", 1.4, "larger")):
+                zoom = [
                     ui.html(
                         f'<button class="quiet" title="{name}" onclick="jauspy.map.zoom({factor})">{sign}</button>',
                         sanitize=False,
                     )
+                    for sign, factor, name in (("\u2212", 0.7, "smaller"), ("+", 1.4, "larger"))
+                ]
             views = ui.element("div").classes("views").props('data-view="both"')
             with views:
                 with ui.element("div").classes("three"):
@@ -297,6 +300,7 @@ class WorldPanel:
                 ui.html('<span data-line="age" class="problem"></span>', sanitize=False)
                 ui.html('<span data-line="notes" class="hint"></span>', sanitize=False)
         self._view = view
+        self._of_map: tuple[ui.element, ...] = (view, self._follow, scan, *zoom)
         view.on_value_change(lambda event: views.props(f'data-view="{event.value}"'))
         ui.on("world_follow", self._followed)
 
@@ -310,9 +314,12 @@ class WorldPanel:
         self.map.visible = value
 
     def show(self, robot: Robot | None) -> None:
-        """Show another robot; one that tells neither pose nor ranges has nothing for the map."""
-        has_map = robot is None or any(each.find(name) for each in robot.components for name in ON_MAP)
+        """Show another robot; one that tells neither pose nor ranges, or stands in a cell, has no map."""
+        tells = robot is None or any(each.find(name) for each in robot.components for name in ON_MAP)
+        has_map = tells and (robot is None or not is_cell(robot))
         self._view.set_value("both" if has_map else "three")
+        for each in self._of_map:
+            each.set_visibility(has_map)
         self.map.show(robot)
 
     def close(self) -> None:

@@ -10,6 +10,7 @@ from typing import Final
 from fastapi import FastAPI, HTTPException, WebSocket, WebSocketDisconnect
 from starlette.responses import FileResponse
 
+from jauspy.console.robot_geometry import RobotGeometry
 from jauspy.console.world import RATE, World
 from jauspy.errors import JausError
 from jauspy.ocu import OCU
@@ -94,9 +95,8 @@ async def _serve(page: WebSocket, world: World, mesh_url: str) -> None:
     watcher = object()
     leaving = asyncio.create_task(_until_closed(page))
     try:
-        geometry = await world.watched_by(watcher)
-        await page.send_text(json.dumps({"model": geometry.for_browser(mesh_url), "left_out": geometry.left_out}))
-        await _send_states(page, world, leaving)
+        await world.watched_by(watcher)
+        await _send_states(page, world, mesh_url, leaving)
     except (WebSocketDisconnect, RuntimeError):
         return
     except JausError as error:
@@ -106,13 +106,17 @@ async def _serve(page: WebSocket, world: World, mesh_url: str) -> None:
         world.unwatched_by(watcher)
 
 
-async def _send_states(page: WebSocket, world: World, leaving: asyncio.Task[None]) -> None:
+async def _send_states(page: WebSocket, world: World, mesh_url: str, leaving: asyncio.Task[None]) -> None:
     clock = asyncio.get_running_loop().time
     before, notes = "", list[str]()
     track = map_version = scans = clouds = 0
     map_due = cloud_due = 0.0
+    shown: RobotGeometry | None = None
     while not leaving.done():
         began = clock()
+        if shown is not (geometry := await world.geometry()):  # it changes with each new part
+            shown = geometry
+            await page.send_text(json.dumps({"model": geometry.for_browser(mesh_url), "left_out": geometry.left_out}))
         state = world.state(track)
         track = world.track_total
         if notes != (now := world.notes()):

@@ -324,6 +324,32 @@ class RobotControl:
         self.check()
         await _together(self._resume(each) for each in self._controls)
 
+    async def include(self, ids: Iterable[JausID]) -> None:
+        """Control further components, too, and resume them.
+
+        Raises `ControlRejected` when one of them is not granted, and then controls none of these.
+        """
+        connection = self._connection
+        new = [Control(connection, id, self._authority, connection.retry) for id in ids if id not in self.ids]
+        try:
+            await _together(self._enter(each) for each in new)
+        except BaseException as error:
+            await self._drop({each.id for each in new}, error)
+            raise
+        self.ids += tuple(each.id for each in new)
+
+    async def exclude(self, ids: Iterable[JausID]) -> None:
+        """Control these no more: they are put in Standby and released, if they still answer."""
+        gone = set(ids)
+        self.ids = tuple(each for each in self.ids if each not in gone)
+        await self._drop(gone, None)
+
+    async def _drop(self, ids: set[JausID], error: BaseException | None) -> None:
+        dropped = [each for each in self._controls if each.id in ids]
+        self._controls = [each for each in self._controls if each.id not in ids]
+        kind = None if error is None else type(error)
+        await _together(each.__aexit__(kind, error, None) for each in dropped)
+
     async def until_lost(self) -> None:
         """Wait until control of a component is lost, or until the block is left."""
         waiting = [asyncio.ensure_future(each.until_lost()) for each in self._controls]
@@ -360,9 +386,7 @@ class RobotControl:
             await self._exit(error)
 
     async def _exit(self, error: BaseException | None) -> None:
-        controls, self._controls = self._controls, []
-        kind = None if error is None else type(error)
-        await _together(each.__aexit__(kind, error, None) for each in controls)
+        await self._drop({each.id for each in self._controls}, error)
 
     if not TYPE_CHECKING:
         __enter__ = __exit__ = async_only("`async with`")

@@ -220,6 +220,7 @@ jauspy.view = {
     view.camera.aspect = width / height;
     view.camera.updateProjectionMatrix();
     view.paint();
+    view.fit();
     jauspy.world.changed();
   },
   paint() {
@@ -291,20 +292,33 @@ jauspy.view = {
     view.fit();
     jauspy.world.changed();
   },
-  // Step back from a robot that is larger than the view, once all of it is there, unless somebody has turned the view.
+  // Step back until all of the robot is in the view, once all of it is there, unless somebody has turned the view.
+  // What stands in a cell is seen from ahead, where its work is; a vehicle from behind.
   fit() {
     const view = jauspy.view;
     if (view.missing || view.turned) return;
     const { THREE } = view.library;
     const box = new THREE.Box3();
-    view.robot.traverse((each) => { if (each.isMesh) box.expandByObject(each); });
-    const ball = box.getBoundingSphere(new THREE.Sphere());
+    view.robot.updateWorldMatrix(true, true);
     const { camera, controls } = view;
-    const away = camera.position.clone().sub(controls.target);
-    const wanted = ball.radius / Math.sin((camera.fov * Math.PI) / 360);
-    if (!(ball.radius > 0) || wanted <= away.length()) return;
-    controls.target.copy(ball.center);
-    camera.position.copy(ball.center).add(away.setLength(wanted));
+    const stands = view.moving.some(({ kind }) => kind === "free");
+    for (const { group } of stands ? view.moving : []) box.expandByObject(group);
+    if (!stands) view.robot.traverse((each) => { if (each.isMesh) box.expandByObject(each); });
+    if (box.isEmpty()) return;
+    const away = stands ? new THREE.Vector3(1.5, -1.5, 1.2) : camera.position.clone().sub(controls.target);
+    const nearest = stands ? 0 : away.length();
+    const middle = box.getCenter(new THREE.Vector3());
+    const [ahead, right] = [away.clone().normalize().negate(), new THREE.Vector3(-away.y, away.x, 0).normalize()];
+    const up = right.clone().cross(ahead);
+    const high = Math.tan((camera.fov * Math.PI) / 360) * 0.92;
+    let far = 0;
+    for (let corner = 0; corner < 8; corner += 1) {
+      const at = new THREE.Vector3(...["x", "y", "z"].map((axis, bit) => box[corner & (1 << bit) ? "max" : "min"][axis])).sub(middle);
+      far = Math.max(far, Math.max(Math.abs(at.dot(up)) / high, Math.abs(at.dot(right)) / (high * camera.aspect)) - at.dot(ahead));
+    }
+    if (far <= nearest) return;
+    controls.target.copy(middle);
+    camera.position.copy(middle).add(away.setLength(far));
     jauspy.world.changed();
   },
   // In place of a body that nobody has described: where the pose is, and where ahead is.
@@ -316,7 +330,7 @@ jauspy.view = {
     return arrow;
   },
   addShape(shape, link, meshes) {
-    const { THREE } = jauspy.view.library;
+    const { THREE, CSS2DObject } = jauspy.view.library;
     const [r, g, b, a] = shape.colour;
     const material = new THREE.MeshLambertMaterial({ opacity: a, transparent: a < 1 });
     material.color.setRGB(r, g, b, THREE.SRGBColorSpace);
@@ -324,6 +338,7 @@ jauspy.view = {
     jauspy.view.pose(place, shape.origin);
     link(shape.link).add(place);
     const add = (geometry) => { const mesh = new THREE.Mesh(geometry, material); place.add(mesh); return mesh; };
+    if (shape.label) place.add(new CSS2DObject(Object.assign(document.createElement("span"), { textContent: shape.label, className: "frame" })));
     if (shape.kind === "box") add(new THREE.BoxGeometry(...shape.size));
     else if (shape.kind === "sphere") add(new THREE.SphereGeometry(shape.radius, 20, 14));
     else if (shape.kind === "cylinder") add(new THREE.CylinderGeometry(shape.radius, shape.radius, shape.length, 24).rotateX(Math.PI / 2));
@@ -387,7 +402,10 @@ jauspy.view = {
     const { THREE } = view.library;
     view.moving.forEach(({ kind, group, axis }, at) => {
       const value = world.joints[at] ?? 0;
-      if (kind === "prismatic") group.position.copy(axis).multiplyScalar(value);
+      if (kind === "free") {  // a part that a sensor sees
+        group.visible = Array.isArray(value);
+        if (group.visible) view.pose(group, value);
+      } else if (kind === "prismatic") group.position.copy(axis).multiplyScalar(value);
       else group.quaternion.setFromAxisAngle(axis, value);
     });
     for (const { axes } of view.links.values()) axes.visible = world.show.frames;
