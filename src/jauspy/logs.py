@@ -10,9 +10,9 @@ from typing import Final, TypeAlias
 MAX_LINES_AT_ONCE: Final = 16
 """Lines of one kind; further ones are only counted."""
 LINE_INTERVAL: Final = 10.0
-"""Seconds until one more line of a kind is written; it tells how many were left out."""
+"""Seconds until one more line of a kind is written; it contains how many were left out."""
 MAX_KINDS: Final = 512
-"""Kinds of lines that are told apart; what was written longest ago is forgotten."""
+"""Kinds of lines that are distinguished; what was written longest ago is forgotten."""
 
 _Kind: TypeAlias = tuple[str, str, str]
 

@@ -108,7 +108,7 @@ class MotionPlanner:
         """A free path; raises `NoPath`, which names what is in the way."""
         margin = self._margin_at(start, self.margin if margin is None else margin)
         if not self.scene.is_free(goal, margin):
-            raise NoPath(f"the posture is not free: {self._told(goal)}")
+            raise NoPath(f"the posture is not free: {self._reason(goal)}")
         straight = self.scene.along((start, goal), STEP)
         if straight.distance >= margin:
             return Path((start, goal), straight)
@@ -124,8 +124,10 @@ class MotionPlanner:
         least = self._margin_at(start, self.margin if margin is None else margin)
         free = [each.positions for each in goals if self.scene.is_free(each.positions, least)]
         if not free:
-            told = self._told(goals[0].positions) if goals else "the pose is out of reach, or close to a singularity"
-            raise NoPath(f"no posture is free: {told}")
+            reason = (
+                self._reason(goals[0].positions) if goals else "the pose is out of reach, or close to a singularity"
+            )
+            raise NoPath(f"no posture is free: {reason}")
         for goal in free:
             found = self.scene.along((start, goal), STEP, enough=least)
             if found.distance >= least:
@@ -168,7 +170,7 @@ class MotionPlanner:
         here = self.scene.clearance(start, enough=margin).distance
         return margin if here >= margin else max(0.0005, here - 0.001)
 
-    def _told(self, posture: Array) -> str:
+    def _reason(self, posture: Array) -> str:
         return _named(self.scene.explain(posture))
 
     def _is_free(self, a: Array, b: Array, margin: float) -> bool:

@@ -220,7 +220,7 @@ class PlanningScene:
     def clearance(self, positions: Array, *, enough: float = FAR) -> Clearance:
         """The smallest distance of the arm, and of what it holds, from everything and from itself.
 
-        Distances above `enough` are not told apart; a negative distance is the depth of a penetration, at least 0.
+        Distances above `enough` are not distinguished; a negative distance is the depth of a penetration, at least 0.
         """
         self.checks += 1
         self._place(positions)

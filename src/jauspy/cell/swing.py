@@ -1,6 +1,6 @@
 """The swing after a release: the modular arm swings, lets go of its box on the way, and comes to rest.
 
-In the published system the arm swung on for long. The IMU of the last module tells how long, by its reports over JAUS.
+In the published system the arm swung on for long. The IMU of the last module shows how long, by its reports over JAUS.
 """
 
 from __future__ import annotations

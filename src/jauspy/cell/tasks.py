@@ -167,7 +167,7 @@ async def kitting_with_arm(session: Session, seed: int) -> Measured:
     parts = [row.part for row in built.parts]
     arm = await ArmOperator.found(session.cell, session.layout, parts, BASE)
     await arm.ready()
-    ur10.used -= set(parts)  # the arm moves from now on: the sensor tells where its parts are
+    ur10.used -= set(parts)  # the arm moves from now on: the sensor reports where its parts are
     ur10.rejected |= set(parts)
     kitter = Kitter(session.cell, session.layout, ur10, arm)
     return await _kitted(session, seed, "kitting-arm", kitter, built.duration)

@@ -202,8 +202,8 @@ def make_certificate(
 async def console_beside(root: Path, port: int) -> AsyncIterator[str]:
     """A console in a child process, for the node manager with these local sockets; its URL.
 
-    It has a process of its own so that pages and video never delay the robot. When it ends by itself, this is told and
-    the robot runs on.
+    It has a process of its own so that pages and video never delay the robot. If it ends unexpectedly, this is logged,
+    and the robot keeps running.
     """
     if find_spec("nicegui") is None:
         raise ConfigError(NEEDS_EXTRA)

@@ -23,7 +23,7 @@ _WITH_SIDES: Final = frozenset(
     {"y", "yaw", "heading", "velocity_y", "yaw_rate", "acceleration_y", "yaw_acceleration"}
     | {"propulsive_linear_effort_y", "propulsive_rotational_effort_z"}
 )
-"""Fields whose sign tells left from right."""
+"""Fields whose sign distinguishes left and right."""
 
 Destination = Annotated[
     str, typer.Argument(metavar="ID", help="The component, as in 101.1.102; 65535, 255 and 255 are wildcards.")

@@ -66,7 +66,7 @@ def send(
     Most commands take effect only if their sender controls the component. --control takes control, resumes the
     component, sends, waits until the command has been carried out (--within) or for --hold seconds, then sends Standby
     and releases control. Efforts, velocities and vectors are sent five times a second meanwhile, and zero before
-    Standby. Exit status 1 tells that control was lost meanwhile, that the component ignores the command
+    Standby. Exit status 1 means that control was lost meanwhile, that the component ignores the command
     (not offered, wrong joints, out of range, not Ready), or that it did not acknowledge Standby and release. Without
     --control the message is sent, and a note on stderr names what may prevent its effect.
 
@@ -156,7 +156,7 @@ async def send_in_control(
 
 
 async def _ignored(client: ServiceClient, command: Message) -> str:
-    """Why the component ignores the command, as far as its state tells; empty if it may have taken it."""
+    """Why the component ignores the command, as far as its state shows it; empty if it may have taken it."""
     return await client.explain(command) if needs_control(command) else ""
 
 

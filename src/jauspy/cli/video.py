@@ -294,8 +294,8 @@ async def _starts(started: asyncio.Event, seconds: float) -> bool:
 def no_picture(camera: JausID, address: tuple[str, int], counters: Mapping[str, int]) -> str:
     """Why no picture may have come, from what was received."""
     if counters:
-        told = ", ".join(f"{name} {count}" for name, count in sorted(counters.items()))
-        return f"packets arrive at {url_of(address)}, but no whole picture to begin with ({told})"
+        received = ", ".join(f"{name} {count}" for name, count in sorted(counters.items()))
+        return f"packets arrive at {url_of(address)}, but no whole picture to begin with ({received})"
     if ipaddress.ip_address(address[0]).is_loopback:
         there = f"only a robot on this machine reaches it; if {camera} is on another one, name an address with --to"
     else:

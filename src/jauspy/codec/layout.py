@@ -165,7 +165,7 @@ class Repeat(Item):
 
 @dataclass(frozen=True, slots=True)
 class Union(Item):
-    """A tag, then the arm that it selects; the class of a value tells which arm it is."""
+    """A tag, then the arm that it selects; the class of a value determines the arm."""
 
     code: str
     arms: dict[str, Composite]

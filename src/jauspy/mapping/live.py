@@ -69,7 +69,7 @@ class LiveMapping:
         self._rate = rate
         self._on_scan = on_scan
         self.lidar_height = 0.0
-        """Metres above the origin of the robot, once the robot has told."""
+        """Metres above the origin of the robot, once the robot has reported it."""
         self.mapper = mapper
         self.counters: Counter[str] = Counter()
         """`scans` used, and those skipped by reason: `tilted`, `no pose in time`, `sensor not active`.

@@ -173,7 +173,7 @@ def _extension(resolve: Callable[[str], object], package: Callable[[str], Path],
 
 
 def _check_variable(name: str) -> None:
-    """Refuse an environment variable that may be a secret: what a robot's file has, the robot tells its clients."""
+    """Refuse an environment variable that may be a secret: a robot reports what its file contains to its clients."""
     value = os.environ.get(name, "")
     if value.lower() in _SWITCHES:
         return

@@ -78,7 +78,7 @@ class ComponentSender:
         self._queue = SendQueue(max_age=max_age, memory=memory)
         self._watched = False
         self._since_attempt = 0
-        self._is_refusal_told = False
+        self._is_refusal_logged = False
 
     def __len__(self) -> int:
         return len(self._queue)
@@ -169,8 +169,8 @@ class ComponentSender:
         self._connect().send(datagram)
 
     def _lost(self, error: OSError) -> None:
-        if error.errno in (errno.EACCES, errno.EPERM) and not self._is_refusal_told:
-            self._is_refusal_told = True
+        if error.errno in (errno.EACCES, errno.EPERM) and not self._is_refusal_logged:
+            self._is_refusal_logged = True
             _LOGGER.warning("%s", not_writable(Path(self._path)))
         no_component = error.errno in (*_NOT_LISTENING, errno.ELOOP)
         self._counters.drop("component_gone" if no_component else "local_send", error)

@@ -204,7 +204,7 @@ class OCU:
     async def discover_all(self, *, timeout: float | None = None) -> tuple[Robot, ...]:
         """All subsystems that answer within `timeout` seconds, other OCUs too, in the order of their numbers.
 
-        Without `timeout` this takes a second when whatever has answered has told all of itself, and else 2 s.
+        Without `timeout` this takes 1 s if all that answered have described themselves completely, else 2 s.
         """
         return tuple(Robot(self._connection, each) for each in await discover_all(self._connection, timeout))
 

@@ -63,9 +63,9 @@ MIN_PAUSE: Final = 0.02
 COALESCE_TIME: Final = 0.1
 """Seconds that `watch` waits for further reports before it yields changes."""
 ROBOT_QUIET_TIME: Final = 0.3
-"""Seconds without a new fact after which a robot that is complete is told of."""
+"""Seconds without a new fact after which a robot that is complete is reported."""
 MAX_INTRODUCTION: Final = 2.0 * INTRODUCTION_TIME
-"""Seconds after which a robot is told of that is not complete."""
+"""Seconds after which a robot that is not complete is reported."""
 
 SubsystemPart: TypeAlias = SubsystemInfo | NodeInfo | ComponentInfo | ServiceInfo
 
@@ -348,7 +348,7 @@ class Difference:
 
 @dataclass(slots=True)
 class _Pending:
-    """A difference that is not told yet: how the robot is now, since when, and when it can be told."""
+    """A difference that is not reported yet: how the robot is now, since when, and when it is due."""
 
     now: SubsystemInfo | None
     first: float
@@ -358,32 +358,32 @@ class _Pending:
 
 
 class RobotNews:
-    """Compares what is known of robots with what was told. Times are seconds of a monotonic clock.
+    """Compares what is known of robots with what was reported. Times are seconds of a monotonic clock.
 
-    The components of a robot that is switched off fall silent one after the other, up to `patience` seconds apart, so
-    that a robot with fewer components is told of when nothing more is lost for as long.
+    The components of a robot that is switched off fall silent one after the other, up to `silence` seconds apart, so
+    that a robot with fewer components is reported when nothing more is lost for as long.
     """
 
-    def __init__(self, patience: float) -> None:
-        self._patience = patience
-        self._told: dict[int, SubsystemInfo] = {}
+    def __init__(self, silence: float) -> None:
+        self._silence = silence
+        self._reported: dict[int, SubsystemInfo] = {}
         self._pending: dict[int, _Pending] = {}
 
     def update(
         self, robots: tuple[SubsystemInfo, ...], is_complete: Callable[[int], bool], now: float
     ) -> Iterator[Difference]:
-        """What can be told now."""
+        """What is due now."""
         current = {each.id: each for each in robots}
-        for id in sorted(self._told.keys() | current.keys()):
-            before, found = self._told.get(id), current.get(id)
+        for id in sorted(self._reported.keys() | current.keys()):
+            before, found = self._reported.get(id), current.get(id)
             if found == before:
                 self._pending.pop(id, None)
             elif self._is_settled(id, found, is_complete(id), now):
                 del self._pending[id]
                 if found is None:
-                    del self._told[id]
+                    del self._reported[id]
                 else:
-                    self._told[id] = found
+                    self._reported[id] = found
                 yield Difference(before, found)
 
     def next_at(self) -> float | None:
@@ -394,7 +394,7 @@ class RobotNews:
         pending = self._pending.setdefault(id, _Pending(found, now, now, now))
         if pending.now != found:
             pending.now, pending.since = found, now
-        if not complete and found is not None and id not in self._told:
+        if not complete and found is not None and id not in self._reported:
             pending.due = pending.first + MAX_INTRODUCTION
         else:
             pending.due = pending.since + self._wait(id, found)
@@ -402,9 +402,9 @@ class RobotNews:
 
     def _wait(self, id: int, found: SubsystemInfo | None) -> float:
         """Seconds that a difference must last."""
-        before = self._told.get(id)
+        before = self._reported.get(id)
         if found is None:
             return 0.0
         if before is None or {each.id for each in before.components} <= {each.id for each in found.components}:
             return ROBOT_QUIET_TIME
-        return self._patience
+        return self._silence

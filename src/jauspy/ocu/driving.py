@@ -191,7 +191,7 @@ class Driving:
             raise
 
     async def _travel(self, driver: ServiceClient, speed: float, timeout: float) -> None:
-        """Returns when the robot says that it has arrived, or cannot say: then its pose tells."""
+        """Returns when the robot reports that it has arrived, or, if it cannot, when its pose shows it."""
         try:
             await perform(self._connection, driver.id, SetTravelSpeed(speed), timeout)
         except EventRejected:  # no command events (Events 1.0)
@@ -211,7 +211,7 @@ class Driving:
             await asyncio.sleep(min(left, 1.0 / RATE))
             if not stream.active:
                 self._connection.controls.check(driver.id, _STOP)
-                raise RequestError(f"{driver.id} was stopped while it drove; the log tells why")
+                raise RequestError(f"{driver.id} was stopped while it drove; the log has the reason")
 
     def _command(self, driver: ServiceClient, linear: float, angular: float) -> Message:
         """The velocity, or the efforts that are this share of the full speed."""

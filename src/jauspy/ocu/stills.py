@@ -120,7 +120,7 @@ async def _query_image(connection: Connection, id: JausID, sensor: int, timeout:
         if clock() - queried_at < CAMERA_WAIT:
             raise RequestError(
                 f"{id} has no picture of sensor {sensor}: there is no such sensor, too much is asked of it, or "
-                "its robot has no extra 'video'; the robot's log tells"
+                "its robot has no extra 'video'; see the robot's log"
             )
     raise too_late
 

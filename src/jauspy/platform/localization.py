@@ -157,7 +157,7 @@ class Localization(OptionalPart):
 
     @abstractmethod
     def declare(self, position_rms: float | None, heading_rms: float | None) -> None:
-        """Count errors of the local pose from now on: somebody has told it, with these errors; None for untold ones."""
+        """A client has set the local pose, with these errors (None: not given); errors are counted from now on."""
 
     def proxy(self, link: RobotLink) -> Localization:
         """The localisation for other threads."""
@@ -182,7 +182,7 @@ class DeclareLocalPose(Command):
             found.declare(self.position_rms, self.heading_rms)
 
     def merged(self, pending: Command) -> DeclareLocalPose:
-        """What only the pending one tells is kept."""
+        """What only the pending one has is kept."""
         if not isinstance(pending, DeclareLocalPose):
             return self
         position, heading = self.position_rms, self.heading_rms

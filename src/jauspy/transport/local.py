@@ -38,7 +38,7 @@ KEEP_ALIVE_INTERVAL: Final = 1.0
 MAX_UNANSWERED: Final = 2
 """Unanswered keep-alives after which the node manager is regarded as dead."""
 REFUSED_AFTER: Final = 5.0
-"""Seconds without an Accept of a node manager that is alive, after which the log tells why that may be."""
+"""Seconds without an Accept of a node manager that is alive, after which the log gives possible reasons."""
 SEND_RETRY_INTERVAL: Final = 0.002
 """Seconds until a full socket is tried again; a datagram socket does not signal when its peer has room."""
 MAX_PATH: Final = 107

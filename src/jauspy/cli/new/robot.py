@@ -95,7 +95,7 @@ def first_file(description: RobotDescription, urdf: str, subsystem: int, extra: 
         number += 1
     lidars, cameras = _sensors(description)
     if lidars:
-        lines += _module("CM-SEN", number, "tells what the lidars measure")
+        lines += _module("CM-SEN", number, "reports what the lidars measure")
         number += 1
     for name, _ in cameras:
         lines += _module("CM-VIS", number, f"streams what the camera {name} sees", f'camera = "{name}"')

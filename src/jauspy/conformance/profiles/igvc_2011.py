@@ -71,8 +71,8 @@ IDENTIFICATION: Final = ReportIdentification(
 
 def robot_asks(tester: Tester) -> None:
     """The robot queries the console."""
-    patience = (PERIOD + tester.timeout) / tester.timeout
-    tester.client(COP).expect(QueryIdentification, within=patience)
+    timeouts = (PERIOD + tester.timeout) / tester.timeout
+    tester.client(COP).expect(QueryIdentification, within=timeouts)
 
 
 def robot_asks_again(tester: Tester) -> None:

@@ -154,7 +154,7 @@ PASSIVE: Final = 0x30
 
 
 def error_frame_text(message: can.Message) -> str:
-    """An error frame of socketcan in words: `bus-off`, or what else it tells."""
+    """An error frame of socketcan in words: `bus-off`, or another error."""
     if message.arbitration_id & BUS_OFF:
         return "bus-off"
     if message.arbitration_id & NO_ACKNOWLEDGEMENT:
@@ -171,7 +171,7 @@ MAX_ERRORS: Final = 5
 class Receiver:
     """A thread that passes each frame of a bus to `receive`.
 
-    What cannot be read is counted and told; it never ends the thread. `failed` gets `bus-off`.
+    What cannot be read is counted and logged; it never ends the thread. `failed` gets `bus-off`.
     """
 
     def __init__(self, bus: can.BusABC, receive: Callable[[can.Message], None], failed: Callable[[str], None]) -> None:

@@ -56,7 +56,7 @@ CHANGE_IMMEDIATELY: Final = 0x20
 
 
 def state_of(statusword: int) -> DriveState:
-    """The state that a statusword tells."""
+    """The state in a statusword."""
     for mask, value, state in STATUS_PATTERNS:
         if statusword & mask == value:
             return state

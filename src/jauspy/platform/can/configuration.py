@@ -160,7 +160,7 @@ def check_identity(sdo: Any, drive: Drive) -> None:
 
 
 def is_homed(sdo: Any) -> bool:
-    """True if the drive has found its home position since it got power. It tells so in the mode for homing only."""
+    """True if the drive has found its home position since it got power. It reports this in the homing mode only."""
     _write(sdo, 0x6060, 0, Mode.HOMING, 1)
     for _ in range(MODE_READS):
         if _read(sdo, 0x6061, 0) == Mode.HOMING:

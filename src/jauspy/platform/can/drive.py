@@ -127,7 +127,7 @@ class Drive:
             self.error_code, self.error_register = int.from_bytes(data[:2], "little"), data[2]
 
     def receive_heartbeat(self, data: bytes, now: float) -> None:
-        """Take a heartbeat; one with the state 0 tells that the drive has started."""
+        """Take a heartbeat; the state 0 means that the drive has started."""
         if data:
             self.nmt_state = data[0] & 0x7F
             self.last_heartbeat = now

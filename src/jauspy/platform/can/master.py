@@ -37,7 +37,7 @@ STILL: Final = 0.005
 """Radians or metres that a joint may move meanwhile."""
 
 EXPLAIN_TIME: Final = 0.02
-"""Seconds from a fault to the exception, in which the drive's emergency message tells why."""
+"""Seconds from a fault to the exception, in which the drive's emergency message with the reason arrives."""
 
 PAUSE: Final = 0.1
 """Seconds between two cycles after which drives must not just go on: this process stood still."""

@@ -115,7 +115,7 @@ class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
     # --- challenges
 
     def report_seal_challenge(self, source: JausID) -> ReportSealChallenge:
-        """A challenge for this client. It is not kept: its tag tells that it is ours, and for whom."""
+        """A challenge for this client. It is not kept: its tag shows that it is ours, and for whom."""
         self._last_challenge = max(self._last_challenge + 1, int(self.host.now * 1e6))
         return ReportSealChallenge(self._last_challenge, self._tag(int(source), self._last_challenge))
 

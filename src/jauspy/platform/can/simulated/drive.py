@@ -91,7 +91,7 @@ class SimulatedDrive:
         """True if it knows its home position after each start."""
         self.homed = setup.homing is None
         self._home_counts = 0
-        """What the encoder counts beside what is told, before the home position is found."""
+        """Offset of the encoder from the reported position, before the home position is found."""
         self._homing_way = 0.0
         self._brake_releases_at = 0.0
         self.silent = self.deaf = False
