@@ -199,8 +199,8 @@ def home(*, robot: Robot, bus: Bus = None) -> None:
     """Have drives search for their home positions, one after the other. Joints move.
 
     It moves the drives that have `homing` and lost their position; those with absolute encoders need none. A drive
-    keeps its home position until it loses its power; until then `jauspy up` needs nothing more. End the robot's
-    program before: two masters on a bus are dangerous. Ctrl-C stops.
+    keeps its home position until it loses power. Stop the robot's program first: two masters on a bus are dangerous.
+    Ctrl-C stops.
 
     Example:
       jauspy can home my_robot.toml --bus socketcan:can0
@@ -245,7 +245,7 @@ def fault(
 ) -> None:
     """Make a simulated drive fail.
 
-    Real drives refuse it.
+    Real drives reject this.
 
     Example:
       jauspy can fault arm_2 overcurrent --bus udp_multicast:239.0.0.1

@@ -77,7 +77,7 @@ def decode(
     only_changes: Annotated[
         bool,
         typer.Option(
-            "--changes", help="Of CAN frames only those whose state, command or mode, or the sign of a value, is new."
+            "--changes", help="Print only CAN frames whose state, command or mode, or the sign of a value, is new."
         ),
     ] = False,
     message: Annotated[

@@ -31,20 +31,23 @@ def estop(
     ] = False,
     connect: Connect = None,
     own_id: Annotated[
-        str, typer.Option("--id", metavar="ID", help="This client's JAUS id; --release needs that which stopped.")
+        str,
+        typer.Option(
+            "--id", metavar="ID", help="This client's JAUS id; --release needs the id that set the emergency."
+        ),
     ] = ESTOP_ID,
     operator_key: OperatorKey = None,
     timeout: Annotated[
-        float, typer.Option("--timeout", min=0.1, metavar="SECONDS", help="How long components have to obey.")
+        float, typer.Option("--timeout", min=0.1, metavar="SECONDS", help="How long to wait until all have stopped.")
     ] = 2.0,
     as_json: Json = False,
 ) -> None:
-    """Stop all robots, one robot or one component, and tell which obeyed.
+    """Stop all robots, one robot or one component, and list which have stopped.
 
     Sets the emergency of every component that is reached, whoever controls it. The message is sent at once, without
     discovery, and again until all that answer have obeyed. Lists the status of each component that answers. The exit
-    status is 0 if at least one answered, and all that answered obeyed. A client that was in control still is after
-    --release, and what it had commanded does not go on. Robots that require operators release with a key only.
+    status is 0 if at least one answered, and all that answered obeyed. A client keeps control across
+    the emergency; commands from before it are not resumed. Robots that require operators need a key to release.
 
     Examples:
       jauspy estop

@@ -37,7 +37,7 @@ VERBS: Final = {
         "jauspy.cli.operator_console:console_page",
         "Operate robots in the browser: cameras, driving, arm, emergency stop.",
     ),
-    "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and tell which obeyed."),
+    "estop": ("jauspy.cli.estop:estop", "Stop all robots, one robot or one component, and list which have stopped."),
     "tf": ("jauspy.cli.tf:tf", "Show the poses of a running robot's frames: each in its parent, or TO in FROM."),
     "map": (
         "jauspy.cli.map:map_robot",

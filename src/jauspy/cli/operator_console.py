@@ -47,7 +47,7 @@ def console_page(
         typer.Option(
             "--host",
             metavar="ADDRESS",
-            help="Where it listens; for others than this machine with --users, --certificate and --key only.",
+            help="Address to listen at; other than loopback only with --users, --certificate and --key.",
         ),
     ] = "127.0.0.1",
     users: Annotated[Path | None, typer.Option("--users", metavar="FILE", help="Who may log in.")] = None,
@@ -60,7 +60,7 @@ def console_page(
         typer.Option(
             "--audit",
             metavar="FILE",
-            help="Where each command is recorded with its user.  [default: with --users FILE: FILE.audit]",
+            help="Audit log: each command with its user.  [default: with --users FILE: FILE.audit]",
         ),
     ] = None,
     recordings: Annotated[
@@ -79,8 +79,9 @@ def console_page(
 ) -> None:
     """Operate robots in the browser: cameras, driving, arm, emergency stop.
 
-    It finds every robot that the node manager of this machine reaches, shows its cameras, drives it by keys, stick or
-    gamepad, and moves its arm. A robot stops when the key is up, or the page is left. Escape stops all robots.
+    The console finds every robot that the node manager of this machine reaches, shows its cameras, drives it by keys,
+    stick or gamepad, and moves its arm. A robot stops when the key is released or the page is closed. Escape stops all
+    robots.
 
     Examples:
       jauspy console
@@ -185,7 +186,7 @@ def make_certificate(
     names: Annotated[list[str], typer.Argument(metavar="HOST...", help="Names and addresses of this machine.")],
     *,
     output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="The certificate.")] = CERTIFICATE_FILE,
-    key: Annotated[Path, typer.Option("--key", metavar="FILE", help="Its key, which is secret.")] = KEY_FILE,
+    key: Annotated[Path, typer.Option("--key", metavar="FILE", help="The private key of the certificate.")] = KEY_FILE,
 ) -> None:
     """Make a certificate that signs itself, for a year. Browsers warn of it once; compare the fingerprint.
 

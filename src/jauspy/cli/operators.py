@@ -23,7 +23,7 @@ Role = Annotated[
 
 def new(
     *,
-    name: Annotated[str, typer.Argument(metavar="NAME", help="Whose key it is, as in alice.")],
+    name: Annotated[str, typer.Argument(metavar="NAME", help="The operator's name, as in alice.")],
     output: Annotated[
         Path | None, typer.Option("--output", "-o", metavar="FILE", help="The file to write.  [default: NAME.key]")
     ] = None,
@@ -31,7 +31,8 @@ def new(
 ) -> None:
     """Write a new key, and print what to add to the robots' operators file.
 
-    Only its owner may read the key. It stays with the operator; robots need what is printed only, which is no secret.
+    The key file is readable by its owner only, and stays with the operator. Robots need the printed lines only, which
+    are not secret.
 
     Example:
       jauspy keys new alice >> operators.toml
@@ -71,7 +72,7 @@ def show(
 
 def audit(
     *,
-    path: Annotated[Path, typer.Argument(metavar="PATH", help="The file that audit_log of a robot names.")],
+    path: Annotated[Path, typer.Argument(metavar="PATH", help="The audit log, as `audit_log` of a robot names it.")],
     head: Annotated[
         list[str] | None,
         typer.Option("--head", metavar="NUMBER:HASH", help="A head that was noted earlier; may be repeated."),
@@ -83,8 +84,8 @@ def audit(
 ) -> None:
     """Verify an audit log: name the first line that was changed or removed, or cut off at the end.
 
-    The head that is printed is worth noting elsewhere. With it (--head), nobody can change or cut off the lines up to
-    there unnoticed, not even who can write to the robot's disk. The exit status is 1 if something is wrong.
+    Keep the printed head elsewhere: with --head, changes to any line up to it are detected, also those by somebody who
+    can write to the robot's disk. The exit status is 1 if the log was changed.
 
     Example:
       jauspy audit robot.audit --operators operators.toml

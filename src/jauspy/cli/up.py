@@ -86,7 +86,7 @@ def up(
         Quality | None,
         typer.Option(
             "--quality",
-            help="Of simulated camera pictures: low has no shadows, high also smooth edges. Default: the robot's own.",
+            help="Simulated camera pictures: low has no shadows, high also smooth edges. Default: the robot's own.",
         ),
     ] = None,
     view: Annotated[
@@ -132,7 +132,7 @@ def up(
     of the node manager that is started. With --gateway they are in its configuration file, no other node manager may
     run, and it routes and filters between its networks (see `jauspy node-manager --print-config`). On a terminal a live
     table shows modules, cameras and the node manager. SIGUSR1 prints all counters,
-    and where a simulated robot really is; Ctrl-C stops all processes in order.
+    and the true pose of a simulated robot; Ctrl-C stops all processes in order.
 
     Example:
       jauspy up inc1 --backend kinematic

@@ -32,15 +32,15 @@ def all_tasks(
     seeds: Annotated[
         int, typer.Option("--seeds", min=1, metavar="N", help="Runs of the assembly, and half as many of the lift.")
     ] = 100,
-    seed: Annotated[int, typer.Option("--seed", min=0, metavar="N", help="Of the runs that are filmed.")] = 7,
+    seed: Annotated[int, typer.Option("--seed", min=0, metavar="N", help="Seed of the filmed runs.")] = 7,
     jobs: Jobs = None,
     films: Annotated[bool, typer.Option("--films/--no-films", help="Film each task. Needs the extra 'video'.")] = True,
     out: Out = OUTPUT,
 ) -> None:
     """Run everything once; write films, plots and a page of results.
 
-    The page has all tables, plots and films inside and opens without a network. Exit status 0 only when everything
-    that is promised was measured.
+    The page has all tables, plots and films inside and opens without a network. Exit status 0 only if every
+    promised figure was reached.
     """
     check_extra()
     from jauspy.cell.report import page

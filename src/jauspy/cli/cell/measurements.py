@@ -39,7 +39,9 @@ def kpi(*, seed: Seed = 0, out: Out = OUTPUT, json: Json = False) -> None:
 def iso9283(
     *,
     seed: Seed = 0,
-    cycles: Annotated[int, typer.Option("--cycles", min=2, metavar="N", help="ISO 9283 wants 30.")] = 30,
+    cycles: Annotated[
+        int, typer.Option("--cycles", min=2, metavar="N", help="Cycles of each pose; ISO 9283 requires 30.")
+    ] = 30,
     samples: Annotated[int, typer.Option("--samples", min=8, metavar="N", help="Postures of the calibration.")] = 60,
     out: Out = OUTPUT,
     json: Json = False,

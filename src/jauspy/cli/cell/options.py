@@ -13,9 +13,7 @@ from jauspy.platform.modular import check_libraries
 MODULES: Final = ("pinocchio", "coal", "ruckig", "numpy")
 OUTPUT: Final = Path("cell_out")
 
-Seed = Annotated[
-    int, typer.Option("--seed", min=0, metavar="N", help="Of all that is random; equal seeds give equal runs.")
-]
+Seed = Annotated[int, typer.Option("--seed", min=0, metavar="N", help="Random seed; equal seeds give equal runs.")]
 Record = Annotated[
     Path | None, typer.Option("--record", metavar="FILE", help="Film the task, as .mp4. Needs the extra 'video'.")
 ]

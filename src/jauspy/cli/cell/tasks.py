@@ -77,7 +77,7 @@ def assemble(
 
     Every grasp and every joint is verified by the connectors' state and by force; what fails is tried again another
     way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task is
-    carried out by a cell that runs already, as `jauspy up cell`.
+    carried out by a running cell, such as `jauspy up cell`.
 
     Exit status 1 when the arm could not be built; the reason is printed, and the cell is left at rest.
     """

@@ -50,7 +50,7 @@ def trials(
 ) -> None:
     """Run a task with many seeds, and report how often it succeeds.
 
-    Parts' poses are off by up to 10 mm and 5 degrees, 2 % of the grasps fail by themselves, and the part sensor is
+    Parts' poses are off by up to 10 mm and 5 degrees, 2 % of the grasps fail at random, and the part sensor is
     noisy. Writes DIR/trials-TASK.json and a plot, DIR/trials-TASK.svg.
     """
     check_extra()

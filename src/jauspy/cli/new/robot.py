@@ -353,7 +353,7 @@ def robot(
 ) -> None:
     """Write a first TOML file for a robot of which there is a URDF only, so that it moves in the simulation.
 
-    Groups are made of the chains of joints; wheels, gains, missing limits, lidars and cameras are guessed, and marked.
+    Groups are made of the chains of joints. Wheels, gains, missing limits, lidars and cameras are guessed, and marked.
 
     Example:
       jauspy new robot husky.urdf.xacro --arg laser_enabled:=true
