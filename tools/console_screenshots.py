@@ -16,12 +16,12 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Final
 
 from PIL import Image
-from playwright.sync_api import Page, ViewportSize, sync_playwright
+from playwright.sync_api import Error, Page, ViewportSize, sync_playwright
 
 MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
@@ -98,7 +98,7 @@ def show(page: Page, panel: str) -> None:
     if panel == "trajectory":
         teach(page)
     if panel == "log":
-        page.locator(".traffic tbody tr").nth(2).click()
+        page.locator(".traffic tbody tr", has_text="ReportLocalPose").first.click()
         page.locator(".fields .path").first.wait_for()
     page.mouse.move(2, 2)
     page.wait_for_timeout(1500)
@@ -131,10 +131,14 @@ def assembling(root: str) -> Iterator[None]:
 
 
 def show_cell(page: Page) -> None:
-    """Wait until four parts are joined, each of which appears as a component."""
+    """Wait until the arm that is built has a joint, and better two, and show them."""
     page.get_by_role("tab", name="World").click()
     page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 5")
-    page.locator(".component", has_text="CM-SRV").nth(1).wait_for(timeout=3 * WAIT)
+    page.locator(".arm .q-select .q-field__control").click()
+    page.get_by_role("option", name="CM-ARM arm").click()
+    page.locator(".arm .joint", has_text="servo_1").wait_for(timeout=3 * WAIT)
+    with suppress(Error):  # a busy machine takes longer
+        page.locator(".arm .joint").nth(1).wait_for(timeout=WAIT / 3)
     page.mouse.move(2, 2)
 
 

@@ -39,6 +39,10 @@ def test_it_opens_on_the_world_and_names_its_arms(url: str) -> None:
         page.locator(".tabs .chosen", has_text="World").wait_for()
         waiting = page.locator("[data-line=waiting]")
         waiting.get_by_text(re.compile("starting the 3-D view|asking the robot|connecting")).wait_for(state="attached")
+        page.wait_for_function(
+            "jauspy.world.model?.joints.filter((each) => each.kind === 'free').length > 25"
+            " && jauspy.world.joints.filter(Array.isArray).length > 25"
+        )
         arm = page.locator("section.arm")
         arm.get_by_text("CM-MAN 201.1.10").first.wait_for()
         page.get_by_role("button", name="take", exact=True).click()

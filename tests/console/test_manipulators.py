@@ -3,13 +3,26 @@
 from __future__ import annotations
 
 import asyncio
+import math
 
 import pytest
+from nicegui import Client
+from nicegui.page import page
 from tests.modules.test_cell_modules import world
 
+from jauspy.console.arm_panel import _JointRow
 from jauspy.console.gripper_panel import connector_state, switch
-from jauspy.console.manipulators import CONNECTOR, ModularArm, StandardArm, manipulators, operated
+from jauspy.console.manipulators import (
+    CONNECTOR,
+    JointInfo,
+    ModularArm,
+    StandardArm,
+    joint_label,
+    manipulators,
+    operated,
+)
 from jauspy.errors import ConfigError
+from jauspy.ocu.joints import MotionLimits
 
 
 async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
@@ -52,3 +65,18 @@ async def test_a_cell_has_two_arms_and_the_joints_of_one_come_and_go() -> None:
         cell.robot.connectors["servo_1/output"].set(False)
         await asyncio.sleep(0.2)
         assert [each.name for each in await arm.joints()] == ["servo_1"]
+
+
+def test_the_slider_of_a_joint_without_limits_shows_the_turn_that_the_joint_is_in() -> None:
+    endless = JointInfo("base_to_servo_1", True, -math.inf, math.inf, MotionLimits(1.0))
+    with Client(page("/joint")):
+        row = _JointRow(endless, 0.0)
+        slider = row._slider
+        assert (slider.props["min"], slider.props["max"]) == pytest.approx((-math.pi, math.pi), abs=1e-3)
+        row.measured(4.0)
+        assert (float(slider.props["min"]), float(slider.props["max"])) == pytest.approx(
+            (math.pi, 3.0 * math.pi), abs=1e-3
+        )
+        assert slider.value == pytest.approx(4.0, abs=1e-3)
+    assert joint_label(endless.name) == "servo_1"
+    assert joint_label("shoulder_pan") == "shoulder_pan"

@@ -10,7 +10,7 @@ from tests.helpers.documentation import DOCS
 PICTURES = {
     f"console_{panel}_{scheme}_{size}.jpg"
     for panel, scheme, size in product(
-        ("video", "world", "trajectory", "plots", "log"), ("light", "dark"), ("1440x900", "1024x768")
+        ("video", "world", "trajectory", "plots", "log", "cell"), ("light", "dark"), ("1440x900", "1024x768")
     )
 }
 
