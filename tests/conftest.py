@@ -18,7 +18,7 @@ from tests.node.hosts.switch import Switch
 
 from jauspy.logs import LIMIT
 from jauspy.modules import robot_files
-from jauspy.modules.package_paths import PackagePaths
+from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.transport import age
 
 for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):

@@ -24,7 +24,7 @@ from PIL import Image
 from jauspy.cli.new.robot import first_file
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
-from jauspy.modules.package_paths import PackagePaths
+from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, JointGroup, Target
 from jauspy_sim.assembly import build

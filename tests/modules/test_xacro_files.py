@@ -10,7 +10,7 @@ import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files, xacro_files
-from jauspy.modules.package_paths import PackagePaths
+from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.modules.xacro_files import MAX_ELEMENTS, MAX_TOTAL, MAX_VALUE_LENGTH, expand
 
 HEAD = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'

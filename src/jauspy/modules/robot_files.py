@@ -21,7 +21,7 @@ from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, pa
 from jauspy.geometry.vectors import dot
 from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, JointLimitsConfig, RobotConfig, TracksConfig
-from jauspy.modules.package_paths import PackagePaths
+from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file

@@ -23,7 +23,7 @@ import xacro
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import PLACE
-from jauspy.modules.package_paths import PackagePaths
+from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.printable import printable
 from jauspy.user_files import read_file
 

@@ -19,7 +19,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.urdf import UNGUIDED, Joint, JointKind, RobotDescription, inertials, parse_tree
 from jauspy.modules import robot_files
-from jauspy.modules.package_paths import PackagePaths
+from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy.platform.wheels import WheelJoints, WheelKind, wheel_setup
 

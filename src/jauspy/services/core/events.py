@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from functools import partial
 from typing import Any, Final, TypeAlias
 
@@ -32,7 +33,6 @@ from jauspy.services.core.subscriptions import (
     ONE_TIME,
     PERIODIC,
     ClientEvent,
-    EventRates,
     PendingCommand,
     Subscription,
     Subscriptions,
@@ -325,3 +325,39 @@ def _matches(subscription: Subscription, query: QueryEvents) -> bool:
             return code == subscription.query.CODE
         case _:
             return True
+
+
+RATE_STEP: Final = 1092 / 65535
+"""Step (Hz) of rates in messages: 0..1092 Hz in 16 bits."""
+
+
+@dataclass(frozen=True, slots=True)
+class EventRates:
+    """Limits (Hz) of periodic events, and of how often every-change events check for a change; 0 refuses them."""
+
+    lowest: float
+    highest: float
+    change: float
+
+    def __post_init__(self) -> None:
+        for name, value in (("min_rate", self.lowest), ("max_rate", self.highest), ("max_change_rate", self.change)):
+            check_number(value, f"events: {name}")
+        if not 0 < self.lowest <= 1092 or not 0 <= self.highest <= 1092 or not 0 <= self.change <= 1092:
+            raise ConfigError(
+                f"events: min_rate {self.lowest}, max_rate {self.highest} and max_change_rate {self.change} "
+                "must be 0..1092 Hz, and min_rate more than 0"
+            )
+
+    def periodic(self, asked: float) -> float:
+        """The rate (Hz) applied to a periodic event."""
+        return _on_wire(max(asked, self.lowest), self.highest)
+
+    def on_change(self, asked: float) -> float:
+        """The rate (Hz) applied to an every-change event; 0, when requested, means as often as allowed."""
+        return _on_wire(asked, self.change) if asked else 0.0
+
+
+def _on_wire(rate: float, max_rate: float) -> float:
+    """The nearest rate that a message can carry, at most the allowed one unless that is less than one step."""
+    steps = min(round(rate / RATE_STEP), int(max_rate / RATE_STEP + 1e-6))
+    return max(1, steps) * RATE_STEP

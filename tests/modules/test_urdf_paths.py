@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.package_paths import PackagePaths
+from jauspy.modules.urdf_paths import PackagePaths
 
 
 @pytest.fixture
