@@ -16,7 +16,7 @@ _EVENT_REQUESTS: Final = frozenset(kind.CODE for kind in (CreateEvent, UpdateEve
 _FIRST_QUERY, _LAST_QUERY = 0x2000, 0x3FFF
 """Codes of queries (AS5710)."""
 
-_Lane: TypeAlias = tuple[int, bool]
+_QueueKey: TypeAlias = tuple[int, bool]
 
 
 class Inbox:
@@ -27,7 +27,7 @@ class Inbox:
 
     def __init__(self, counters: Counters) -> None:
         self._counters = counters
-        self._lanes: OrderedDict[_Lane, deque[Packet]] = OrderedDict()
+        self._queues: OrderedDict[_QueueKey, deque[Packet]] = OrderedDict()
         self._size = 0
 
     def __len__(self) -> int:
@@ -36,27 +36,27 @@ class Inbox:
     def put(self, packet: Packet) -> None:
         """Add a packet; when there are too many, one is dropped and counted."""
         key = (int(packet.source), _code(packet) in _EVENT_REQUESTS)
-        self._lanes.setdefault(key, deque()).append(packet)
+        self._queues.setdefault(key, deque()).append(packet)
         self._size += 1
         if self._size > MAX_WAITING:
-            self._drop(max(self._lanes, key=lambda each: len(self._lanes[each])))
+            self._drop(max(self._queues, key=lambda each: len(self._queues[each])))
 
     def take(self) -> Packet | None:
         """Remove and return the packet whose turn it is."""
         if not self._size:
             return None
-        key, lane = self._lanes.popitem(last=False)
-        packet = lane.popleft()
+        key, queue = self._queues.popitem(last=False)
+        packet = queue.popleft()
         self._size -= 1
-        if lane:
-            self._lanes[key] = lane
+        if queue:
+            self._queues[key] = queue
         return packet
 
-    def _drop(self, key: _Lane) -> None:
-        dropped = self._lanes[key].popleft()
+    def _drop(self, key: _QueueKey) -> None:
+        dropped = self._queues[key].popleft()
         self._size -= 1
-        if not self._lanes[key]:
-            del self._lanes[key]
+        if not self._queues[key]:
+            del self._queues[key]
         self._counters.drop("inbox_full", dropped.source)
 
 
