@@ -20,6 +20,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.lighting import draw_floors_as_meshes
 from jauspy_sim.look import polish, show_solids, without_visuals
 from jauspy_sim.self_contacts import depth_below_base, exclude_touching
 from jauspy_sim.shapes import same_shape
@@ -63,7 +64,9 @@ class DrawnModel:
 
     def build(self) -> mujoco.MjModel:
         """The model, whose state is that of the one for physics."""
-        return build(self.robot, self.world)
+        spec = world_spec(self.world, self.robot.model_path)
+        draw_floors_as_meshes(spec)
+        return build_in(spec, self.robot, _what(self.robot, self.world), drawn=True)
 
 
 def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjModel:
@@ -72,9 +75,11 @@ def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjMode
     A robot whose base is above the ground, as that of a walking robot, is as high as its lowest part needs.
     Not to be `drawn`, it lacks visual shapes: physics does not need them, and takes a tenth longer with them.
     """
-    return build_in(
-        world_spec(world, robot.model_path), robot, f"robot {robot.description.name} in world {world}", drawn
-    )
+    return build_in(world_spec(world, robot.model_path), robot, _what(robot, world), drawn)
+
+
+def _what(robot: RobotModel, world: str) -> str:
+    return f"robot {robot.description.name} in world {world}"
 
 
 def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", drawn: bool = False) -> mujoco.MjModel:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.camera import Quality
+from jauspy_sim.culling import Culling
 from jauspy_sim.rays import MAX_DISTANCE
 
 MIN_DISTANCE: Final = 0.02
@@ -50,6 +51,11 @@ class GlRenderer:
         self._view.type, self._view.fixedcamid = mujoco.mjtCamera.mjCAMERA_FIXED, camera
         self._options = mujoco.MjvOption()
         self._scene = mujoco.MjvScene(model, maxgeom=MAX_GEOMS)
+        self._lit = mujoco.MjvScene(model, maxgeom=MAX_GEOMS)
+        self._culling = Culling(model)
+        self._lit.flags[:] = 0
+        self._lit.flags[mujoco.mjtRndFlag.mjRND_CULL_FACE] = 1
+        self._lit.flags[mujoco.mjtRndFlag.mjRND_SEGMENT] = 1  # without light and textures, which take time
         self._suns = np.flatnonzero(model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL)
         self._film_shadows = int(model.vis.quality.shadowsize), float(model.vis.map.shadowclip)
         self._rect = mujoco.MjrRect(0, 0, 0, 0)
@@ -60,6 +66,8 @@ class GlRenderer:
         self._context = self._make_context(*QUALITIES[quality])
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
+        self._saw_sky = True
+        """Whether the last picture with depths showed sky: what others do not show takes a seventh of their time."""
         self._cast_shadows(quality is Quality.HIGH)
 
     @property
@@ -120,18 +128,26 @@ class GlRenderer:
     ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
         """Render a picture, and the depths of its pixels along the camera's axis, in metres."""
         self._be_thorough(thoroughly and self._samples > 0)
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = int(self._saw_sky)
         self._render(data, width, height)
         image, depth = np.empty((height, width, 3), np.uint8), np.empty((height, width), np.float32)
         mujoco.mjr_readPixels(image, depth, self._rect, self._context)
         # The sky box has a depth, too, but counts as no surface.
         near, far = (self._model.stat.extent * plane for plane in (self._model.vis.map.znear, self._model.vis.map.zfar))
-        upright = depth[::-1]  # 1 at the near plane, 0 at the far one
-        along = np.float32(near * far) / (upright * np.float32(far - near) + np.float32(near))
-        return np.ascontiguousarray(image[::-1]), np.where(along < MAX_DISTANCE, along, np.float32(math.inf))
+        distances = np.multiply(depth[::-1], np.float32(far - near))  # 1 at the near plane, 0 at the far one
+        distances += np.float32(near)
+        np.divide(np.float32(near * far), distances, out=distances)
+        is_sky = distances >= MAX_DISTANCE
+        distances[is_sky] = math.inf
+        missed, self._saw_sky = not self._saw_sky, bool(is_sky.any())
+        if missed and self._saw_sky:
+            return self.measure(data, width, height, thoroughly=thoroughly)
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_SKYBOX] = 1
+        return np.ascontiguousarray(image[::-1]), distances
 
     def depths_from(
         self,
-        data: mujoco.MjData,  # noqa: ARG002 - the scene was made of it
+        data: mujoco.MjData,
         position: NDArray[np.float64],
         rotation: NDArray[np.float64],
         spread: float,
@@ -139,10 +155,13 @@ class GlRenderer:
         *,
         parallel: bool = False,
     ) -> NDArray[np.float32] | None:
-        """As `Renderer.depths_from`, of the scene of the last picture."""
+        """As `Renderer.depths_from`, of what casts shadows."""
         size = min(size, self._rect.width, self._rect.height)
         near, far = LAMP_PLANES
-        for camera in self._scene.camera:
+        self._culling.hide_unseen(data, position, rotation, (spread, spread), parallel=parallel)
+        self._culling.hide_shadowless()
+        self._update(data, self._lit)
+        for camera in self._lit.camera:
             camera.pos, camera.forward, camera.up = position, rotation[:, 0], rotation[:, 2]
             half = spread if parallel else near * spread
             camera.orthographic = int(parallel)
@@ -150,13 +169,8 @@ class GlRenderer:
             camera.frustum_bottom, camera.frustum_top = -half, half
             camera.frustum_near, camera.frustum_far = near, far
         square, depth = mujoco.MjrRect(0, 0, size, size), np.empty((size, size), np.float32)
-        before = self._scene.flags.copy()
-        self._scene.flags[:] = 0
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_CULL_FACE] = 1
-        self._scene.flags[mujoco.mjtRndFlag.mjRND_SEGMENT] = 1  # without light and textures, which take time
-        mujoco.mjr_render(square, self._scene, self._context)
+        mujoco.mjr_render(square, self._lit, self._context)
         mujoco.mjr_readPixels(None, depth, square, self._context)
-        self._scene.flags[:] = before
         upright = depth[::-1]
         if parallel:
             straight: NDArray[np.float32] = np.float32(far) - upright * np.float32(far - near)
@@ -176,11 +190,20 @@ class GlRenderer:
             self._aim_suns(data)
         if (width, height) != (self._rect.width, self._rect.height):
             self._resize(width, height)
-        fovy = math.degrees(2.0 * math.atan(self._spread * height / width))
-        self._model.cam_fovy[self._view.fixedcamid] = fovy
-        every = mujoco.mjtCatBit.mjCAT_ALL.value
-        mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, self._scene)
+        half = self._spread, self._spread * height / width
+        self._model.cam_fovy[self._view.fixedcamid] = math.degrees(2.0 * math.atan(half[1]))
+        if not self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW]:  # else what is not seen may cast a shadow
+            right, up, back = data.cam_xmat[self._view.fixedcamid].reshape(3, 3).T
+            axes = np.stack([-back, -right, up], axis=1)
+            self._culling.hide_unseen(data, data.cam_xpos[self._view.fixedcamid], axes, half)
+        self._update(data, self._scene)
         mujoco.mjr_render(self._rect, self._scene, self._context)
+
+    def _update(self, data: mujoco.MjData, scene: mujoco.MjvScene) -> None:
+        """Fill a scene with what is not hidden now, and hide nothing any more."""
+        every = mujoco.mjtCatBit.mjCAT_ALL.value
+        mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, scene)
+        self._culling.show_all()
 
     def _aim_suns(self, data: mujoco.MjData) -> None:
         """Have what directional lights see, of `SHADOW_RADIUS`, lie around what the camera sees nearby.
@@ -203,6 +226,8 @@ class GlRenderer:
 
     def _cast_shadows(self, wanted: bool) -> None:
         self._scene.flags[mujoco.mjtRndFlag.mjRND_SHADOW] = int(wanted)
+        # a thing that reflects has everything drawn once more
+        self._scene.flags[mujoco.mjtRndFlag.mjRND_REFLECTION] = int(wanted)
 
     def _make_context(self, samples: int, shadows: int, clip: float | None = None) -> mujoco.MjrContext:
         self._model.vis.quality.offsamples = samples

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Final
 import cv2
 import mujoco
 import numpy as np
+from numpy.typing import NDArray
 
 from jauspy_sim.lamps import Floats, Surface, axes_along
 
@@ -28,6 +29,8 @@ AWAY: Final = 20.0
 """Metres from that point to where the sun looks from."""
 BIAS: Final = 0.01
 """Metres by which a surface may be behind what the sun sees."""
+STILL: Final = 1e-4
+"""Metres by which things move while what the sun sees is not drawn again."""
 STEEPEST: Final = 6.0
 """Largest factor by which the size of a pixel is added to that where the sun shines flat on a surface."""
 
@@ -45,6 +48,8 @@ class SunShadow:
         self._fill += float(
             model.light_ambient.mean(axis=1).sum() + 0.5 * model.light_diffuse[others].mean(axis=1).sum()
         )
+        self._last: tuple[NDArray[np.float64], Floats] | None = None
+        """Where everything was when the sun last looked, and what it saw."""
         self._strength = 0.0 if self._sun is None else float(model.light_diffuse[self._sun].mean())
 
     @property
@@ -71,7 +76,7 @@ class SunShadow:
         rotation = axes_along(direction)
         centre = data.cam_xpos[camera] - AHEAD * axes[:, 2]
         at = centre - AWAY * direction
-        depths = source.depths_from(data, at, rotation, RADIUS, SIZE, parallel=True)
+        depths = self._seen(data, at, rotation, source)
         if depths is None:
             return 1.0
         size = distances.shape[::-1]
@@ -92,3 +97,14 @@ class SunShadow:
         # Pixels are the root of light.
         made = np.asarray(shaded * shaded, np.float32)
         return np.asarray(cv2.resize(made, size), np.float32) if coarse else made
+
+    def _seen(
+        self, data: mujoco.MjData, at: NDArray[np.float64], rotation: NDArray[np.float64], source: Renderer
+    ) -> Floats | None:
+        """The depths from there; those of the last picture if nothing has moved since."""
+        places = np.concatenate([at, data.geom_xpos.ravel(), data.geom_xmat.ravel()])
+        if self._last is not None and np.abs(places - self._last[0]).max() < STILL:
+            return self._last[1]
+        depths = source.depths_from(data, at, rotation, RADIUS, SIZE, parallel=True)
+        self._last = None if depths is None else (places, depths)
+        return depths

@@ -1,11 +1,12 @@
-"""Video of the whole robot, both cameras at once, as an ffmpeg, a GStreamer and jauspy itself receive it.
+"""Video of the whole robot, the cameras of an operator at once, as an ffmpeg, a GStreamer and jauspy itself receive it.
 
 python tools/bench/video.py [--seconds 30] [--sizes 640x480,1280x720] [--rate 15] [--backend sim] [--quality medium]
+                            [--cameras arm,chassis]
 
 Each picture carries its number and the time of the state that it shows. From state to decoded pixels is what an
 operator waits for, but for the screen. Lost are numbers that were left out between the first and the last picture.
 Fewer pictures per second than asked for: the cameras' processes had too little of the processor. `robot time` is what
-the robot simulated of the time that passed, both cameras running: 1 is real time. `said` are lines of warnings and
+the robot simulated of the time that passed, these cameras running: 1 is real time. `said` are lines of warnings and
 errors of the player and its decoder; the first is printed. ffmpeg's programs decode a picture when the next one begins,
 so their delay contains a picture's time (67 ms of 15 pictures per second).
 """
@@ -19,7 +20,7 @@ import shutil
 import statistics
 import threading
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -143,12 +144,14 @@ def own(seen: Seen) -> Iterator[int]:
         puller.join()
 
 
-async def film(config: RobotConfig, ports: Sequence[int], settings: VideoSettings, seconds: float) -> tuple[float, str]:
-    """Run the robot and its cameras, each to its port; robot seconds per second, and how pictures were made."""
+async def film(
+    config: RobotConfig, ports: Mapping[str, int], settings: VideoSettings, seconds: float
+) -> tuple[float, str]:
+    """Run the robot and these cameras, each to its port; robot seconds per second, and how pictures were made."""
     robot = backends.find(config.backend).open(robot_model(config), config.world)
     with RealTime(robot) as realtime:
-        videos = [CameraProcess(camera, settings, stamped=True) for camera in realtime.cameras.values()]
-        for video, port in zip(videos, ports, strict=True):
+        videos = [CameraProcess(realtime.cameras[name], settings, stamped=True) for name in ports]
+        for video, port in zip(videos, ports.values(), strict=True):
             await video.open()
             video.watch(("127.0.0.1", port))
         await asyncio.sleep(WARM_UP)
@@ -170,8 +173,12 @@ def main() -> None:
     parser.add_argument("--rate", type=int, default=15)
     parser.add_argument("--backend", default="sim")
     parser.add_argument("--quality", type=Quality, default=Quality.MEDIUM)
+    parser.add_argument("--cameras", default="arm,chassis", help="which are watched; all of inc1: arm,chassis,outside")
     options = parser.parse_args()
+    cameras = options.cameras.split(",")
     config = load("inc1").model_copy(update={"backend": options.backend, "quality": options.quality})
+    if unknown := set(cameras) - {camera.name for camera in config.cameras}:
+        parser.error(f"inc1 has no camera {', '.join(sorted(unknown))}")
     head = f"{'receiver and camera':36}{'pictures':>9}{'per s':>7}{'lost':>6}{'said':>6}"
     print(f"{head}{'median ms':>11}{'95 %':>8}{'robot time':>12}")
     for size in options.sizes.split(","):
@@ -180,17 +187,19 @@ def main() -> None:
             if name != "jauspy" and shutil.which(name) is None:
                 print(f"{name:36} is not installed")
                 continue
-            _measure(name, config, VideoSettings(width, height, options.rate), options.seconds)
+            _measure(name, config, cameras, VideoSettings(width, height, options.rate), options.seconds)
 
 
 def _receiving(name: str, folder: Path, settings: VideoSettings, seen: Seen) -> AbstractContextManager[int]:
     return foreign(name, folder, settings, seen) if name in PLAYERS else own(seen)
 
 
-def _measure(name: str, config: RobotConfig, settings: VideoSettings, seconds: float) -> None:
-    seen = {camera.name: Seen() for camera in config.cameras}
+def _measure(name: str, config: RobotConfig, cameras: Sequence[str], settings: VideoSettings, seconds: float) -> None:
+    seen = {camera: Seen() for camera in cameras}
     with TemporaryDirectory() as folder, ExitStack() as stack:
-        ports = [stack.enter_context(_receiving(name, Path(folder), settings, each)) for each in seen.values()]
+        ports = {
+            camera: stack.enter_context(_receiving(name, Path(folder), settings, each)) for camera, each in seen.items()
+        }
         factor, how = asyncio.run(film(config, ports, settings, seconds))
     for camera, each in seen.items():
         title = f"{name}, {camera}, {settings.width}x{settings.height}"
