@@ -65,6 +65,15 @@ class VectorDriver(Driver):
         self.vehicle.pilot.follow(self, course)
         self._vector = vector
 
+    def drive_along_course(self, msg: SetGlobalVectorExt | SetLocalVectorExt) -> bool:
+        """Follow the vector of a wide form; False, and counted, for a speed that is not one over ground."""
+        speed = self.usable_speed(msg)
+        if speed is None:
+            return False
+        heading = msg.course if msg.heading is None else msg.heading
+        self.drive_along(CommandedVector(speed, heading, msg.roll, msg.pitch))
+        return True
+
     def on_preempted(self) -> None:
         """The reported speed becomes zero."""
         self._vector = replace(self._vector, speed=0.0)
@@ -104,10 +113,7 @@ class GlobalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:GlobalVectorDr
 
     def set_global_vector_ext(self, msg: SetGlobalVectorExt) -> None:
         """As `set_global_vector`; ignored, and counted, for a speed that is not one over ground."""
-        speed = self.usable_speed(msg)
-        if speed is not None:
-            heading = msg.course if msg.heading is None else msg.heading
-            self.drive_along(CommandedVector(speed, heading, msg.roll, msg.pitch))
+        if self.drive_along_course(msg):
             self._altitude, self._z, self._course = None, msg.z_position, msg.course
 
     def report_global_vector(self) -> ReportGlobalVector:
@@ -158,10 +164,7 @@ class LocalVectorDriver(VectorDriver, urn="urn:jaus:jss:mobility:LocalVectorDriv
 
     def set_local_vector_ext(self, msg: SetLocalVectorExt) -> None:
         """As `set_local_vector`; ignored, and counted, for a speed that is not one over ground."""
-        speed = self.usable_speed(msg)
-        if speed is not None:
-            heading = msg.course if msg.heading is None else msg.heading
-            self.drive_along(CommandedVector(speed, heading, msg.roll, msg.pitch))
+        if self.drive_along_course(msg):
             self._z, self._course = msg.z_position, msg.course
 
     def report_local_vector(self) -> ReportLocalVector:
