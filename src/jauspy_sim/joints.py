@@ -124,6 +124,27 @@ def _set_initial_positions(
             data.qpos[model.joint(f"{prefix}{joint.name}").qposadr[0]] = joint.position(start)
 
 
+class FloatingBase:
+    """The root link of a robot that drives: the free joint `base`, its name after `prefix`."""
+
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
+        joint = model.joint(f"{prefix}base")
+        position, self.dof = int(joint.qposadr[0]), int(joint.dofadr[0])
+        self._qpos, self._qvel = view(data.qpos[position : position + 7]), view(data.qvel[self.dof : self.dof + 6])
+
+    def pose(self) -> Pose:
+        """In the world."""
+        x, y, z, *quaternion = self._qpos.tolist()
+        return Pose(x, y, z, *roll_pitch_yaw(*quaternion))
+
+    def twist(self) -> Twist:
+        """In its own frame."""
+        x, y, z, *rates = self._qvel.tolist()  # of a free joint: the velocity in the world's frame, rates in its own
+        w, a, b, c = self._qpos[3:]
+        tx, ty, tz = 2.0 * (b * z - c * y), 2.0 * (c * x - a * z), 2.0 * (a * y - b * x)
+        return Twist(x - w * tx + b * tz - c * ty, y - w * ty + c * tx - a * tz, z - w * tz + a * ty - b * tx, *rates)
+
+
 def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float, float]:
     """Fixed-axis angles (REP-103) of a unit quaternion, radians."""
     roll = math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
@@ -140,11 +161,10 @@ class TrackedDrive(SkidSteerDrive):
         self._model = model
         self._data = data
         self._qpos, self._qvel = view(data.qpos), view(data.qvel)
-        base = model.joint(f"{prefix}base")
-        self._base_position = slice(base.qposadr[0], base.qposadr[0] + 7)
-        self._base_velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
+        base = FloatingBase(model, data, prefix)
+        self._pose, self._twist = base.pose, base.twist
         names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
-        self._belts = Belts(model, data, int(base.dofadr[0]), names)
+        self._belts = Belts(model, data, base.dof, names)
         self._run = view(data.userdata)
         positions = [int(model.joint(name).qposadr[0]) for name in names]
         self._driven_positions = list(enumerate((positions[0], positions[len(tracks.left)])))
@@ -177,16 +197,11 @@ class TrackedDrive(SkidSteerDrive):
 
     def pose(self) -> Pose:
         """Pose of `base_link` in the world."""
-        x, y, z, *quaternion = self._data.qpos[self._base_position].tolist()
-        return Pose(x, y, z, *roll_pitch_yaw(*quaternion))
+        return self._pose()
 
     def twist(self) -> Twist:
         """Velocity of `base_link` in its own frame."""
-        velocity = self._data.qvel[self._base_velocity]
-        rotation = np.empty(9)
-        mujoco.mju_quat2Mat(rotation, self._data.qpos[self._base_position][3:])
-        linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
-        return Twist(*linear.tolist(), *velocity[3:].tolist())
+        return self._twist()
 
     def track_speeds(self) -> tuple[float, float]:
         """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""

@@ -81,14 +81,11 @@ def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueS
     """The sensor of that robot, with normally distributed errors."""
     random = np.random.default_rng(setup.seed)
     force, torque = (data.sensor(f"{prefix}{setup.name}_{kind}").data for kind in ("force", "torque"))
+    deviations = np.repeat((setup.force_noise, setup.torque_noise), 3)
 
     def measure() -> tuple[Vector, Vector]:
-        return _noisy(force, setup.force_noise, random), _noisy(torque, setup.torque_noise, random)
+        u, v, w, a, b, c = (deviations * random.standard_normal(6)).tolist()
+        (x, y, z), (p, q, r) = force.tolist(), torque.tolist()  # the action of the carrier on the link
+        return (u - x, v - y, w - z), (a - p, b - q, c - r)
 
     return SampledForceTorque(setup, measure)
-
-
-def _noisy(held: NDArray[np.float64], deviation: float, random: np.random.Generator) -> Vector:
-    """The negated measurement with noise: MuJoCo reports the action of the carrier on the link."""
-    x, y, z = (random.normal(0.0, deviation, 3) - held).tolist()
-    return x, y, z

@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import mujoco
-import numpy as np
 
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.wheels import WheelDrive, WheelKind, WheelSetup
 from jauspy_sim.assembly import view
-from jauspy_sim.joints import roll_pitch_yaw
+from jauspy_sim.joints import FloatingBase
 
 
 class SimulatedWheels(WheelDrive):
@@ -20,9 +19,8 @@ class SimulatedWheels(WheelDrive):
         super().__init__(wheels)
         self._model, self._data = model, data
         self._qpos = view(data.qpos)
-        base = model.joint(f"{prefix}base")
-        self._position = slice(base.qposadr[0], base.qposadr[0] + 7)
-        self._velocity = slice(base.dofadr[0], base.dofadr[0] + 6)
+        base = FloatingBase(model, data, prefix)
+        self._pose, self._twist = base.pose, base.twist
         names = [f"{prefix}{wheel.joint.name}" for wheel in wheels.wheels]
         self._dofs = [int(model.joint(name).dofadr[0]) for name in names]
         self._motors = [int(model.actuator(name).id) for name in names]
@@ -56,16 +54,11 @@ class SimulatedWheels(WheelDrive):
 
     def pose(self) -> Pose:
         """Pose of the root link in the world."""
-        x, y, z, *quaternion = self._data.qpos[self._position].tolist()
-        return Pose(x, y, z, *roll_pitch_yaw(*quaternion))
+        return self._pose()
 
     def twist(self) -> Twist:
         """Velocity of the root link in its own frame."""
-        velocity = self._data.qvel[self._velocity]
-        rotation = np.empty(9)
-        mujoco.mju_quat2Mat(rotation, self._data.qpos[self._position][3:])
-        linear = velocity[:3] @ rotation.reshape(3, 3)  # a free joint's linear velocity is in the world's frame
-        return Twist(*linear.tolist(), *velocity[3:].tolist())
+        return self._twist()
 
     def step(self, dt: float) -> None:
         """Turn the steering towards its target, and reset the rollers; after each `dt` seconds of physics."""

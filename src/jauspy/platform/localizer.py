@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
-from typing import Final, Protocol, TypeAlias
+from typing import Final, NamedTuple, Protocol, TypeAlias
 
 from jauspy.geometry.poses import UNACCELERATED, Acceleration, Pose, Twist
 from jauspy.geometry.vectors import Quaternion, Vector, add, difference, dot, scaled
@@ -120,10 +120,13 @@ class Localizer(Localization):
         self._height_rms = 0.0
         self._globe = _Globe(setup.gnss, setup.seed, drive, pose.yaw, errors) if setup.gnss is not None else None
         self._sampling.is_due(0.0)
-        self._state = self._estimate(Travel(0.0, 0.0, 0.0), UNACCELERATED, 1.0 / self._imu_setup.rate)
+        self._state: LocalizationState | None = None
+        self._last = _Measured(Travel(0.0, 0.0, 0.0), UNACCELERATED, 1.0 / self._imu_setup.rate)
 
     def state(self) -> LocalizationState:
         """The estimate after the last measurement."""
+        if self._state is None:
+            self._state = self._estimate(self._last)
         return self._state
 
     def declare(self, position_rms: float | None, heading_rms: float | None) -> None:
@@ -134,8 +137,7 @@ class Localizer(Localization):
             self._height_rms = position_rms / math.sqrt(3.0)
         if heading_rms is not None:
             self._local.declare((YAW,), heading_rms)
-        here = PoseEstimate(self._state.local.pose, *self._errors(self._local))
-        self._state = replace(self._state, local=here, globe=self._state.globe if self._globe else here)
+        self._state = None
 
     def step(self, now: float) -> None:
         """The robot's time is `now`, in seconds; never earlier than in the call before."""
@@ -177,8 +179,8 @@ class Localizer(Localization):
             travel = replace(travel, left=travel.left - self._turning.point * rates[2] * dt)
         self._advance(travel, before)
         self._moved.add(self._angles[2], travel, measured if at_rest else None, dt)
-        acceleration = Acceleration(*linear, *angular)
-        self._state = self._estimate(travel, acceleration, dt)
+        self._last = _Measured(travel, Acceleration(*linear, *angular), dt)
+        self._state = None  # it is estimated when somebody wants it
 
     def _stands(self, travel: Travel, rates: Vector) -> bool:
         counts = max(abs(travel.forward), abs(travel.left)) / self._resolution
@@ -226,7 +228,8 @@ class Localizer(Localization):
     def _errors(self, local: PoseFilter) -> tuple[float, float, float]:
         return local.horizontal_rms, self._height_rms, math.hypot(self._tilt_rms, self._tilt_rms, local.yaw_rms)
 
-    def _estimate(self, travel: Travel, acceleration: Acceleration, dt: float) -> LocalizationState:
+    def _estimate(self, measured: _Measured) -> LocalizationState:
+        travel, acceleration, dt = measured
         roll, pitch, yaw = self._angles
         setup, local = self._imu_setup, self._local
         pose = Pose(self._x, self._y, self._z, roll, pitch, yaw)
@@ -250,6 +253,14 @@ _NO_IMU: Final = ImuSetup(
     rate=RATE, gyro_noise=0.0, gyro_scale_error=TURN_ERROR, acceleration_bias=GRAVITY * math.radians(3.0)
 )
 """What is known of the attitude without one."""
+
+
+class _Measured(NamedTuple):
+    """The last measurements, of `dt` seconds."""
+
+    travel: Travel
+    acceleration: Acceleration
+    dt: float
 
 
 class _Moved:
