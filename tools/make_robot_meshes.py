@@ -12,6 +12,7 @@ from __future__ import annotations
 
 import argparse
 from pathlib import Path
+from string import digits
 
 import numpy as np
 
@@ -93,8 +94,15 @@ def obj(mesh: Mesh) -> str:
     return "\n".join(lines) + "\n"
 
 
+def _mesh(link: str, part: str) -> str:
+    return f"{link}_{part.rstrip(digits)}"
+
+
 def running(link: str, name: str, part: Running, scale: str) -> list[str]:
-    """The lines of visuals that move with a belt; `jauspy_sim/treads.py` reads their attributes."""
+    """The lines of visuals that move with a belt; `jauspy_sim/treads.py` reads their attributes.
+
+    Parts whose names differ by a number at the end have the same meshes.
+    """
     attributes = {
         "pitch": f"{part.pitch:.5g}" if part.pitch else "",
         "radius": f"{part.radius:.5g}" if part.radius else "",
@@ -102,8 +110,9 @@ def running(link: str, name: str, part: Running, scale: str) -> list[str]:
     }
     given = "".join(f' belt_{key}="{value}"' for key, value in attributes.items() if value)
     origin = " ".join(f"{each:.5g}" for each in part.origin)
+    mesh = _mesh(link, name)
     return [
-        f'    <visual{given}><origin xyz="{origin}"/><geometry><mesh filename="meshes/{link}_{name}.{material}.obj" '
+        f'    <visual{given}><origin xyz="{origin}"/><geometry><mesh filename="meshes/{mesh}.{material}.obj" '
         f'scale="{scale}"/></geometry><material name="{material}"/></visual>'
         for material in part.look
     ]
@@ -134,7 +143,9 @@ def main() -> None:
     for old in (folder / "meshes").glob("*.obj"):
         old.unlink()
     sizes = []
-    parts = {f"{link}_{name}": part.look for link, found in belts.items() for name, part in found.items()}
+    parts = {
+        f"{link}_{name.rstrip(digits)}": part.look for link, found in belts.items() for name, part in found.items()
+    }
     for link, look in {**made, **parts}.items():
         for material, mesh in look.items():
             file = folder / "meshes" / f"{link}.{material}.obj"

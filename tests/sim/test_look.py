@@ -143,7 +143,9 @@ def test_treads_run_as_far_as_the_robot_drives() -> None:
         np.arccos((np.trace(b.reshape(3, 3) @ a.reshape(3, 3).T) - 1.0) / 2.0)
         for a, b in zip(attitudes[wheels], data.geom_xmat[wheels], strict=True)
     ]
-    assert turned == pytest.approx([0.009 / 0.093] * len(turned), rel=1e-3)
+    radii = user[wheels, 3]
+    assert turned == pytest.approx(0.009 / radii, rel=1e-3)
+    assert sorted(set(radii)) == pytest.approx([0.03, 0.093])  # road wheels; sprockets and idlers
     again = data.geom_xpos.copy()
     data.userdata[:] += drawn.geom_user[np.flatnonzero(straight)[0], 2]  # treads look alike
     mujoco.mj_kinematics(drawn, data)

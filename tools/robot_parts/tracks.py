@@ -254,7 +254,7 @@ def idler(radius: float, width: float) -> Look:
 
 
 def road_wheel(width: float) -> Look:
-    """A small wheel on the flat part."""
+    """A small wheel on the flat part, without its bolts."""
     r, top = ROAD_WHEEL, width / 2.0 - 0.016
     tyre = lathe(
         [(r - 0.007, -top), (r - 0.002, -top), (r, -top + 0.003), (r, top - 0.003), (r - 0.002, top), (r - 0.007, top)],
@@ -270,7 +270,19 @@ def road_wheel(width: float) -> Look:
         ],
         20,
     )
-    return {"rubber": tyre, "steel": hub, "black": hexagons(5, 0.0145, top - 0.006, 0.0022, 0.002)}
+    return {"rubber": tyre, "steel": hub}
+
+
+def road_wheel_bolts(width: float) -> Look:
+    """Those of a road wheel, of which nothing else is seen to turn."""
+    return {"black": hexagons(5, 0.0145, width / 2.0 - 0.022, 0.0022, 0.002)}
+
+
+def road_wheels(size: Dimensions) -> list[tuple[float, float, float]]:
+    """Middles of the road wheels of the left track, in the frame of its link."""
+    radius = size.idler_radius - TREAD - BELT
+    far = size.idler_x - radius - ROAD_WHEEL - 0.008
+    return [(float(x), 0.0, size.idler_z - radius + ROAD_WHEEL) for x in np.linspace(-far, far, 4)]
 
 
 def merge(*looks: Look) -> Look:
@@ -290,18 +302,25 @@ def track(size: Dimensions) -> dict[str, Running]:
     radius = size.idler_radius - TREAD - BELT
     driven = moved(sprocket(radius, width), -size.idler_x, 0.0, size.idler_z, OUTWARD)
     front = moved(idler(radius, width), size.idler_x, 0.0, size.idler_z, OUTWARD)
-    return {**treads(loop, width), "sprocket": loop.running(3, driven), "idler": loop.running(1, front)}
+    bolts = moved(road_wheel_bolts(width), turn=OUTWARD)
+    return {
+        **treads(loop, width),
+        "sprocket": loop.running(3, driven),
+        "idler": loop.running(1, front),
+        **{
+            f"road_wheel{number}": Running(bolts, middle, 0.0, ROAD_WHEEL)
+            for number, middle in enumerate(road_wheels(size))
+        },
+    }
 
 
 def running_gear(size: Dimensions) -> Look:
     """The small wheels inside the left track, in the frame of its link."""
     radius = size.idler_radius - TREAD - BELT
-    below = size.idler_z - radius
-    xs = np.linspace(-size.idler_x + radius + ROAD_WHEEL + 0.008, size.idler_x - radius - ROAD_WHEEL - 0.008, 4)
     rollers = pin(-size.belt_width / 2.0 + 0.018, size.belt_width / 2.0 - 0.018, 0.014, 16)
     high = size.idler_z + radius - 0.014
     return merge(
-        *(moved(road_wheel(size.belt_width), float(x), 0.0, below + ROAD_WHEEL, OUTWARD) for x in xs),
+        *(moved(road_wheel(size.belt_width), *middle, OUTWARD) for middle in road_wheels(size)),
         *(moved({"rubber": rollers}, x, 0.0, high, OUTWARD) for x in (-0.085, 0.085)),
     )
 
