@@ -26,7 +26,7 @@ from playwright.sync_api import Error, Page, ViewportSize, sync_playwright
 MAX_BYTES: Final = 250_000
 SIZES: Final = {"1440x900": (1440, 900), "1024x768": (1024, 768)}
 SCHEMES: Final = ("light", "dark")
-PANELS: Final = ("video", "world", "trajectory", "plots", "log")
+PANELS: Final = ("trajectory", "plots", "log", "world", "video")
 CELL: Final = "cell"
 """The World of the factory cell, while its arm is assembled."""
 SOFTWARE_GL: Final = ("--use-angle=swiftshader", "--enable-unsafe-swiftshader")
@@ -50,11 +50,8 @@ def console(robot: str, backend: str, root: str) -> Iterator[str]:
 
 
 def prepare(page: Page) -> None:
-    """Wait for the video, add plots, drive a curve, so that there is something to see."""
+    """Add plots, drive a curve, so that there is something to see."""
     page.get_by_text("101 inc1").first.wait_for()
-    page.wait_for_function(
-        "[...document.querySelectorAll('canvas[data-component]')].filter(each => each.dataset.pictures > 3).length > 2"
-    )
     page.get_by_role("tab", name="Plots").click()
     add_traces(page, "LocalPose", ("x", "y", "yaw"))
     page.get_by_role("button", name="take", exact=True).click()
@@ -82,8 +79,13 @@ def add_traces(page: Page, message: str, fields: tuple[str, ...]) -> None:
 
 
 def show(page: Page, panel: str) -> None:
-    """Open a tab; in the log, open a message; make a trajectory; in the world, drive to waypoints."""
+    """Open a tab; wait for the video; in the log, open a message; make a trajectory; drive to waypoints."""
     page.get_by_role("tab", name=panel, exact=False).click()
+    if panel == "video":
+        page.wait_for_function(
+            "[...document.querySelectorAll('canvas[data-component]')].filter(each => each.dataset.pictures > 3)"
+            ".length > 2"
+        )
     if panel == "world":
         page.wait_for_function("document.getElementById('world-3d').dataset.pictures > 5")
         page.wait_for_function("jauspy.world.pose && jauspy.map.toScreen(jauspy.world.pose)")
