@@ -47,7 +47,9 @@ ROTOR_INERTIA: Final = 1.0 / ROTOR_ACCELERATION
 """Armature of a joint as a fraction of its maximal effort: the reflected inertia of geared rotors."""
 
 BELT_PRIORITY: Final = 1
-"""Contact priority of belts: their friction replaces that of the ground, unless its priority is higher."""
+"""Contact priority of belts, wheels and slippery links: their friction replaces that of a plain ground."""
+PLAIN_FRICTION: Final = 1.0
+"""Coefficient of shapes for which none is given, in MuJoCo and in Gazebo."""
 
 
 def prefix(robot: str) -> str:
@@ -110,7 +112,7 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
 
 
 def _make_slippery(model: mujoco.MjModel) -> None:
-    """Belts have the friction of a ground that has less than they: ice, mud, a smooth wall."""
+    """Belts and wheels have the friction of a ground that has less than they: ice, mud, a smooth wall."""
     belts = model.geom_priority == BELT_PRIORITY
     if belts.any():
         fixed = model.body_weldid[model.geom_bodyid] == 0
@@ -154,6 +156,10 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
     if robot.wheels is not None:
         spec.body(body_name(robot.description.root())).add_freejoint(name="base")
         add_wheels(spec, robot.wheels, TIMESTEP)
+        rolling = {wheel.joint.name for wheel in robot.wheels.wheels} | _rolling_freely(robot)
+        for name in rolling:
+            for geom in spec.body(body_name(robot.description.joint(name).child)).geoms:
+                geom.priority = BELT_PRIORITY
     for link, coefficient in robot.description.friction.items():
         _set_friction(spec, link, coefficient)
     for camera in robot.cameras:
@@ -231,8 +237,11 @@ def _belt_motor(spec: mujoco.MjSpec, joint: Joint) -> None:
 
 
 def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
+    """Also of a sliding caster, which many descriptions give no friction."""
     for geom in spec.body(body_name(link)).geoms:
         geom.friction = (coefficient, *geom.friction[1:])
+        if coefficient < PLAIN_FRICTION:
+            geom.priority = BELT_PRIORITY
 
 
 def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:

@@ -50,7 +50,8 @@ def checked_inertia(moments: tuple[float, ...], mass: float, where: str) -> NDAr
     if least <= 0.0:
         logger.warning("%s: no body has this inertia: a principal moment is %.3g; mended", where, least)
         mended: NDArray[np.float64] = np.diag(np.maximum(np.diag(tensor), max(1e-9, 0.01 * most)))
-        return mended
+        least, middle, most = np.linalg.eigvalsh(mended)
+        return mended if least + middle >= most else np.eye(3) * (least + middle + most) / 3.0
     if least + middle < most * (1.0 - 1e-6):
         logger.warning(
             "%s: no body has this inertia: %.3g + %.3g is less than %.3g; balanced", where, least, middle, most

@@ -11,6 +11,7 @@ from typing import Final
 import mujoco
 import numpy as np
 
+from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import RobotDescription
 from jauspy_sim.urdf import body_name
 
@@ -43,7 +44,10 @@ def depth_below_base(spec: mujoco.MjSpec, description: RobotDescription, start: 
 def _posed(
     spec: mujoco.MjSpec, description: RobotDescription, start: Mapping[str, float]
 ) -> tuple[mujoco.MjModel, mujoco.MjData]:
-    model = spec.copy().compile()
+    try:
+        model = spec.copy().compile()
+    except ValueError as error:
+        raise ConfigError(f"MuJoCo cannot simulate {description.name}: {' '.join(str(error).split())}") from error
     data = mujoco.MjData(model)
     for joint in description.joints.values():
         if (joint.mimics or joint.name) in start:

@@ -70,6 +70,27 @@ def test_wheels_groups_limits_and_sensors_are_found(written: Path) -> None:
     assert "# guesses" in written.read_text()
 
 
+def test_joints_without_limits_belong_to_the_arm_and_casters_to_none(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    urdf = rover()
+    for number in (1, 3):
+        urdf = urdf.replace(f'name="joint_{number}" type="revolute"', f'name="joint_{number}" type="continuous"')
+    swivel = '<origin xyz="-.3 0 0"/><axis xyz="0 0 1"/>'
+    parts = [LINK.format("swivel", 0.1, ""), joint("swivel_joint", "continuous", "body", "swivel", swivel)]
+    parts += [LINK.format("roll", 1, BOX), joint("roll_joint", "continuous", "finger", "roll", '<axis xyz="1 0 0"/>')]
+    monkeypatch.chdir(tmp_path)
+    Path("rover.urdf").write_text(urdf.replace("</robot>", "".join(parts) + "</robot>"))
+    done = CliRunner().invoke(app, ["new", "robot", "rover.urdf"])
+    assert done.exit_code == 0, done.output
+    data = tomllib.loads(Path("rover.toml").read_text())
+    arm = [each["name"] for each in data["groups"]["arm"]["joints"]]
+    assert arm[:2] == ["joint_1", "joint_2"]
+    assert "roll_joint" in {each["name"] for group in data["groups"].values() for each in group["joints"]}
+    assert "swivel_joint" not in Path("rover.toml").read_text()
+    assert robot_files.robot_model(robot_files.load(Path("rover.toml"))).wheels is not None
+
+
 def test_the_robot_moves(written: Path) -> None:
     pytest.importorskip("mujoco")
     from jauspy_sim.robot import SimulatedRobot

@@ -6,6 +6,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.modules.robot_files import known, load, robot_model
+from jauspy.modules.xacro_files import expand
 
 
 @pytest.mark.parametrize("name", known())
@@ -76,3 +77,27 @@ def test_consequential_errors_are_not_reported(tmp_path: Path) -> None:
         load(path)
     assert "groups.flippers.joints[0].position.p = -1" in str(caught.value)
     assert "at least 1 item" not in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("lines", "said"),
+    [
+        ("<xacro:nobody/>", r"a\.xacro:2: unknown macro name: xacro:nobody"),
+        ('<link name="${1 +}"/>', r"a\.xacro:2: '1 \+' is not an expression"),
+        (
+            '<xacro:macro name="m" params="n">\n<link name="${n + gone}"/></xacro:macro>\n<xacro:m n="1"/>',
+            r"a\.xacro:3: ",
+        ),
+        ('<xacro:include filename="gone.xacro"/>', r"a\.xacro:2: .*gone\.xacro: cannot be read"),
+        ('<xacro:include filename="a.xacro"/>', r"a\.xacro:2: includes or macros contain themselves"),
+        ('<xacro:include filename="b.xacro"/>', r"a\.xacro:2: .*b\.xacro:3: not XML: mismatched tag"),
+        ("<link>", r"a\.xacro:3: not XML: mismatched tag"),
+    ],
+)
+def test_mistakes_in_xacro_name_file_and_line(tmp_path: Path, lines: str, said: str) -> None:
+    text = f'<robot name="a" xmlns:xacro="http://www.ros.org/wiki/xacro">\n{lines}\n</robot>'
+    (tmp_path / "a.xacro").write_text(text)
+    (tmp_path / "b.xacro").write_text("<robot>\n<link>\n</robot>")
+    with pytest.raises(ConfigError, match=said) as caught:
+        expand(str(tmp_path / "a.xacro"), with_places=True)
+    assert "\n" not in str(caught.value)

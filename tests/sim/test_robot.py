@@ -1,5 +1,6 @@
 """The MuJoCo robot in its worlds."""
 
+import contextlib
 import logging
 import math
 from pathlib import Path
@@ -18,6 +19,11 @@ from jauspy_sim.robot import SimulatedRobot
 from jauspy_sim.world_files import known_worlds
 
 INC1 = robot_model(load("inc1"))
+
+GROUND = '<mujoco><worldbody><geom type="plane" size="50 50 1" friction="{} .005 .0001"/></worldbody></mujoco>'
+CARRIED = """<link name="{}"><inertial><mass value="{}"/><inertia ixx=".1" iyy=".1" izz=".1" ixy="0" ixz="0" iyz="0"/>
+</inertial><collision><geometry>{}</geometry></collision></link>"""
+AT = "<origin xyz='{} {} 0'/><parent link='body'/><child link='{}'/>"
 
 
 @pytest.fixture
@@ -128,3 +134,31 @@ def test_warnings_are_logged_and_no_file_is_left(
         robot.advance(TIMESTEP)
     assert "QPOS" in caplog.text.upper()
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("friction", [1.0, 0.05])
+def test_wheels_slip_on_ice(tmp_path: Path, friction: float) -> None:
+    (tmp_path / "ground.xml").write_text(GROUND.format(friction))
+    with contextlib.closing(SimulatedRobot.open(robot_model(load("rover")), str(tmp_path / "ground.xml"))) as robot:
+        robot.drive.set_effort(1.0, 0.0)
+        robot.advance(1.0)
+        assert (robot.drive.twist().vx < 0.05 * 9.81 * 1.2) is (friction < 0.1)
+
+
+@pytest.mark.parametrize("given", ["", '<gazebo reference="ball"><mu1>0</mu1></gazebo>'])
+def test_a_caster_without_friction_slides(tmp_path: Path, given: str) -> None:
+    parts = [CARRIED.format("body", 20, "<box size='.4 .3 .1'/>"), CARRIED.format("ball", 1, "<sphere radius='.1'/>")]
+    parts.append(f"<joint name='b' type='fixed'>{AT.format(-0.2, 0, 'ball')}</joint>")
+    for side, y in (("left", 0.2), ("right", -0.2)):
+        parts.append(CARRIED.format(side, 1, "<sphere radius='.1'/>"))
+        limit = "<axis xyz='0 1 0'/><limit effort='4' velocity='10'/>"
+        parts.append(f"<joint name='{side}' type='continuous'>{AT.format(0.02, y, side)}{limit}</joint>")
+    (tmp_path / "it.urdf").write_text(f"<robot name='it'>{''.join(parts)}{given}</robot>")
+    (tmp_path / "it.toml").write_text(
+        'name = "it"\nurdf = "it.urdf"\nsubsystem = 9\nnode = 1\n[[modules]]\ntype = "CM-MOB"\ncomponent = 102\n'
+        '[wheels]\ntype = "skid_steer"\nleft = ["left"]\nright = ["right"]\n'
+    )
+    with contextlib.closing(SimulatedRobot.open(robot_model(load(tmp_path / "it.toml")), "empty")) as robot:
+        robot.drive.set_effort(0.5, 0.0)
+        robot.advance(1.5)
+        assert (robot.drive.pose().x > 0.3) is bool(given)

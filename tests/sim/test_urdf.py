@@ -153,7 +153,7 @@ def test_mistakes_are_one_sentence_with_file_line_and_key(tmp_path: Path, old: s
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("inertia", [(5.0, 1.0, 1.0), (0.0, 0.0, 0.0), (1.0, 1.0, 0.0)])
+@pytest.mark.parametrize("inertia", [(5.0, 1.0, 1.0), (0.0, 0.0, 0.0), (1.0, 1.0, 0.0), (1.0, 0.0, 0.0)])
 def test_an_inertia_that_no_body_has_is_mended(
     tmp_path: Path, inertia: tuple[float, ...], caplog: pytest.LogCaptureFixture
 ) -> None:

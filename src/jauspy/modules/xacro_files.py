@@ -17,7 +17,8 @@ from io import StringIO
 from itertools import count, pairwise
 from pathlib import Path
 from typing import Any, Final, NoReturn
-from xml.dom import expatbuilder
+from xml.dom import expatbuilder, minidom
+from xml.parsers.expat import ErrorString, ExpatError
 
 import xacro
 
@@ -127,7 +128,22 @@ def expand(
         return str(module.process_file(path, mappings=dict(arguments or {})).toxml())
     except Exception as error:  # xacro leaves it to Python to find some mistakes
         reason = printable(" ".join(str(error).split())) or type(error).__name__
-        raise ConfigError(f"urdf: {path}: xacro cannot expand it: {reason}") from error
+        if isinstance(error, RecursionError):
+            reason = "includes or macros contain themselves"
+        place = _failed_at(error)
+        raise ConfigError(f"urdf: {path}: xacro cannot expand it: {place}{reason}") from error
+
+
+def _failed_at(error: Exception) -> str:
+    """The place of the element that xacro was expanding, as `arm.xacro:12: `; empty if there is none."""
+    place, trace = "", error.__traceback__
+    while trace is not None:
+        for variable in ("node", "elt"):  # xacro's names of it
+            element = trace.tb_frame.f_locals.get(variable)
+            if isinstance(element, minidom.Element):
+                place = element.getUserData(PLACE) or place
+        trace = trace.tb_next
+    return place and f"{place}: "
 
 
 def _copy_of_xacro(path: Path, packages: PackagePaths) -> Any:
@@ -191,11 +207,23 @@ def _parse(parse: Callable[..., Any], text: Any, filename: str | None = None) ->
     if text is not None or filename is None:
         return parse(text, filename)
     builder = _PlacedElements(Path(filename).name)
-    return builder.parseString(read_file(Path(filename)))
+    try:
+        return builder.parseString(read_file(Path(filename)))
+    except ExpatError as error:
+        raise ExpressionError(f"{printable(filename)}:{error.lineno}: not XML: {ErrorString(error.code)}") from error
+
+
+class _CopiesPlace:
+    """Gives the copies of elements that macros make the place of the element."""
+
+    def handle(self, operation: int, key: str, data: Any, src: minidom.Node, dst: minidom.Node) -> None:
+        """Called by xml.dom for a copy, `dst`."""
+        del operation, src
+        dst.setUserData(key, data, self)
 
 
 class _PlacedElements(expatbuilder.ExpatBuilderNS):
-    """Makes documents whose elements, except those of xacro, have the attribute `PLACE`."""
+    """Makes documents whose elements have `PLACE` as user data, and those that are not xacro's also as attribute."""
 
     def __init__(self, name: str) -> None:
         super().__init__()
@@ -205,8 +233,10 @@ class _PlacedElements(expatbuilder.ExpatBuilderNS):
         """Called by the parser at each start of an element."""
         super().start_element_handler(name, attributes)
         element: Any = self.curNode
+        place = f"{self._name}:{self.getParser().CurrentLineNumber}"
+        element.setUserData(PLACE, place, _CopiesPlace())
         if ":" not in element.tagName:
-            element.setAttribute(PLACE, f"{self._name}:{self.getParser().CurrentLineNumber}")
+            element.setAttribute(PLACE, place)
 
 
 def _counted(handle_macro_call: Callable[..., object]) -> Callable[..., object]:

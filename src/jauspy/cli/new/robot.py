@@ -63,10 +63,9 @@ def first_file(description: RobotDescription, urdf: str, subsystem: int, extra: 
     """The text of a TOML file; `urdf` is the path to be written, `extra` has further keys such as `package_path`."""
     wheels = _wheels(description)
     rolling = {*wheels.left, *wheels.right} if wheels else set()
-    used = rolling | {
-        joint.name for joint in description.joints.values() if joint.kind is JointKind.CONTINUOUS and wheels
-    }
-    chains = _chains(description, used)
+    arms = _arm_joints(description)
+    casters = {joint.name for joint in description.joints.values() if joint.kind is JointKind.CONTINUOUS} - arms
+    chains = _chains(description, rolling | casters if wheels else rolling)
     masses = _Masses(description)
     limits: dict[str, dict[str, float]] = {}
     for joint in description.joints.values():
@@ -160,12 +159,14 @@ def _missing_limits(joint: Joint, masses: _Masses, *, rolls: bool) -> dict[str, 
 def _wheels(description: RobotDescription) -> WheelJoints | None:
     """The wheels, if there are as many on the left as on the right."""
     frames = FrameTree(description).poses()
+    arms = _arm_joints(description)
     sides: dict[str, list[str]] = {"left": [], "right": []}
     heights = []
     for joint in description.joints.values():
         frame = frames[joint.child]
         level = abs(frame.rotate(joint.axis)[1]) > MIN_LEVEL
-        if joint.kind is JointKind.CONTINUOUS and joint.mimics is None and level and abs(frame.position[1]) > 0.01:
+        aside = level and abs(frame.position[1]) > 0.01
+        if joint.kind is JointKind.CONTINUOUS and joint.mimics is None and aside and joint.name not in arms:
             sides["left" if frame.position[1] > 0.0 else "right"].append(joint.name)
             heights.append(frame.position[2])
     if not sides["left"] or len(sides["left"]) != len(sides["right"]) or len(sides["left"]) > 8:
@@ -184,6 +185,27 @@ def _wheels(description: RobotDescription) -> WheelJoints | None:
             continue
         return replace(found, radius=radius)
     return None
+
+
+def _arm_joints(description: RobotDescription) -> set[str]:
+    """The continuous joints of arms and heads: they carry a joint with limits, or are carried by two."""
+    parents = {joint.child: joint for joint in description.joints.values()}
+    found: set[str] = set()
+    for joint in description.joints.values():
+        above, link = [], joint.parent
+        while link in parents:
+            above.append(parents[link])
+            link = parents[link].parent
+        guided = [each for each in above if _has_limits(each)]
+        if _has_limits(joint):
+            found |= {each.name for each in above if each.kind is JointKind.CONTINUOUS}
+        elif joint.kind is JointKind.CONTINUOUS and len(guided) > 1:
+            found.add(joint.name)
+    return found
+
+
+def _has_limits(joint: Joint) -> bool:
+    return joint.is_independent and joint.kind is not JointKind.CONTINUOUS and joint.lower < joint.upper
 
 
 def _chains(description: RobotDescription, used: Iterable[str]) -> list[Chain]:
