@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Final, NamedTuple
 
 import mujoco
+import numpy as np
 from PIL import Image
 
 from jauspy.modules.robot_files import load, robot_model
@@ -20,6 +21,10 @@ from jauspy_sim.assembly import build
 TARGET: Final = Path(__file__).parents[1] / "docs" / "assets"
 WIDTH: Final = 1280
 HEIGHT: Final = 720
+SHADOWS: Final = 8192
+"""Pixels of a side of the shadow map."""
+SHADOW_RADIUS: Final = 14.0
+"""Metres around the middle in which things cast shadows."""
 
 
 class View(NamedTuple):
@@ -53,6 +58,8 @@ def draw(world: str, folder: Path, count: int) -> None:
     model = build(robot, world)
     model.vis.global_.offwidth, model.vis.global_.offheight = WIDTH, HEIGHT
     model.vis.quality.offsamples = 8
+    model.vis.quality.shadowsize = SHADOWS
+    model.vis.map.shadowclip = SHADOW_RADIUS / model.stat.extent
     data = mujoco.MjData(model)
     for group in robot.groups.values():
         for joint, start in zip(group.joints, group.start, strict=True):
@@ -63,6 +70,9 @@ def draw(world: str, folder: Path, count: int) -> None:
             camera = mujoco.MjvCamera()
             camera.lookat[:], camera.distance, camera.azimuth, camera.elevation = view
             renderer.update_scene(data, camera)
+            for light in renderer.scene.lights[: renderer.scene.nlight]:
+                if light.castshadow:  # the shadow map is around the point below the light
+                    light.pos = np.array(view.at) - 20.0 * np.array(light.dir)
             name = f"world_{world}.jpg" if number == 1 else f"world_{world}_{number}.jpg"
             Image.fromarray(renderer.render()).save(folder / name, quality=84, optimize=True)
 

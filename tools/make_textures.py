@@ -89,13 +89,14 @@ def relief(height: Array, strength: float) -> Array:
 
 def asphalt() -> Array:
     """Stones in bitumen, worn and patched."""
-    first, second, which = cells(9000, 1)
+    count = 30000  # of about a centimetre
+    first, second, which = cells(count, 1)
     random = np.random.default_rng(2)
-    stones = random.normal(0.0, 1.0, 9000)[which]
-    bitumen = edge(second - first, 0.0, 2.2)
-    worn = noise(1.6, 3)
+    stones = random.normal(0.0, 1.0, count)[which]
+    bitumen = edge(second - first, 0.0, 1.3)
+    worn = noise(1.6, 3, low=5.0)  # what is larger would show that it repeats
     value = 0.315 + 0.035 * worn * 0.5 + bitumen * (0.05 * stones + 0.035) - 0.05 * (1.0 - bitumen)
-    bright = edge(random.uniform(size=9000)[which], 0.975, 0.01) * bitumen
+    bright = edge(random.uniform(size=count)[which], 0.975, 0.01) * bitumen
     value = value + 0.20 * bright
     return np.clip(tinted(value, (1.0, 0.995, 0.98)), 0.05, 0.9)
 
@@ -117,7 +118,7 @@ def grass() -> Array:
     big = SIZE
     picture = Image.new("RGB", (big, big), (58, 66, 34))
     draw = ImageDraw.Draw(picture)
-    patches = noise(1.8, 22)
+    patches = noise(1.8, 22, low=7.0)  # what is larger would show that it repeats
     for _ in range(22000):
         x, y = random.uniform(0, big, 2)
         angle, length = random.uniform(0, 2 * np.pi), random.uniform(5, 16)
@@ -384,7 +385,11 @@ SUN: Final = (-0.303, -0.505, 0.808)
 
 
 HAZE: Final = (0.80, 0.87, 0.92)
-"""The colour of the horizon and all below: that of `haze` in look.xml, in which the ground ends."""
+"""The colour of the sky at the horizon."""
+
+
+TREES: Final = (0.56, 0.64, 0.61)
+"""The colour of trees at the horizon, and of all below: that of `haze` in look.xml, in which the ground ends."""
 
 
 def sky() -> Array:
@@ -424,7 +429,9 @@ def sky_colour(direction: Array) -> Array:
     base = mixed(base, tinted(bright, (1.0, 1.0, 1.01)), 0.85 * cloud)
     near = np.clip(direction @ np.array(SUN), 0.0, 1.0)
     base = base + (0.30 * near**24 + 0.8 * near**900)[..., None] * np.array((1.0, 0.95, 0.84))
-    return np.clip(mixed(base, HAZE, edge(-z, -0.02, 0.02)), 0.0, 1.0)
+    around = np.arctan2(direction[..., 1], direction[..., 0]) / (2.0 * np.pi)
+    tops = 0.022 + 0.007 * noise(0.9, 172, size=1024, low=3.0)[0][np.floor(around * 1024).astype(int) % 1024]
+    return np.clip(mixed(base, TREES, edge(-z, -tops, 0.004)), 0.0, 1.0)
 
 
 # --- files -----------------------------------------------------------------------------------------------------------

@@ -8,7 +8,7 @@ from typing import Final
 import numpy as np
 
 from .scene import Part, Scene
-from .shapes import Vector, box, cylinder, lathe, picture, sheet, tube, wall, wall_pieces
+from .shapes import Vector, box, cylinder, foliage, lathe, picture, sheet, tube, wall, wall_pieces
 from .solids import block, solid, union
 
 ABOUT: Final = """
@@ -67,7 +67,8 @@ def house() -> Scene:
 
 def _outside(world: Part) -> None:
     world.see("grass_uv", sheet(40.0, 40.0, 4.0).at(4.0, 0.0, -0.012))
-    world.see("paving_uv", sheet(3.2, 1.5, 0.5).at(0.0, 0.0, 0.0), sheet(1.5, 8.0, 1.0).at(-2.2, 0.0, 0.0))
+    world.see("paving_uv", sheet(3.05, 1.5, 0.5).at(0.075, 0.0, 0.0), sheet(1.5, 8.0, 1.0).at(-2.2, 0.0, 0.0))
+    random = np.random.default_rng(3)
     for x, y in ((0.6, 1.25), (0.6, -1.25)):
         world.see(
             "clay",
@@ -81,7 +82,8 @@ def _outside(world: Part) -> None:
                 for a in np.arange(0.0, 6.0, 1.05)
             )
         )
-        world.see("leaves", solid(bush, (-0.35, -0.35, 0.3), (0.35, 0.35, 0.85), 0.06, 260).flat().at(x, y))
+        world.see("leaves", solid(bush, (-0.35, -0.35, 0.3), (0.35, 0.35, 0.85), 0.06, 260).at(x, y))
+        world.see("leaves", foliage(random, 260, 0.11).scaled(0.32, 0.32, 0.26).at(x, y, 0.55))
         world.cylinder(0.22, (x, y, 0.0), (x, y, 0.5))
 
 

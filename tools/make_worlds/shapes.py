@@ -238,6 +238,29 @@ def prism(outline: Sequence[Point], low: float, high: float) -> Mesh:
     return joined(parts)
 
 
+def foliage(random: np.random.Generator, count: int, size: float) -> Mesh:
+    """Leaves in the outer part of a ball of radius 1, diamonds of about `size`, which look outward."""
+    out = random.normal(size=(count, 3))
+    out /= np.linalg.norm(out, axis=1)[:, None]
+    middles = out * random.uniform(0.45, 1.0, count)[:, None] ** 0.5
+    facing = out + 0.45 * random.normal(size=(count, 3))
+    facing /= np.linalg.norm(facing, axis=1)[:, None]
+    along = np.cross(facing, random.normal(size=(count, 3)))
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    across, lengths = np.cross(facing, along), size * random.uniform(0.7, 1.3, (count, 1))
+    corners = [
+        middles - along * lengths,
+        middles - across * 0.6 * lengths,
+        middles + along * lengths,
+        middles + across * 0.6 * lengths,
+    ]
+    first = 4 * np.arange(count)
+    triangles = np.concatenate([np.stack([first, first + 2, first + 1], 1), np.stack([first, first + 3, first + 2], 1)])
+    made = Mesh(np.stack(corners, axis=1).reshape(-1, 3), triangles)
+    inward = np.einsum("ij,ij->i", normals(made), np.tile(facing, (2, 1))) < 0.0
+    return Mesh(made.vertices, np.where(inward[:, None], triangles[:, ::-1], triangles)).flat()
+
+
 def wall(length: float, height: float, thickness: float, holes: Sequence[tuple[float, float, float, float]]) -> Mesh:
     """A wall along x from the origin, its middle at y = 0, with rectangular holes (left, right, low, high)."""
     return joined(

@@ -10,7 +10,7 @@ from scipy.spatial import ConvexHull
 
 from .car import add_car
 from .scene import Part, Scene
-from .shapes import Mesh, Vector, box, cylinder, lathe, picture, prism, ring, sheet, tube, wall_pieces
+from .shapes import Mesh, Vector, box, cylinder, foliage, lathe, picture, prism, ring, sheet, tube, wall_pieces
 from .solids import Field, block, solid, union
 from .street_things import add_bin, add_cartons, add_cone, add_pipe, add_rucksack
 
@@ -56,6 +56,9 @@ def street() -> Scene:
         ("wire_yellow", "0.90 0.72 0.08 1", "0.4"),
     ):
         scene.asset("material", name=name, rgba=rgba, specular=shine, shininess=shine)
+    scene.asset(
+        "material", name="patch_uv", texture="asphalt", texrepeat="0.5 0.5", rgba="0.68 0.68 0.7 1", specular="0.1"
+    )
     world = scene.world
     _ground(world)
     _houses(world)
@@ -75,16 +78,15 @@ def street() -> Scene:
 def _ground(world: Part) -> None:
     world.add("geom", name="road", class_="solid", type="plane", size=[0, 0, 1])
     world.see("asphalt_uv", sheet(7.0, 2 * HALF, 2.0).at(EDGE - 3.5))
-    for x, width in ((EDGE + 1.6, FRONT - EDGE - 0.08), (-6.35, 2.4)):
-        left = x - width / 2.0
-        spans = [(-HALF, -5.6), (-2.4, HALF)] if x > 0.0 else [(-HALF, HALF)]
+    for near, far, spans in (
+        (EDGE + 0.15, FRONT + 0.02, [(-HALF, -5.6), (-2.4, HALF)]),  # from the back of the kerb
+        (-7.55, -5.15, [(-HALF, HALF)]),
+    ):
         for low, high in spans:
-            world.see(
-                "paving_uv",
-                sheet(width, high - low, 2.0).at(
-                    left + width / 2.0 + (0.02 if x > 0 else 0.0), (low + high) / 2.0, KERB
-                ),
-            )
+            paving = sheet(far - near, high - low, 2.0)
+            world.see("paving_uv", paving.at((near + far) / 2.0, (low + high) / 2.0, KERB))
+    # below the joints of the lowered kerb
+    world.see("concrete_uv", box(0.4, 3.2, 0.1).at(EDGE + 0.27, -4.0, LOWERED - 0.06))
     left, right = EDGE + 0.15, FRONT
     # the lowered kerb: the pavement falls towards it, and at both ends
     ys, heights = (-5.6, -5.0, -3.0, -2.4), (KERB, LOWERED, LOWERED, KERB)
@@ -135,7 +137,9 @@ def _ground(world: Part) -> None:
             euler=[sign * -6.5, -1.6, 0.0],
         )
     # markings, a drain in the gutter, a manhole, patches
-    line = [box(0.12, 1.5, 0.004).at(EDGE - 3.5, y, 0.002) for y in np.arange(-HALF + 1.0, HALF, 3.5)]
+    line = [
+        box(0.12, 1.5, 0.004).at(EDGE - 3.5, y, 0.002) for y in np.arange(-HALF + 1.0, HALF, 3.5) if abs(y + 4.0) > 2.5
+    ]
     zebra = [box(0.5, 3.0, 0.004).at(x, -4.0, 0.002) for x in np.arange(-4.55, 2.0, 1.0)]
     bay = [box(0.10, 0.9, 0.004).at(-0.35, y, 0.002) for y in np.arange(2.0, 8.0, 1.5)]
     bay += [box(2.3, 0.10, 0.004).at(0.85, y, 0.002) for y in (1.9, 7.85)]
@@ -152,9 +156,8 @@ def _ground(world: Part) -> None:
     world.see(
         "soot",
         box(0.36, 0.52, 0.006).at(EDGE - 0.2, 1.275, 0.001),
-        box(1.6, 2.4, 0.003).at(-3.2, 3.2, 0.001),
-        sheet(0.5, 0.9).at(0.7, -1.7, 0.003),
     )
+    world.see("patch_uv", box(1.6, 2.4, 0.003).at(-3.2, 3.2, 0.001), sheet(0.5, 0.9).at(0.7, -1.7, 0.003))
 
 
 def _window(world: Part, at: Vector, width: float, height: float, *, side: float = 1.0) -> None:
@@ -216,8 +219,9 @@ def _shop(world: Part) -> None:
     world.see(
         "plaster_uv",
         sheet(7.0, 2.8).at(FRONT + 2.2, 0.0, 1.5, rpy=(math.pi / 2, 0.0, -math.pi / 2)),
-        sheet(2.2, 2.9).at(FRONT + 1.1, -3.4, 1.4, rpy=(math.pi / 2, 0.0, math.pi)),
-        sheet(2.2, 2.9).at(FRONT + 1.1, 3.3, 1.4, rpy=(math.pi / 2, 0.0, 0.0)),
+        sheet(2.2, 2.9).at(FRONT + 1.1, -3.38, 1.4, rpy=(math.pi / 2, 0.0, math.pi)),
+        sheet(2.2, 2.9).at(FRONT + 1.1, 3.28, 1.4, rpy=(math.pi / 2, 0.0, 0.0)),
+        sheet(2.4, 6.8).at(FRONT + 1.1, -0.05, 2.88, rpy=(math.pi, 0.0, 0.0)),
     )
     world.see("planks_uv", sheet(2.2, 6.7).at(FRONT + 1.1, -0.05, 0.12))
     shelves = [box(0.35, 5.6, 0.03).at(FRONT + 1.9, 0.0, z) for z in (0.7, 1.2, 1.7)]
@@ -334,18 +338,10 @@ def _tree(world: Part, at: Vector, seed: int) -> None:
     for turn in random.uniform(0.0, math.tau, 5):
         tip = (x + 0.9 * math.cos(turn), y + 0.9 * math.sin(turn), z + height + random.uniform(0.3, 1.0))
         world.see("bark", tube([(x, y, z + height - random.uniform(0.1, 0.9)), tip], 0.035, 6))
-    for name, count in (("leaves", 46), ("leaves_light", 30)):
-        blobs = []
-        for _ in range(count):
-            direction = random.normal(size=3)
-            direction /= np.linalg.norm(direction)
-            far = 1.25 * random.uniform(0.3, 1.0) ** 0.4
-            px, py, pz = x + far * direction[0], y + far * direction[1], z + height + 0.75 + 0.85 * far * direction[2]
-            size = random.uniform(0.22, 0.42)
-            blobs.append(
-                _leafage(random).scaled(size, size, size * 0.75).at(px, py, pz, rpy=tuple(random.uniform(0, 6, 3)))
-            )
-        world.see(name, *blobs)
+    middle = (x, y, z + height + 0.75)
+    core = [_leafage(random).scaled(0.75, 0.75, 0.6).at(*middle, rpy=tuple(random.uniform(0, 6, 3))) for _ in range(4)]
+    world.see("leaves", *core, foliage(random, 420, 0.13).scaled(1.3, 1.3, 1.1).at(*middle))
+    world.see("leaves_light", foliage(random, 260, 0.13).scaled(1.35, 1.35, 1.15).at(*middle))
     world.cylinder(0.11, (x, y, z), (x, y, z + height))
 
 
