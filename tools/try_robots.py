@@ -35,7 +35,7 @@ STEP: Final = 0.3
 TOLERANCE: Final = 0.1
 """Of that way."""
 TIMEOUT: Final = 4.0
-"""Seconds."""
+"""Simulated seconds that a joint may take longer than its way takes at its greatest velocity."""
 SIZE: Final = (960, 720)
 
 

@@ -10,11 +10,11 @@ from typing import Annotated, Final, Literal, Self, TypeAlias
 import mujoco
 from pydantic import AfterValidator, BaseModel, ConfigDict, Field, ValidationError, model_validator
 
-from jauspy.config_errors import explain
+from jauspy.config_errors import explain, line_prefix
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy.user_files import read_toml
+from jauspy.user_files import read_file, read_toml
 from jauspy_sim.groups import COLLISION
 from jauspy_sim.lighting import HORIZON, ZENITH, add_floor, add_sky, add_sun
 from jauspy_sim.mesh_files import read_heights
@@ -136,7 +136,10 @@ def objects_world(path: Path) -> mujoco.MjSpec:
     try:
         config = WorldConfig.model_validate(read_toml(path))
     except ValidationError as error:
-        problems = "; ".join(explain(each, WorldConfig) for each in error.errors(include_url=False))
+        text = read_file(path).decode()
+        problems = "; ".join(
+            line_prefix(text, each["loc"]) + explain(each, WorldConfig) for each in error.errors(include_url=False)
+        )
         raise ConfigError(f"{path}: {problems}") from error
     return _Builder(path, config).build()
 

@@ -335,7 +335,10 @@ texture = "grass.png"
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("[[objects]]\nname = 'a'\nshape = 'boks'", r"it\.toml: objects\[0\]\.shape = 'boks': .*'box', 'sphere'"),
+        (
+            "[[objects]]\nname = 'a'\nshape = 'boks'",
+            r"it\.toml: line 3: objects\[0\]\.shape = 'boks': .*'box', 'sphere'",
+        ),
         ("[[objects]]\nname = 'a'\nshape = 'box'", r"size: a box needs size"),
         ("[[objects]]\nname = 'a'\nshape = 'sphere'\nradius = 1\nsize = [1, 1, 1]", r"size: a sphere has no size"),
         ("[[objects]]\nname = 'a'\nshape = 'sphere'\nradius = -1", r"objects\[0\]\.radius = -1: .*greater than 0"),
