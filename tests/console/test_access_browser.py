@@ -4,20 +4,16 @@ from __future__ import annotations
 
 import json
 import re
-import signal
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.console.test_browser import CHROMIUM, WAIT, sync_api
-from tests.helpers.command_line import JAUSPY, shared_robot, start
+from tests.helpers.browser import BROWSER_MARKS, chromium, console_for, new_page, sync_api
+from tests.helpers.command_line import JAUSPY, shared_robot
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
-]
+pytestmark = BROWSER_MARKS
 PASSWORD = "correct horse battery"
 ROLES = {"olga": "observer", "anna": "operator", "sam": "supervisor"}
 
@@ -37,14 +33,9 @@ def url(files: Path) -> Iterator[str]:
     names = ("users.toml", "certificate.pem", "key.pem")
     users, certificate, key = (str(files / f"console-{name}") for name in names)
     with shared_robot() as robot:
-        options = ("--users", users, "--certificate", certificate, "--key", key, "--connect", robot.local)
-        process = start("console", "--no-browser", "--port", "0", *options)
-        try:
-            assert process.stdout is not None
-            yield process.stdout.readline().strip().rpartition(" ")[2]
-        finally:
-            process.send_signal(signal.SIGINT)
-            process.communicate(timeout=30)
+        options = ("--users", users, "--certificate", certificate, "--key", key)
+        with console_for(robot.local, *options) as (address, _):
+            yield address
 
 
 def log_in(page: Any, name: str, password: str) -> None:
@@ -58,14 +49,12 @@ def button(page: Any, name: str) -> Any:
 
 
 def test_users_log_in_and_hand_over(url: str, files: Path) -> None:
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+    with chromium() as browser:
         with pytest.raises(sync_api.Error, match="ERR_CERT_AUTHORITY_INVALID"):
             browser.new_page().goto(url)
         pages = []
         for name in ROLES:
-            page = browser.new_context(ignore_https_errors=True).new_page()
-            page.set_default_timeout(WAIT)
+            page = new_page(browser, ignore_https_errors=True)
             page.goto(url)
             log_in(page, name, "a wrong password")
             page.get_by_text("Name or password is wrong.").wait_for()
@@ -99,7 +88,6 @@ def test_users_log_in_and_hand_over(url: str, files: Path) -> None:
         sam.get_by_text(re.compile("8 of 8 components released")).first.wait_for()
         button(sam, "sign out").click()
         sam.locator("input[name=password]").wait_for()
-        browser.close()
 
     lines = [json.loads(line) for line in (files / "console-users.toml.audit").read_text().splitlines()]
     given = {(line["operator"], line["role"], line["message"]) for line in lines if line.get("operator")}

@@ -4,20 +4,16 @@ from __future__ import annotations
 
 import os
 import re
-import signal
 import subprocess
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tests.console.test_browser import CHROMIUM, page_at
-from tests.helpers.command_line import RunningRobot, shared_robot, start
+from tests.helpers.browser import BROWSER_MARKS, console_for, page_at
+from tests.helpers.command_line import RunningRobot, shared_robot
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
-]
+pytestmark = BROWSER_MARKS
 TURN, SHOULDER = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2"
 
 
@@ -30,13 +26,8 @@ def robot() -> Iterator[RunningRobot]:
 @pytest.fixture(scope="module")
 def url(robot: RunningRobot, tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     state = {**os.environ, "XDG_STATE_HOME": str(tmp_path_factory.mktemp("state"))}
-    process = start("console", "--no-browser", "--port", "0", "--connect", robot.local, env=state)
-    try:
-        assert process.stdout is not None
-        yield process.stdout.readline().strip().rpartition(" ")[2]
-    finally:
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=30)
+    with console_for(robot.local, env=state) as (address, _):
+        yield address
 
 
 def until(page, *, least: float = -9.0, most: float = 9.0, joint: int = 0) -> None:

@@ -3,24 +3,13 @@
 from __future__ import annotations
 
 import re
-import shutil
-import signal
 from collections.abc import Iterator
-from contextlib import contextmanager
 
 import pytest
+from tests.helpers.browser import BROWSER_MARKS, console_for, new_page, page_at
 from tests.helpers.command_line import RunningRobot, shared_robot, start
 
-pytest.importorskip("nicegui", reason="needs the extra 'console'")
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
-]
-WAIT = 60_000
-"""Milliseconds for anything to appear on a loaded machine."""
+pytestmark = BROWSER_MARKS
 
 
 @pytest.fixture(scope="module")
@@ -31,27 +20,8 @@ def robot() -> Iterator[RunningRobot]:
 
 @pytest.fixture(scope="module")
 def url(robot: RunningRobot) -> Iterator[str]:
-    process = start("console", "--no-browser", "--port", "0", "--connect", robot.local)
-    try:
-        assert process.stdout is not None
-        yield process.stdout.readline().strip().rpartition(" ")[2]
-    finally:
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=30)
-
-
-@contextmanager
-def page_at(url: str):
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
-        page = browser.new_page(viewport={"width": 1440, "height": 900})
-        page.set_default_timeout(WAIT)
-        errors: list[str] = []
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        page.goto(url)
-        yield page
-        assert errors == []
-        browser.close()
+    with console_for(robot.local) as (address, _):
+        yield address
 
 
 def status(robot: RunningRobot) -> str:
@@ -108,8 +78,7 @@ def test_two_browsers_one_operates_and_hands_over(url: str) -> None:
     with page_at(url) as first:
         first.get_by_role("button", name="take", exact=True).click()
         first.get_by_text("you operate this robot").wait_for()
-        second = first.context.browser.new_page()
-        second.set_default_timeout(WAIT)
+        second = new_page(first.context.browser)
         second.goto(url)
         second.get_by_text("another browser operates it").wait_for()
         second.get_by_role("button", name="ask", exact=True).click()

@@ -3,35 +3,26 @@
 from __future__ import annotations
 
 import re
-import signal
 from collections.abc import Iterator
-from contextlib import ExitStack
 from pathlib import Path
 
 import pytest
-from tests.console.test_browser import CHROMIUM, WAIT, page_at, sync_api
-from tests.helpers.command_line import start, wait_for
+from tests.helpers.browser import BROWSER_MARKS, WAIT, console_for, page_at, sync_api
+from tests.helpers.command_line import start, stopped, wait_for
 from tests.helpers.ports import unused_port
 
 pytest.importorskip("mujoco", reason="needs the extra 'sim'")
 pytest.importorskip("pinocchio", reason="needs the extra 'cell'")
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
-]
+pytestmark = BROWSER_MARKS
 
 
 @pytest.fixture
 def url(tmp_path: Path) -> Iterator[str]:
     where = ("--port", str(unused_port()), "--interface", "127.0.0.1", "--local-root", str(tmp_path), "--own-root")
-    with ExitStack() as stack:
-        cell = stack.enter_context(start("up", "cell", "--plain", *where))
-        stack.callback(cell.send_signal, signal.SIGINT)
+    with stopped(start("up", "cell", "--plain", *where)) as cell:
         wait_for(cell, "stop it")
-        console = stack.enter_context(start("console", "--no-browser", "--port", "0", "--connect", f"local:{tmp_path}"))
-        stack.callback(console.send_signal, signal.SIGINT)
-        assert console.stdout is not None
-        yield console.stdout.readline().strip().rpartition(" ")[2]
+        with console_for(f"local:{tmp_path}") as (address, _):
+            yield address
 
 
 def test_it_opens_on_the_world_and_names_its_arms(url: str) -> None:

@@ -7,17 +7,16 @@ import logging
 import math
 import os
 import re
-import shutil
-import signal
 import threading
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager, suppress
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
 import pytest
-from tests.helpers.command_line import RunningRobot, shared_robot, start
+from tests.helpers.browser import BROWSER_MARKS, WAIT, chromium, console_for, new_page
+from tests.helpers.command_line import RunningRobot, shared_robot
 
 import jauspy
 from jauspy.component import ComponentOptions
@@ -29,17 +28,8 @@ from jauspy.schema import builtin_paths, load_files
 from jauspy.services.service import Service
 from jauspy.testing import LocalNode
 
-pytest.importorskip("nicegui", reason="needs the extra 'console'")
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
-
 _LOG = logging.getLogger(__name__)
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
-]
-WAIT = 60_000
-"""Milliseconds for anything to appear on a loaded machine."""
+pytestmark = BROWSER_MARKS
 STOP_TIME = 0.3
 """Seconds in which the robot stands."""
 ATTEMPTS = 3
@@ -136,17 +126,6 @@ def speed(robot: RunningRobot, background: Background) -> Speedometer:
     return Speedometer(background, robot.local)
 
 
-@contextmanager
-def console_for(connect: str) -> Iterator[tuple[str, Any]]:
-    process = start("console", "--no-browser", "--port", "0", "--connect", connect)
-    try:
-        assert process.stdout is not None
-        yield process.stdout.readline().strip().rpartition(" ")[2], process
-    finally:
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=30)
-
-
 @pytest.fixture(scope="module")
 def url(robot: RunningRobot) -> Iterator[str]:
     with console_for(robot.local) as (address, _):
@@ -155,10 +134,8 @@ def url(robot: RunningRobot) -> Iterator[str]:
 
 @pytest.fixture(scope="module")
 def browser() -> Iterator[Any]:
-    with sync_api.sync_playwright() as playwright:
-        launched = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+    with chromium() as launched:
         yield launched
-        launched.close()
 
 
 @pytest.fixture
@@ -166,12 +143,6 @@ def page(browser: Any) -> Iterator[Any]:
     opened = new_page(browser)
     yield opened
     opened.close()
-
-
-def new_page(browser: Any) -> Any:
-    opened = browser.new_page(viewport={"width": 1440, "height": 900})
-    opened.set_default_timeout(WAIT)
-    return opened
 
 
 def drive(page: Any, url: str, speed: Speedometer) -> None:

@@ -2,18 +2,15 @@
 
 from __future__ import annotations
 
-import signal
 from collections.abc import Iterator
 from typing import Any
 
 import pytest
-from tests.console.test_browser import CHROMIUM, WAIT, sync_api, x_of
-from tests.helpers.command_line import shared_robot, start
+from tests.console.test_browser import x_of
+from tests.helpers.browser import BROWSER_MARKS, console_for, page_at
+from tests.helpers.command_line import shared_robot
 
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
-]
+pytestmark = BROWSER_MARKS
 HIDDEN = """() => {
     const middle = (box) => [box.x + box.width / 2, box.y + box.height / 2];
     const found = [];
@@ -35,29 +32,17 @@ SMALL = """() => [...document.querySelectorAll('.bar button, .tabs button, .pane
 def url(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
     poses = tmp_path_factory.mktemp("poses") / "poses.toml"
     poses.write_text("[inc1.ahead]\nbase_link_to_arm_link_1 = 0.2\n[inc1.other]\nno_such_joint = 1.0\n")
-    with shared_robot() as robot:
-        process = start("console", "--no-browser", "--port", "0", "--connect", robot.local, "--poses", str(poses))
-        try:
-            assert process.stdout is not None
-            yield process.stdout.readline().strip().rpartition(" ")[2]
-        finally:
-            process.send_signal(signal.SIGINT)
-            process.communicate(timeout=30)
+    with shared_robot() as robot, console_for(robot.local, "--poses", str(poses)) as (address, _):
+        yield address
 
 
 @pytest.fixture
 def page(url: str) -> Iterator[Any]:
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
-        context = browser.new_context(viewport={"width": 1024, "height": 768}, has_touch=True)
-        opened = context.new_page()
-        opened.set_default_timeout(WAIT)
-        opened.goto(url)
+    with page_at(url, viewport={"width": 1024, "height": 768}, has_touch=True) as opened:
         opened.get_by_text("101 inc1").first.wait_for()
         opened.get_by_role("button", name="take", exact=True).tap()
         opened.get_by_text("you operate this robot").wait_for()
         yield opened
-        browser.close()
 
 
 def test_every_control_is_in_reach_and_large_enough(page: Any) -> None:

@@ -3,28 +3,18 @@
 from __future__ import annotations
 
 import re
-import shutil
-import signal
 from collections.abc import Iterator
-from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
 import psutil
 import pytest
-from tests.helpers.command_line import RunningRobot, shared_robot, start
+from tests.helpers.browser import BROWSER_MARKS, console_for, new_page, page_at
+from tests.helpers.command_line import RunningRobot, shared_robot
 
-pytest.importorskip("nicegui", reason="needs the extra 'console'")
 pytest.importorskip("av", reason="the extra 'video' is not installed")
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
 
-CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
-pytestmark = [
-    pytest.mark.slow,
-    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
-]
-WAIT = 90_000
-"""Milliseconds for anything to appear on a loaded machine."""
+pytestmark = BROWSER_MARKS
 SLOW_PAGE = "setInterval(() => { const end = performance.now() + 150; while (performance.now() < end); }, 160)"
 
 
@@ -41,35 +31,14 @@ def recordings(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def url(robot: RunningRobot, recordings: Path) -> Iterator[str]:
-    options = ("--no-browser", "--port", "0", "--connect", robot.local, "--recordings", str(recordings))
-    process = start("console", *options)
-    try:
-        assert process.stdout is not None
-        yield process.stdout.readline().strip().rpartition(" ")[2]
-    finally:
-        process.send_signal(signal.SIGINT)
-        process.communicate(timeout=30)
-
-
-@contextmanager
-def page_at(url: str, script: str = "") -> Iterator[Any]:
-    with sync_api.sync_playwright() as playwright:
-        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
-        page = browser.new_page(viewport={"width": 1440, "height": 900})
-        page.set_default_timeout(WAIT)
-        errors: list[str] = []
-        page.on("pageerror", lambda error: errors.append(str(error)))
-        if script:
-            page.add_init_script(script)
-        page.goto(url)
-        page.get_by_text("101 inc1").first.wait_for()
-        yield page
-        assert errors == []
-        browser.close()
+    with console_for(robot.local, "--recordings", str(recordings)) as (address, _):
+        yield address
 
 
 def wait_for_pictures(page: Any, count: int = 3) -> None:
-    page.wait_for_function(f"[...jauspy.video.views.values()].every((view) => view.shown >= {count})")
+    page.wait_for_function(
+        f"jauspy.video.views.size && [...jauspy.video.views.values()].every((view) => view.shown >= {count})"
+    )
 
 
 def workers(robot: RunningRobot) -> list[psutil.Process]:
@@ -140,8 +109,7 @@ def test_settings_change_the_picture_and_one_who_does_not_operate_may_not(url: s
         page.get_by_role("option", name="320 x 240").click()
         page.wait_for_function("document.querySelector('figure.large canvas').width === 320")
         page.get_by_text("headlights").wait_for()
-        second = page.context.browser.new_page()
-        second.set_default_timeout(WAIT)
+        second = new_page(page.context.browser)
         second.goto(url)
         second.get_by_role("button", name="take", exact=True).click()
         second.get_by_text("you operate this robot").wait_for()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -20,6 +21,8 @@ from jauspy.cli import client
 from jauspy.cli.main import app
 
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
+ENDS_WITH_TESTS = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") else []
+"""Of util-linux: the kernel ends the process when the one that started it is gone, also if that was killed."""
 
 
 def jauspy(*arguments: str, status: int = 0) -> Result:
@@ -34,8 +37,23 @@ def jauspy(*arguments: str, status: int = 0) -> Result:
 
 
 def start(*arguments: str, **options: Any) -> subprocess.Popen[str]:
-    """Start a verb in a process of its own, whose output is piped."""
-    return subprocess.Popen([*JAUSPY, *arguments], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+    """Start a verb in a process of its own, whose output is piped; it ends with that of the tests."""
+    command = [*ENDS_WITH_TESTS, *JAUSPY, *arguments]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **options)
+
+
+@contextmanager
+def stopped(process: subprocess.Popen[str]) -> Iterator[subprocess.Popen[str]]:
+    """Interrupt it at the end, and kill it if it does not end by that."""
+    try:
+        yield process
+    finally:
+        process.send_signal(signal.SIGINT)
+        try:
+            process.communicate(timeout=30)
+        finally:
+            process.kill()
+            process.communicate()
 
 
 def wait_for(process: subprocess.Popen[str], text: str) -> list[psutil.Process]:
@@ -56,14 +74,19 @@ def assert_gone(processes: list[psutil.Process]) -> None:
 class RunningRobot:
     """A process `jauspy up`, with its node manager."""
 
-    def __init__(self, port: int, root: Path, name: str = "inc1") -> None:
+    def __init__(self, port: int, root: Path, name: str = "inc1", *, backend: str = "kinematic") -> None:
         self.port = port
         self.root = root
         self.local = f"local:{root}"
         self.udp = f"udp://127.0.0.1:{port}"
         where = ("--port", str(port), "--interface", "127.0.0.1", "--local-root", str(root))
-        self.process = start("up", name, "--backend", "kinematic", *where)
-        self.family = wait_for(self.process, "stop it")
+        self.family: list[psutil.Process] = []
+        self.process = start("up", name, "--backend", backend, *where)
+        try:
+            self.family = wait_for(self.process, "stop it")
+        except BaseException:
+            self.close()
+            raise
 
     def close(self) -> None:
         self.process.kill()
@@ -72,12 +95,14 @@ class RunningRobot:
 
 
 @contextmanager
-def shared_robot(name: str = "inc1") -> Iterator[RunningRobot]:
+def shared_robot(name: str = "inc1", *, backend: str = "kinematic") -> Iterator[RunningRobot]:
     """A robot for several tests, which leave it as they found it; port and folder are its own."""
     root = Path(tempfile.mkdtemp(prefix="jauspy-"))
-    robot = RunningRobot(unused_port(), root, name)
     try:
-        yield robot
+        robot = RunningRobot(unused_port(), root, name, backend=backend)
+        try:
+            yield robot
+        finally:
+            robot.close()
     finally:
-        robot.close()
         shutil.rmtree(root)

@@ -1,0 +1,63 @@
+"""The console in a real browser: chromium by playwright, and a console in a process of its own."""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import Any
+
+import pytest
+from tests.helpers.command_line import start, stopped
+
+pytest.importorskip("nicegui", reason="needs the extra 'console'")
+sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed")
+
+CHROMIUM = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("google-chrome")
+BROWSER_MARKS = [
+    pytest.mark.slow,
+    pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
+]
+WAIT = 90_000
+"""Milliseconds for anything to appear on a loaded machine."""
+SIZE = {"width": 1440, "height": 900}
+
+
+@contextmanager
+def console_for(connect: str, *options: str, **process_options: Any) -> Iterator[tuple[str, subprocess.Popen[str]]]:
+    """The address of a console, and its process."""
+    arguments = ("console", "--no-browser", "--port", "0", "--connect", connect, *options)
+    with stopped(start(*arguments, **process_options)) as process:
+        assert process.stdout is not None
+        yield process.stdout.readline().strip().rpartition(" ")[2], process
+
+
+@contextmanager
+def chromium() -> Iterator[Any]:
+    """A browser without a window."""
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-gpu"])
+        yield browser
+        browser.close()
+
+
+def new_page(browser: Any, **options: Any) -> Any:
+    """A tab that waits for `WAIT`."""
+    page = browser.new_page(**{"viewport": SIZE, **options})
+    page.set_default_timeout(WAIT)
+    return page
+
+
+@contextmanager
+def page_at(url: str, script: str = "", **options: Any) -> Iterator[Any]:
+    """A page in a browser of its own, in which no script may fail; `script` runs before those of the page."""
+    with chromium() as browser:
+        page = new_page(browser, **options)
+        errors: list[str] = []
+        page.on("pageerror", lambda error: errors.append(str(error)))
+        if script:
+            page.add_init_script(script)
+        page.goto(url)
+        yield page
+        assert errors == []
