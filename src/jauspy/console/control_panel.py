@@ -23,6 +23,8 @@ class ControlPanel:
         self._token = token
         self._user = user
         self._robot: Robot | None = None
+        self._shown = ""
+        """The operation's problem that was shown last."""
         with ui.element("section").classes("panel").props('aria-label="Control"') as self._panel:
             with ui.element("div").classes("row"):
                 ui.label("Control").classes("heading")
@@ -47,6 +49,7 @@ class ControlPanel:
     def show(self, robot: Robot | None) -> None:
         """Show control of this robot."""
         self._robot = robot
+        self._shown = ""
         self._problem.set_text("")
         self._update()
 
@@ -89,7 +92,8 @@ class ControlPanel:
             if may
             else f"observing ({self._user.role})"
         )
-        if operation.problem:
+        if operation.problem != self._shown:  # also when it is over
+            self._shown = operation.problem
             self._problem.set_text(operation.problem)
 
     @property
