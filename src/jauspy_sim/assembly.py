@@ -19,6 +19,7 @@ from jauspy.platform.camera import CameraSetup
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
+from jauspy.platform.wheels import Wheel, WheelKind, WheelSetup
 from jauspy_sim.groups import COLLISION, VISUAL
 from jauspy_sim.lighting import draw_floors_as_meshes
 from jauspy_sim.look import polish, show_solids, without_visuals
@@ -26,7 +27,6 @@ from jauspy_sim.self_contacts import depth_below_base, exclude_touching
 from jauspy_sim.shapes import same_shape
 from jauspy_sim.treads import SIDES
 from jauspy_sim.urdf import body_name, urdf_spec
-from jauspy_sim.wheel_joints import add_wheels
 from jauspy_sim.world_files import world_spec
 
 if TYPE_CHECKING:
@@ -50,6 +50,13 @@ BELT_PRIORITY: Final = 1
 """Contact priority of belts, wheels and slippery links: their friction replaces that of a plain ground."""
 PLAIN_FRICTION: Final = 1.0
 """Coefficient of shapes for which none is given, in MuJoCo and in Gazebo."""
+
+STEERING_STIFFNESS: Final = 8.0
+"""Torque of a steering motor per radian beside its target, as a multiple of its greatest torque."""
+STEERING_DAMPING: Final = 0.6
+"""Its torque per rad/s, as a multiple of its greatest torque."""
+ROLLER_DAMPING: Final = 2.0
+"""N s/m, of the rollers of a mecanum wheel."""
 
 
 def prefix(robot: str) -> str:
@@ -155,7 +162,7 @@ def robot_spec(robot: RobotModel) -> mujoco.MjSpec:
             _track(spec, [robot.description.joint(belt) for belt in side], tracks.inertia)
     if robot.wheels is not None:
         spec.body(body_name(robot.description.root())).add_freejoint(name="base")
-        add_wheels(spec, robot.wheels, TIMESTEP)
+        _wheels(spec, robot.wheels)
         rolling = {wheel.joint.name for wheel in robot.wheels.wheels} | _rolling_freely(robot)
         for name in rolling:
             for geom in spec.body(body_name(robot.description.joint(name).child)).geoms:
@@ -234,6 +241,44 @@ def _belt_motor(spec: mujoco.MjSpec, joint: Joint) -> None:
     motor.gainprm[0] = lost
     motor.biastype = mujoco.mjtBias.mjBIAS_AFFINE
     motor.biasprm[:3] = (0.0, 0.0, -lost)
+
+
+def _wheels(spec: mujoco.MjSpec, setup: WheelSetup) -> None:
+    """Give the joints of driven wheels the inertia, back EMF and brakes of their motors; free the rollers."""
+    for wheel in setup.wheels:
+        found = spec.joint(wheel.joint.name)
+        found.armature = setup.inertia
+        found.solref_friction = (2.0 * TIMESTEP, 1.0)
+        back_emf = max(wheel.joint.damping, wheel.joint.effort / wheel.joint.velocity)
+        found.damping = same_shape(found.damping, back_emf)
+        if setup.kind is WheelKind.MECANUM:
+            _add_rollers(spec, wheel)
+    for each in setup.steering:
+        motor = spec.actuator(each.joint.name)
+        stiffness, damping = (factor * each.joint.effort for factor in (STEERING_STIFFNESS, STEERING_DAMPING))
+        motor.gainprm[0] = stiffness
+        motor.biastype = mujoco.mjtBias.mjBIAS_AFFINE
+        motor.biasprm[1], motor.biasprm[2] = -stiffness, -damping
+        motor.ctrlrange = (each.joint.lower, each.joint.upper)
+        motor.forcelimited, motor.forcerange = True, (-each.joint.effort, each.joint.effort)
+
+
+def _add_rollers(spec: mujoco.MjSpec, wheel: Wheel) -> None:
+    """Let the wheel slide where its rollers roll, by a joint whose position is reset after each step.
+
+    The joint must come before that of the axle, so that it does not turn with the wheel.
+    """
+    body, axle = spec.body(wheel.joint.child), spec.joint(wheel.joint.name)
+    kept = {name: np.copy(getattr(axle, name)) for name in ("axis", "damping", "solref_friction")}
+    armature, loss = axle.armature, axle.frictionloss
+    spec.delete(axle)
+    slide = body.add_joint(name=f"{wheel.joint.name}/rollers", type=mujoco.mjtJoint.mjJNT_SLIDE)
+    slide.axis = (1.0, wheel.rollers, 0.0)
+    slide.damping = same_shape(slide.damping, ROLLER_DAMPING)
+    again = body.add_joint(name=wheel.joint.name, type=mujoco.mjtJoint.mjJNT_HINGE)
+    again.axis, again.solref_friction = kept["axis"], kept["solref_friction"]
+    again.damping = kept["damping"] if np.size(kept["damping"]) > 1 else float(kept["damping"])
+    again.armature, again.frictionloss = armature, loss
 
 
 def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:

@@ -18,8 +18,7 @@ from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints, TrackedDrive
-from jauspy_sim.layered_lidar import LayeredLidar
-from jauspy_sim.sensors import simulated_force_torque, simulated_lidar
+from jauspy_sim.sensors import LayeredLidar, simulated_force_torque, simulated_lidar
 from jauspy_sim.viewer import Viewer
 from jauspy_sim.wheels import SimulatedWheels
 
