@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import fcntl
 import os
 import weakref
@@ -14,6 +15,8 @@ import numpy as np
 
 _SEALS: Final = fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SHRINK
 """Memory with these has a whole model, which no process can change."""
+SEAL_TRIES: Final = 20
+"""The kernel refuses to seal (EBUSY) while it uses a page itself, as when it moves one; it waits 0.15 s in each try."""
 
 
 class ModelMemory:
@@ -66,4 +69,11 @@ def _write(descriptor: int, model: mujoco.MjModel) -> None:
     rest = encoded.data
     while rest:
         rest = rest[os.pwrite(descriptor, rest, len(encoded) - len(rest)) :]
-    fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, _SEALS)
+    for remaining in reversed(range(SEAL_TRIES)):
+        try:
+            fcntl.fcntl(descriptor, fcntl.F_ADD_SEALS, _SEALS)
+        except OSError as error:
+            if error.errno != errno.EBUSY or not remaining:
+                raise
+        else:
+            return

@@ -46,7 +46,7 @@ jauspy.jog = {
     }
     jog.moving = moving;
     for (const button of pad.querySelectorAll(".jog-button")) {
-      button.classList.toggle("held", velocity[button.dataset.axis] * button.dataset.sign > 0);
+      button.classList.toggle("pressed", velocity[button.dataset.axis] * button.dataset.sign > 0);
     }
   },
   release() {
