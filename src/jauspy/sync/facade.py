@@ -701,6 +701,17 @@ class RobotControl(Facade[_RobotControl]):
         """
         self._portal.run(self._async.resume())
 
+    def include(self, ids: Iterable[JausID]) -> None:
+        """Control further components, too, and resume them.
+
+        Raises `ControlRejected` when one of them is not granted, and then controls none of these.
+        """
+        self._portal.run(self._async.include(ids))
+
+    def exclude(self, ids: Iterable[JausID]) -> None:
+        """Control these no more: they are put in Standby and released, if they still answer."""
+        self._portal.run(self._async.exclude(ids))
+
     def until_lost(self) -> None:
         """Wait until control of a component is lost, or until the block is left."""
         self._portal.run(self._async.until_lost())
