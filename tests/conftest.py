@@ -1,4 +1,4 @@
-"""What many tests share: short socket folders, free ports, two hosts on one cable, and patience with slow machines."""
+"""What many tests share: short socket folders, free ports, two hosts on one cable, time limits for slow machines."""
 
 import contextlib
 import os

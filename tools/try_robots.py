@@ -3,7 +3,7 @@
 MUJOCO_GL=egl python tools/try_robots.py FILE|DIRECTORY... [-o DIRECTORY] [--package-path DIRECTORY] [--arg NAME:=VALUE]
 
 Of a directory, all files that end in .urdf or .urdf.xacro. Each robot gets a first file as of `jauspy new robot`. The
-table tells how many joints of each moved where they were told to, and what was wrong; pictures are in the output
+table tells how many joints of each moved where they were commanded to, and what was wrong; pictures are in the output
 directory. Robots and worlds of others are not part of jauspy: download them elsewhere.
 """
 
@@ -124,7 +124,7 @@ def _drive(robot: SimulatedRobot) -> float:
 
 
 def _moves(robot: SimulatedRobot, group: JointGroup, at: int) -> bool:
-    """Whether a joint goes where it is told to."""
+    """Whether a joint goes where it is commanded to."""
     joint = group.joints[at]
     position = group.state().positions[at]
     way = STEP if joint.turns else STEP / 3.0

@@ -89,14 +89,14 @@ async def test_a_local_program_does_not_get_the_id_of_a_remote_operator(
     )
 
 
-async def test_who_is_not_accepted_is_told_why(scene: Scene) -> None:
+async def test_who_is_not_accepted_learns_why(scene: Scene) -> None:
     late = LocalTransport(OPERATOR, scene.node.config.local_root, timeout=0.2)
     with pytest.raises(TransportError, match=r"does not accept 42\.1\.1: another host uses this id"):
         await late.open()
     await scene.operator_drives()
 
 
-async def test_who_waits_for_its_node_manager_is_told_in_the_log(
+async def test_who_waits_for_its_node_manager_is_reported_in_the_log(
     scene: Scene, caplog: pytest.LogCaptureFixture, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(local, "REFUSED_AFTER", 0.1)

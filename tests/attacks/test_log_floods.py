@@ -58,7 +58,7 @@ class Fragile(Liveness):
         raise LookupError("a mistake")
 
 
-async def test_a_component_that_is_told_nonsense(caplog: pytest.LogCaptureFixture) -> None:
+async def test_a_component_that_gets_nonsense(caplog: pytest.LogCaptureFixture) -> None:
     caplog.set_level(logging.DEBUG)
     async with VirtualNetwork() as network, network.component("101.1.1", [Fragile()]) as component:
         attacker = network.transport(STRANGER)

@@ -177,7 +177,7 @@ def test_a_recording_can_be_read_when_its_program_was_killed(tmp_path: Path, suf
     assert frames(film) >= PICTURES - RATE
 
 
-def test_a_full_disk_is_told_at_once_and_what_was_recorded_can_be_read(tmp_path: Path) -> None:
+def test_a_full_disk_is_reported_at_once_and_what_was_recorded_can_be_read(tmp_path: Path) -> None:
     film = tmp_path / "front.mp4"
     done = record(film, "full")
     recorded, reported = done.stdout.splitlines()

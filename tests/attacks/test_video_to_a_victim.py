@@ -102,7 +102,7 @@ def test_many_ids_of_one_machine_have_one_share(module: Module) -> None:
     assert module.enter("rtp://10.0.0.1:5004", OPERATOR)
 
 
-def test_nobody_is_told_where_others_watch(module: Module) -> None:
+def test_nobody_learns_where_others_watch(module: Module) -> None:
     module.enter("rtp://10.0.0.1:5004", OPERATOR)
     for client, count in ((ATTACKERS[0], 0), (OPERATOR, 1)):
         answer = module.ask(m.QueryDigitalResourceEndpoint(), client)

@@ -42,7 +42,7 @@ def test_hanging_on_its_tip_the_first_part_is_where_it_was(chain: Chain, members
     assert len(hanging.links) == len(chain.links)
 
 
-def test_it_points_down_where_it_is_told(chain: Chain) -> None:
+def test_it_points_down_where_it_is_commanded(chain: Chain) -> None:
     point, down = np.array([1.05, 0.22, 0.4]), np.array([0.0, 0.0, -1.0])
     found = chain.pointing(point, down, np.zeros(5))
     assert len(found) >= 2

@@ -56,7 +56,7 @@ async def test_a_component_without_management_is_not_resumed(virtual_network, ca
     assert "126.1.11 does not report a status" in capsys.readouterr().err
 
 
-async def test_refusals_and_silence_are_told(virtual_network):
+async def test_refusals_and_silence_are_reported(virtual_network):
     with pytest.raises(JausError, match=r"126\.1\.11"):
         await send(virtual_network, DRIVE)
     access = AccessControl(default_authority=100, timeout=5)

@@ -114,7 +114,7 @@ def test_services_of_version_1_0_are_tested_as_such_without_discovery():
     assert {each for each in taken if "Controlled: Timeout [isControlAvailable()]" in each}
 
 
-def test_target_without_discovery_is_told_how_to_name_its_services():
+def test_target_without_discovery_is_asked_to_name_its_services():
     host = Host(COMPONENT, [Management()], utc_now=lambda: datetime(2026, 1, 1, tzinfo=UTC))
     report = examined("core-1.1", VirtualTarget([TargetComponent(host)]), COMPONENT)
     assert "does not report its services" in report.problem

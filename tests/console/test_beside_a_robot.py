@@ -16,7 +16,9 @@ from jauspy.cli import operator_console
 from jauspy.errors import ConfigError
 
 
-async def test_a_missing_extra_is_told_before_anything_starts(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+async def test_a_missing_extra_is_reported_before_anything_starts(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
     monkeypatch.setattr(operator_console, "find_spec", lambda _: None)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[console\]'"):
         async with operator_console.console_beside(tmp_path, 0):
@@ -46,7 +48,7 @@ def test_the_console_starts_and_ends_with_the_robot(tmp_path: Path) -> None:
 
 
 @pytest.mark.slow
-def test_a_port_that_is_taken_is_told(tmp_path: Path) -> None:
+def test_a_port_that_is_taken_is_reported(tmp_path: Path) -> None:
     pytest.importorskip("nicegui", reason="needs the extra 'console'")
     with socket.create_server(("127.0.0.1", 0)) as taken:
         process = start(*up(tmp_path, taken.getsockname()[1]))

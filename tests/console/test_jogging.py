@@ -95,7 +95,7 @@ async def test_the_tool_moves_while_held_and_stands_when_the_browser_is_silent(v
         assert at.speed < 0.01
 
 
-async def test_what_is_refused_is_told(virtual_network: VirtualNetwork) -> None:
+async def test_what_is_refused_is_reported(virtual_network: VirtualNetwork) -> None:
     async with bench(virtual_network) as at:
         at.jogging._id = next(each.id for each in at.robot.components if each.id.component == 103)
         assert "101.1.103 cannot move its tool at a velocity" in await at.hold(0.3)

@@ -28,7 +28,7 @@ def test_poses_of_several_robots_are_read(tmp_path: Path) -> None:
         ("[inc1", "poses.toml: is not TOML"),
     ],
 )
-def test_a_mistake_is_told_with_its_place(tmp_path: Path, text: str, said: str) -> None:
+def test_a_mistake_is_reported_with_its_place(tmp_path: Path, text: str, said: str) -> None:
     file = tmp_path / "poses.toml"
     file.write_text(text)
     with pytest.raises(ConfigError, match=said):

@@ -36,11 +36,11 @@ def trajectory(*rows: tuple[float, float, float]) -> Trajectory:
         ([(2.0, 1.0, 0.2), (0.0, 9.0, 0.5), (1.0, 9.0, 0.5)], ""),
     ],
 )
-def test_what_is_wrong_is_told_with_the_row(rows: list[tuple[float, float, float]], said: str) -> None:
+def test_what_is_wrong_is_reported_with_the_row(rows: list[tuple[float, float, float]], said: str) -> None:
     assert trajectory(*rows).problem(JOINTS, NOW) == said
 
 
-def test_a_joint_that_has_gone_is_told() -> None:
+def test_a_joint_that_has_gone_is_reported() -> None:
     assert "no joint lift" in trajectory((2.0, 1.0, 0.2)).problem(JOINTS[:1], NOW)
 
 
@@ -74,7 +74,7 @@ def test_a_file_is_read_as_it_was_written() -> None:
         ("9" * 2_000_000, "has more than 1 MiB"),
     ],
 )
-def test_files_that_cannot_be_read_are_told(text: str, said: str) -> None:
+def test_files_that_cannot_be_read_are_reported(text: str, said: str) -> None:
     with pytest.raises(ConfigError, match=said):
         Trajectory.from_json(text, "mine.json")
 
@@ -122,7 +122,7 @@ def test_names_that_could_be_other_files_are_refused(name: str, tmp_path: Path) 
         Kept(101, "inc1", tmp_path).save_trajectory(name, "{}")
 
 
-def test_a_damaged_file_of_poses_is_told(tmp_path: Path) -> None:
+def test_a_damaged_file_of_poses_is_reported(tmp_path: Path) -> None:
     (tmp_path / "101-inc1").mkdir()
     (tmp_path / "101-inc1" / "poses.json").write_text('{"poses": {"101.1.104": {"stow": {"elbow": "x"}}}}')
     with pytest.raises(ConfigError, match=r"poses\.json: poses.101.1.104.stow.elbow: .*mend or delete"):

@@ -167,7 +167,7 @@ async def test_one_that_does_not_read_holds_nobody_up() -> None:
     await asyncio.gather(*serving)
 
 
-async def test_why_there_is_no_picture_is_told_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
+async def test_why_there_is_no_picture_is_reported_in_words(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(module, "QUIET_TIME", 0.0)
     camera, browser, events = FakeCamera(), Browser(), list[str]()
     state = camera_state("STANDBY", silent=False)

@@ -74,7 +74,7 @@ async def test_a_slow_disk_bounds_what_waits(tmp_path: Path) -> None:
     assert "5 left out" in recording.summary
 
 
-async def test_a_full_disk_ends_it_and_is_told(tmp_path: Path) -> None:
+async def test_a_full_disk_ends_it_and_is_reported(tmp_path: Path) -> None:
     with pytest.raises(ConfigError, match="choose another folder with --recordings"):
         VideoRecording(tmp_path, "a", min_free=1 << 60)
     recording = VideoRecording(tmp_path, "a", min_free=0)

@@ -249,7 +249,7 @@ def test_a_disk_that_hangs_stops_nobody(path, monkeypatch):
     assert report.commands["alice"] + report.not_recorded == MAX_WAITING * 2 + 99
 
 
-def test_a_full_disk_is_told_and_survived(path, monkeypatch, caplog):
+def test_a_full_disk_is_reported_and_survived(path, monkeypatch, caplog):
     real = os.pwrite
     with AuditLog(path, "inc1") as log, caplog.at_level(logging.ERROR, "jauspy.audit"):
         monkeypatch.setattr(os, "pwrite", lambda file, data, at: real(file, data[: len(data) // 2], at))

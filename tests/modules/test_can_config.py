@@ -72,7 +72,7 @@ def test_a_robot_without_drives(tmp_path: Path) -> None:
         find("can").open(model, "empty")
 
 
-def test_a_drive_that_does_not_match_is_told_with_file_and_line(tmp_path: Path) -> None:
+def test_a_drive_that_does_not_match_is_reported_with_file_and_line(tmp_path: Path) -> None:
     file = tmp_path / "mine.toml"
     file.write_text(
         'extends = "inc1"\nname = "mine"\n[can.drives.arm_1]\nnode = 4\njoint = "elbow"\nencoder_counts = 4096\n'

@@ -29,7 +29,7 @@ class Link:
 
 
 @pytest.mark.slow
-def test_a_load_that_is_too_heavy_is_told_once(caplog: pytest.LogCaptureFixture) -> None:
+def test_a_load_that_is_too_heavy_is_reported_once(caplog: pytest.LogCaptureFixture) -> None:
     caplog.set_level(logging.INFO, logger="jauspy.robot")
     cell = Workcell("sim", "inc1", 104)
     cell.take_control()

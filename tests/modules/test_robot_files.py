@@ -242,7 +242,7 @@ def test_cyclic_extends_is_an_error(write):
         load(write('extends = "./robot.toml"'))
 
 
-def test_what_does_not_match_the_urdf_is_told_with_file_and_line(tmp_path):
+def test_what_does_not_match_the_urdf_is_reported_with_file_and_line(tmp_path):
     examples = Path(__file__).parents[2] / "examples"
     (tmp_path / "tracked.urdf").write_bytes((examples / "tracked.urdf").read_bytes())
     file = tmp_path / "mine.toml"
@@ -259,7 +259,7 @@ def test_what_does_not_match_the_urdf_is_told_with_file_and_line(tmp_path):
     assert str(caught.value) == f"{file}: line 3: urdf: {tmp_path / 'none.urdf'}: there is no such file"
 
 
-async def test_a_backend_that_is_not_installed_is_told_with_file_and_line_or_as_it_was_given(tmp_path):
+async def test_a_backend_that_is_not_installed_is_reported_with_file_and_line_or_as_it_was_given(tmp_path):
     examples = Path(__file__).parents[2] / "examples"
     config = load(examples / "tracked.toml")
     with pytest.raises(ConfigError, match=r"tracked\.toml: line 4: backend: no backend 'tracked'; installed are: "):

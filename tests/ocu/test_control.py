@@ -635,7 +635,7 @@ async def test_release_is_confirmed(world):
     assert world.network.sent(RejectControl)
 
 
-async def test_release_that_is_not_acknowledged_is_told(world, caplog):
+async def test_release_that_is_not_acknowledged_is_reported(world, caplog):
     await world.robot()
     ocu = await world.ocu()
     driver = (await ocu.discover(101)).service("PrimitiveDriver")

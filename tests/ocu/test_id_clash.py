@@ -34,7 +34,7 @@ def port(free_port: int) -> int:
     return free_port
 
 
-async def test_both_programs_are_told(tmp_path: Path, port: int, monkeypatch, caplog):
+async def test_both_programs_report_it(tmp_path: Path, port: int, monkeypatch, caplog):
     """Not to start the robot."""
     monkeypatch.setattr(client, "CLASH_INTERVAL", 0.05)
     hosts = ("127.0.0.1", "127.0.0.2")
@@ -66,7 +66,7 @@ async def test_both_programs_are_told(tmp_path: Path, port: int, monkeypatch, ca
     assert "127.0.0.1" in str(reported.value)
 
 
-async def test_programs_without_a_node_manager_are_told():
+async def test_programs_without_a_node_manager_are_reported():
     transports = [UdpTransport(ID, peer=("127.0.0.1", 9)) for _ in range(2)]
     for each in transports:
         await each.open()

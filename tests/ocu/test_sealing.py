@@ -75,7 +75,7 @@ async def test_a_program_is_the_same_with_a_key(world, operators, keys):
     assert not [name for name in component.counters if "refused" in name]
 
 
-async def test_without_a_key_the_reason_is_told(world, operators, caplog):
+async def test_without_a_key_the_reason_is_reported(world, operators, caplog):
     await robot(world, operators)
     ocu = await world.ocu()
     driver = (await ocu.discover(101)).component(ROBOT).service("PrimitiveDriver")

@@ -1,7 +1,7 @@
 """Attack: `python -m tools.attack [--seconds 600] [--seed 1] [--only NAME ...] [--write docs/security.md]`.
 
 Each attack has an equal share of the time, and for a given seed always the same bytes. The exit status is 1 when a
-victim did not keep a bound; each is told in one sentence.
+victim did not keep a bound; each is reported in one sentence.
 """
 
 from __future__ import annotations

@@ -9,7 +9,7 @@ squares (`stamped` of the camera); the page reads them from the canvas.
 
     drawn    from the state that a picture shows until it is on the canvas
     shown    until the frame of the page with it has been made
-    told     how far the time that comes with the stream is from the stamp (the overlay shows it)
+    stated   how far the time that comes with the stream is from the stamp (the overlay shows it)
 
 Processor time is in cores: of the cameras' processes (rendering and encoding; of that encoding, measured alone), of
 robot, node manager and console, and of the browser's processes.
@@ -217,22 +217,22 @@ def latency(seconds: float, backend: str) -> None:
         wall = 1000.0 * (time.time() - time.monotonic())
         frame_rate = page.evaluate("jauspy.video.frameRate")
         print(
-            f"{'camera':12}{'pictures/s':>11}{'drawn p50':>12}{'p95':>5}{'shown p50':>12}{'p95':>5}{'told':>7}   [ms]"
+            f"{'camera':12}{'pictures/s':>11}{'drawn p50':>12}{'p95':>5}{'shown p50':>12}{'p95':>5}{'stated':>7}   [ms]"
         )
         everything: list[float] = []
         for camera in sorted({each[0] for each in seen}):
             rows = [each for each in seen if each[0] == camera]
-            drawn, shown, told = [], [], []
+            drawn, shown, stated = [], [], []
             for _, stamp, taken, at_drawn, at_shown in rows:
                 until_shown = (round(1e3 * (at_shown - offset)) - stamp) % (1 << 32) / 1e3
                 shown.append(until_shown)
                 drawn.append(until_shown - (at_shown - at_drawn))
                 if taken:
-                    told.append((round(1e3 * (taken - wall)) - stamp + (1 << 31)) % (1 << 32) / 1e3 - (1 << 31) / 1e3)
+                    stated.append((round(1e3 * (taken - wall)) - stamp + (1 << 31)) % (1 << 32) / 1e3 - (1 << 31) / 1e3)
             everything += shown
             print(
                 f"{camera:12}{len(rows) / seconds:11.1f}{percentiles(drawn):>17}{percentiles(shown):>17}"
-                f"{statistics.median(told) if told else float('nan'):7.0f}"
+                f"{statistics.median(stated) if stated else float('nan'):7.0f}"
             )
         print(f"both: shown p50 and p95{percentiles(everything)} ms; the page made {frame_rate:.0f} frames/s")
         told_by_page = page.locator("#video-load").inner_text()

@@ -100,7 +100,7 @@ def split(seen: Seen, commands: list[Sample], reads: list[tuple[float, float]]) 
             unseen += 1
             continue
         if abs(reply[1] - read[1]) > 0.001:
-            raise SystemExit(f"a report says {reply[1]} m/s where {read[1]} was read: the parts cannot be told apart")
+            raise SystemExit(f"a report says {reply[1]} m/s where {read[1]} was read: the parts are not distinct")
         times = [sent, command.sent, command.applied, command.moved, read[0], reply[0]]
         parts = [after - before for before, after in pairwise(times)]
         rows.append([*parts, sum(parts), parts[0] + parts[-1]])

@@ -19,7 +19,7 @@ from jauspy.messages.operators import RejectCommand
 MAX_OF_KIND: Final = 200
 """Messages of one id that are kept, so that frequent ones do not displace rare ones."""
 MAX_KINDS: Final = 256
-"""Message ids that are told apart; all others count as one."""
+"""Message ids that are counted apart; all others count as one."""
 MAX_PAYLOAD: Final = 4096
 """Bytes of a message that are kept; longer ones are listed without their fields."""
 ROUTINE: Final = frozenset(

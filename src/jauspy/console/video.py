@@ -80,12 +80,12 @@ class AttitudeFeed:
             self._tasks = []
 
     def _start(self) -> None:
-        told: set[str] = set()
+        followed: set[str] = set()
         for service, query, names in ATTITUDE_SOURCES:
             component = next((each for each in self._robot.components if each.find(service)), None)
-            if component is None or told & set(names):
+            if component is None or followed & set(names):
                 continue
-            told |= set(names)
+            followed |= set(names)
             following = self._follow(component.id, query, names, events=component.find("Events") is not None)
             self._tasks.append(asyncio.create_task(following, name=f"console: attitude of {component.id}"))
 
@@ -124,7 +124,7 @@ MAX_BYTES: Final = 4 << 20
 RETRY_INTERVAL: Final = 2.0
 """Seconds until a camera is asked again after its stream has ended, or a component that does not tell the attitude."""
 QUIET_TIME: Final = 2.0
-"""Seconds without a picture after which the browsers are told why."""
+"""Seconds without a picture after which the browsers learn why."""
 KEY_INTERVAL: Final = 2.0
 """Seconds after which the robot is asked for a key picture while a browser gets those alone: slow cameras make few."""
 CHOICES: Final = ("all", "keys", "nothing")
@@ -294,19 +294,19 @@ class SharedCamera:
             self._tasks = []
 
     async def _receive(self) -> None:
-        told = ""
+        sent = ""
         while True:
             try:
                 async with aclosing(self.camera.encoded()) as pictures:
                     async for picture in pictures:
                         self._hand_out(picture)
-                        told = self._problem = ""
+                        sent = self._problem = ""
                         self._has_begun = True
             except JausError as error:
                 self._problem = printable(str(error))
-                if self._problem != told:
+                if self._problem != sent:
                     self._on_event(f"no video of {self.name}: {error}")
-                told = self._problem
+                sent = self._problem
                 self._has_begun = False
             await asyncio.sleep(RETRY_INTERVAL)
 

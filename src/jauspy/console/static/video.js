@@ -34,7 +34,7 @@ jauspy.video = {
   frames: 0,
   slow: 0,
   fine: 0,
-  patience: 5,
+  recovery: 5,
   countFrame() {
     jauspy.video.frames += 1;
     if (jauspy.video.watching().length) requestAnimationFrame(jauspy.video.countFrame);
@@ -55,8 +55,8 @@ jauspy.video = {
     if (video.slow >= 3 && video.level < 2) {
       video.level += 1;
       video.slow = 0;
-      video.patience = Math.min(30, 2 * video.patience);
-    } else if (video.fine >= video.patience && video.level > 0) {
+      video.recovery = Math.min(30, 2 * video.recovery);
+    } else if (video.fine >= video.recovery && video.level > 0) {
       video.level -= 1;
       video.fine = 0;
     }
