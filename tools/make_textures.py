@@ -429,9 +429,9 @@ def sky_colour(direction: Array) -> Array:
     base = mixed(base, tinted(bright, (1.0, 1.0, 1.01)), 0.85 * cloud)
     near = np.clip(direction @ np.array(SUN), 0.0, 1.0)
     base = base + (0.30 * near**24 + 0.8 * near**900)[..., None] * np.array((1.0, 0.95, 0.84))
-    around = np.arctan2(direction[..., 1], direction[..., 0]) / (2.0 * np.pi)
-    tops = 0.022 + 0.007 * noise(0.9, 172, size=1024, low=3.0)[0][np.floor(around * 1024).astype(int) % 1024]
-    return np.clip(mixed(base, TREES, edge(-z, -tops, 0.004)), 0.0, 1.0)
+    around = np.arctan2(direction[..., 1], direction[..., 0]) / (2.0 * np.pi) % 1.0
+    tops = 0.016 + 0.0045 * np.interp(around, np.arange(1024) / 1024, noise(1.5, 172, size=1024, low=6.0)[0], period=1.0)
+    return np.clip(mixed(base, TREES, edge(-z, -tops, 0.007)), 0.0, 1.0)
 
 
 # --- files -----------------------------------------------------------------------------------------------------------
