@@ -10,6 +10,7 @@ import mujoco
 import numpy as np
 
 from jauspy.modules.robot_files import load, robot_model
+from jauspy.platform.joints import ControlMode, Target
 from jauspy_sim.robot import SimulatedRobot
 
 BLIND = dataclasses.replace(robot_model(load("inc1")), lidars=(), cameras=())
@@ -78,8 +79,10 @@ def test_things_of_the_street_can_be_lifted_opened_and_tipped(opened: SimulatedR
 @pytest.mark.slow
 @pytest.mark.parametrize("opened", ["street"], indirect=True)
 def test_drives_over_the_kerb(opened: SimulatedRobot) -> None:
+    opened.groups["flippers"].command([Target(ControlMode.POSITION, 0.35)])
+    opened.advance(1.0)
     opened.drive.set_effort(0.5, 0.0)
-    for _ in range(40):
+    for _ in range(80):
         opened.advance(0.1)
         if opened.drive.pose().x > 2.75:
             break
