@@ -388,8 +388,8 @@ HAZE: Final = (0.80, 0.87, 0.92)
 """The colour of the sky at the horizon."""
 
 
-TREES: Final = (0.56, 0.64, 0.61)
-"""The colour of trees at the horizon, and of all below: that of `haze` in look.xml, in which the ground ends."""
+HILLS: Final = (0.56, 0.64, 0.61)
+"""The colour of wooded hills at the horizon, and of all below: that of `haze` in look.xml, in which the ground ends."""
 
 
 def sky() -> Array:
@@ -430,8 +430,9 @@ def sky_colour(direction: Array) -> Array:
     near = np.clip(direction @ np.array(SUN), 0.0, 1.0)
     base = base + (0.30 * near**24 + 0.8 * near**900)[..., None] * np.array((1.0, 0.95, 0.84))
     around = np.arctan2(direction[..., 1], direction[..., 0]) / (2.0 * np.pi) % 1.0
-    tops = 0.016 + 0.0045 * np.interp(around, np.arange(1024) / 1024, noise(1.5, 172, size=1024, low=6.0)[0], period=1.0)
-    return np.clip(mixed(base, TREES, edge(-z, -tops, 0.007)), 0.0, 1.0)
+    hills = noise(1.5, 172, size=1024, low=6.0)[0]
+    tops = 0.016 + 0.0045 * np.interp(around, np.arange(1024) / 1024, hills, period=1.0)
+    return np.clip(mixed(base, HILLS, edge(-z, -tops, 0.007)), 0.0, 1.0)
 
 
 # --- files -----------------------------------------------------------------------------------------------------------
