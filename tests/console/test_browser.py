@@ -143,7 +143,7 @@ def test_a_message_is_found_and_opened(url: str) -> None:
         row.wait_for()
         page.get_by_role("button", name="pause").click()
         page.locator(".traffic tbody tr").first.click()
-        page.locator(".fields .path").get_by_text("status", exact=True).wait_for()
+        page.locator(".fields .path").filter(has_text=re.compile("^status$")).wait_for()
 
 
 def test_waypoints_are_set_by_clicks_and_driven(url: str, robot: RunningRobot) -> None:

@@ -22,6 +22,7 @@ from jauspy.services.mobility.courses import (
     steer_to_heading,
 )
 from jauspy.services.mobility.velocity_control import (
+    SPEED_GAINS,
     STANDSTILL,
     AccelerationLimits,
     AxisControl,
@@ -29,7 +30,6 @@ from jauspy.services.mobility.velocity_control import (
     PlanarVelocity,
     VelocityControl,
     ramped,
-    speed_gains,
 )
 
 LIMITS = AccelerationLimits(acceleration=1.0, deceleration=2.0, turn_acceleration=3.0, turn_deceleration=4.0)
@@ -54,7 +54,7 @@ def test_velocity_changes_within_its_limits(now, wanted, after) -> None:
 
 
 def test_the_integral_compensates_a_resistance_until_it_is_reset() -> None:
-    control = AxisControl(speed_gains(Chassis(max_speed=1.8)))
+    control = AxisControl(SPEED_GAINS)
     first = control.effort(0.5, 0.4, 0.02)
     efforts = [control.effort(0.5, 0.4, 0.02) for _ in range(50)]
     assert efforts == sorted(efforts)
@@ -64,7 +64,7 @@ def test_the_integral_compensates_a_resistance_until_it_is_reset() -> None:
 
 
 def test_control_does_not_wind_up() -> None:
-    control = AxisControl(speed_gains(Chassis(max_speed=1.8)))
+    control = AxisControl(SPEED_GAINS)
     for _ in range(2000):
         assert control.effort(1.5, 0.0, 0.02) <= 1.0
     assert control.effort(0.0, 0.0, 0.02) < 1.0
@@ -72,7 +72,7 @@ def test_control_does_not_wind_up() -> None:
 
 
 def test_control_recovers_from_saturation() -> None:
-    control = AxisControl(speed_gains(Chassis(max_speed=1.8)))
+    control = AxisControl(SPEED_GAINS)
     for _ in range(100):
         control.effort(1.0, 0.7, 0.02)
     assert control.effort(1.5, 1.5, 0.02) == 1.0

@@ -71,14 +71,9 @@ class AxisGains:
     integral: float
 
 
-def speed_gains(chassis: Chassis) -> AxisGains:
-    """Of the speed: with its full effort a chassis has the speed of its tracks or wheels without resistance."""
-    return AxisGains(SPEED_ON_GROUND / chassis.max_speed, breakaway=0.01, proportional=0.15, integral=0.6)
-
-
+SPEED_GAINS = AxisGains(forward=0.53, breakaway=0.01, proportional=0.15, integral=0.6)
 TURN_RATE_GAINS = AxisGains(forward=0.27, breakaway=0.06, proportional=0.05, integral=0.4)
-"""As those of the speed, between the best gains for inc1 with and without physics; the integral compensates the
-difference."""
+"""Between the best gains for inc1 with and without physics; the integral compensates the difference."""
 
 SKIDDING_GAINS = AxisGains(forward=0.25, breakaway=0.12, proportional=0.15, integral=0.8)
 """Turn rate of wheels that skid, which rub more than tracks do."""
@@ -123,8 +118,9 @@ class VelocityControl:
 
     def __init__(self, chassis: Chassis) -> None:
         self._chassis = chassis
-        speed = speed_gains(chassis)
-        turn = SKIDDING_GAINS if chassis.wheel_radius else TURN_RATE_GAINS
+        speed, turn = SPEED_GAINS, TURN_RATE_GAINS
+        if chassis.wheel_radius:
+            speed, turn = replace(speed, forward=SPEED_ON_GROUND / chassis.max_speed), SKIDDING_GAINS
         if chassis.moves_sideways:
             lever = (chassis.wheel_base + chassis.track_separation) / 2.0
             turn = replace(turn, forward=lever / chassis.max_speed, breakaway=0.01)
