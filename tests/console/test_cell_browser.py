@@ -12,7 +12,7 @@ from tests.helpers.command_line import start, stopped, wait_for
 from tests.helpers.ports import unused_port
 
 pytest.importorskip("mujoco", reason="needs the extra 'sim'")
-pytest.importorskip("pinocchio", reason="needs the extra 'cell'")
+pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytestmark = BROWSER_MARKS
 
 
