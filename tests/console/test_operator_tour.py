@@ -179,7 +179,7 @@ def lift_the_can(operator: Operator, robot: RunningRobot) -> None:
     page.get_by_role("button", name="take", exact=True).click()
     page.get_by_text("you operate this robot").wait_for()
     page.locator(".facts b").wait_for()
-    page.wait_for_function(f"+document.querySelector(\"{ARM_CAMERA}\")?.dataset.pictures > 0")
+    page.wait_for_function(f'+document.querySelector("{ARM_CAMERA}")?.dataset.pictures > 0')
 
     operator.drive_to(PLAN.goal.x)
     operator.turn_to(PLAN.goal.heading)

@@ -126,7 +126,9 @@ def test_settings_change_the_picture_and_one_who_does_not_operate_may_not(url: s
 
 def test_a_page_that_is_too_slow_says_what_it_leaves_out(url: str) -> None:
     with page_at(url, SLOW_PAGE) as page:
-        page.get_by_text(re.compile(r"this page holds \d+ frames/s: (small|all) cameras show key pictures only")).wait_for()
+        page.get_by_text(
+            re.compile(r"this page holds \d+ frames/s: (small|all) cameras show key pictures only")
+        ).wait_for()
         page.get_by_text("all cameras show key pictures only").wait_for()
         page.wait_for_function("[...jauspy.video.views.values()].every((view) => view.wanted === 'keys')")
         wait_for_pictures(page)

@@ -41,15 +41,22 @@ from jauspy.transport import LocalTransport
 INC1 = load("inc1")
 
 
+REAL_TIME = 0.995
+"""Share of the steps that were not skipped, below which a demo proves nothing: its machine was too busy."""
+
+
 @pytest.mark.slow
-@pytest.mark.timeout(300)
+@pytest.mark.timeout(600)
 @pytest.mark.parametrize(("world", "backend"), [("yard", "sim"), ("yard", "can"), ("street", "sim")])
 def test_demo_drives_grasps_and_lifts(world: str, backend: str, free_port: int, tmp_path: Path) -> None:
     folder, thing = tmp_path / "out", plan.PLANS[world].thing
     arguments = ("demo", "--port", str(free_port), "--output", str(folder), "--size", "320x240", "--plain")
     command = [sys.executable, "-m", "jauspy.cli.main", *arguments, "--world", world, "--backend", backend]
     ours = {**os.environ, "DEMO": str(folder)}
-    done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=280, env=ours)
+    for _ in range(3):
+        done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=180, env=ours)
+        if done.returncode == 0 or real_time(folder) > REAL_TIME:
+            break
     assert done.returncode == 0, done.stdout + done.stderr
     assert "all goals were reached" in done.stdout
     assert not with_environment("DEMO", str(folder))
@@ -71,6 +78,12 @@ def test_demo_drives_grasps_and_lifts(world: str, backend: str, free_port: int, 
     assert cv2.imread(str(folder / "joints.png")).shape[1] >= 1000
     if world == "yard":
         check_map(folder)
+
+
+def real_time(folder: Path) -> float:
+    """The share of real time that a demo held, as its summary has it."""
+    results = json.loads((folder / "summary.json").read_text())["results"]
+    return float(next(each["figures"]["held"] for each in results if each["stage"] == "real time"))
 
 
 def check_map(folder: Path) -> None:
