@@ -25,7 +25,7 @@ from jauspy_sim.lighting import draw_floors_as_meshes
 from jauspy_sim.look import polish, show_solids, without_visuals
 from jauspy_sim.self_contacts import depth_below_base, exclude_touching
 from jauspy_sim.shapes import same_shape
-from jauspy_sim.treads import SIDES
+from jauspy_sim.track_visuals import SIDES
 from jauspy_sim.urdf import body_name, urdf_spec
 from jauspy_sim.world_files import world_spec
 

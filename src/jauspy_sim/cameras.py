@@ -1,4 +1,7 @@
-"""Cameras in the simulated world: the robot's process shares its state, the camera's process renders it."""
+"""Cameras in the simulated world: the robot's process shares its state, the camera's process renders it.
+
+Exposure, focus, lens and noise are applied to the rendered picture in `jauspy.video.imaging`.
+"""
 
 from __future__ import annotations
 
@@ -24,7 +27,7 @@ from jauspy_sim.gl import GlRenderer
 from jauspy_sim.rays import RayRenderer
 from jauspy_sim.sensors import cast_rays
 from jauspy_sim.shared_model import ModelMemory, shared_model
-from jauspy_sim.treads import Treads
+from jauspy_sim.track_visuals import Treads
 from jauspy_sim.urdf import body_name
 
 _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])

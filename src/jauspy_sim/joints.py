@@ -1,4 +1,4 @@
-"""Joint groups and the tracked chassis in MuJoCo: commands to motors and belts, and their states."""
+"""Joint groups and the free joint of a chassis in MuJoCo: commands to motors, and states."""
 
 from __future__ import annotations
 
@@ -10,12 +10,10 @@ import numpy as np
 
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
-from jauspy.platform.chassis import SkidSteerDrive
-from jauspy.platform.description import GroupSetup, TrackSetup
+from jauspy.platform.description import GroupSetup
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
-from jauspy_sim.belts import Belts
 from jauspy_sim.load_brake import LoadBrake
 
 
@@ -151,59 +149,3 @@ def roll_pitch_yaw(w: float, x: float, y: float, z: float) -> tuple[float, float
     pitch = math.asin(min(1.0, max(-1.0, 2.0 * (w * y - z * x))))
     yaw = math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
     return roll, pitch, yaw
-
-
-class TrackedDrive(SkidSteerDrive):
-    """A `DriveBase`: free joint `base`, joints and motors of the belts, their names after `prefix`."""
-
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup) -> None:
-        super().__init__()
-        self._model = model
-        self._data = data
-        self._qpos, self._qvel = view(data.qpos), view(data.qvel)
-        base = FloatingBase(model, data, prefix)
-        self._pose, self._twist = base.pose, base.twist
-        names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
-        self._belts = Belts(model, data, base.dof, names)
-        self._run = view(data.userdata)
-        positions = [int(model.joint(name).qposadr[0]) for name in names]
-        self._driven_positions = list(enumerate((positions[0], positions[len(tracks.left)])))
-        self._belt_positions = positions
-        driven = [f"{prefix}{side[0]}" for side in (tracks.left, tracks.right)]
-        self._dofs = [int(model.joint(name).dofadr[0]) for name in driven]
-        self._motors = [int(model.actuator(name).id) for name in driven]
-        self._speeds = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
-        self._brakes = [float(model.actuator_forcerange[motor][1]) for motor in self._motors]
-        self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._dofs]
-        self.stop()
-
-    def set_track_efforts(self, left: float, right: float) -> None:
-        """Drive the belts with fractions of the motors' voltage, -1..1; zero for both brakes with their full force."""
-        braking = not (left or right)
-        rows = zip(self._motors, self._speeds, self._dofs, self._brakes, self._gear_friction, strict=True)
-        for (motor, speed, dof, brake, friction), effort in zip(rows, (left, right), strict=True):
-            self._data.ctrl[motor] = -speed * effort  # on the ground a belt runs backward when the robot drives forward
-            self._model.dof_frictionloss[dof] = brake if braking else friction
-
-    def step(self) -> None:
-        """Advance the physics by one step, in which the belts run around their shapes."""
-        mujoco.mj_step1(self._model, self._data)
-        self._belts.run_around()
-        mujoco.mj_step2(self._model, self._data)
-        for side, position in self._driven_positions:
-            self._run[side] -= self._qpos[position]
-        for position in self._belt_positions:
-            self._qpos[position] = 0.0
-
-    def pose(self) -> Pose:
-        """Pose of `base_link` in the world."""
-        return self._pose()
-
-    def twist(self) -> Twist:
-        """Velocity of `base_link` in its own frame."""
-        return self._twist()
-
-    def track_speeds(self) -> tuple[float, float]:
-        """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""
-        left, right = self._dofs
-        return -self._qvel[left], -self._qvel[right]

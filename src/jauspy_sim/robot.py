@@ -17,8 +17,9 @@ from jauspy.platform.localizer import Localizer, Turning
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
-from jauspy_sim.joints import SimulatedJoints, TrackedDrive
+from jauspy_sim.joints import SimulatedJoints
 from jauspy_sim.sensors import LayeredLidar, simulated_force_torque, simulated_lidar
+from jauspy_sim.tracks import SimulatedTracks
 from jauspy_sim.viewer import Viewer
 from jauspy_sim.wheels import SimulatedWheels
 
@@ -43,7 +44,7 @@ class SimulatedRobot:
         self._viewer: Viewer | None = None
         self._data = data = mujoco.MjData(model)
         name_prefix = prefix(robot.description.name)
-        self._tracked = TrackedDrive(model, data, name_prefix, robot.tracks) if robot.tracks else None
+        self._tracked = SimulatedTracks(model, data, name_prefix, robot.tracks) if robot.tracks else None
         self._wheels = SimulatedWheels(model, data, name_prefix, robot.wheels) if robot.wheels else None
         self._drive = self._tracked or self._wheels or FixedBase()
         self._localizer: Localizer | None = None
@@ -94,7 +95,7 @@ class SimulatedRobot:
         return self._data
 
     @property
-    def drive(self) -> TrackedDrive | SimulatedWheels | FixedBase:
+    def drive(self) -> SimulatedTracks | SimulatedWheels | FixedBase:
         """The chassis on tracks or wheels, or a base that does not move."""
         return self._drive
 

@@ -11,7 +11,7 @@ from typing import Any, Final
 import mujoco
 
 from jauspy.errors import ConfigError
-from jauspy_sim.treads import Treads
+from jauspy_sim.track_visuals import Treads
 
 DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
 """Variables of the environment, one of which names a display."""

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.console.kept import Kept, checked_name
 from jauspy.console.manipulators import JointInfo
+from jauspy.console.saved_files import SavedFiles, checked_name
 from jauspy.console.trajectory import MAX_ROWS, Trajectory, TrajectoryRow
 from jauspy.errors import ConfigError
 from jauspy.ocu.joints import MotionLimits
@@ -99,11 +99,11 @@ def test_the_program_of_a_modular_arm_is_python() -> None:
 
 
 def test_poses_and_trajectories_are_kept_by_robot(tmp_path: Path) -> None:
-    kept = Kept(101, "inc1", tmp_path)
+    kept = SavedFiles(101, "inc1", tmp_path)
     kept.save_pose("101.1.104", "stow", {"elbow": -0.0})
     kept.save_pose("101.1.104", "up", {"elbow": 1.23456})
-    assert Kept(101, "inc1", tmp_path).poses("101.1.104") == {"stow": {"elbow": 0.0}, "up": {"elbow": 1.2346}}
-    assert Kept(102, "inc1", tmp_path).poses("101.1.104") == {}
+    assert SavedFiles(101, "inc1", tmp_path).poses("101.1.104") == {"stow": {"elbow": 0.0}, "up": {"elbow": 1.2346}}
+    assert SavedFiles(102, "inc1", tmp_path).poses("101.1.104") == {}
     kept.delete_pose("101.1.104", "stow")
     assert list(kept.poses("101.1.104")) == ["up"]
     made = trajectory((1.0, 0.1, 0.05))
@@ -119,11 +119,11 @@ def test_names_that_could_be_other_files_are_refused(name: str, tmp_path: Path) 
     with pytest.raises(ConfigError, match="a name is"):
         checked_name(name)
     with pytest.raises(ConfigError, match="a name is"):
-        Kept(101, "inc1", tmp_path).save_trajectory(name, "{}")
+        SavedFiles(101, "inc1", tmp_path).save_trajectory(name, "{}")
 
 
 def test_a_damaged_file_of_poses_is_reported(tmp_path: Path) -> None:
     (tmp_path / "101-inc1").mkdir()
     (tmp_path / "101-inc1" / "poses.json").write_text('{"poses": {"101.1.104": {"stow": {"elbow": "x"}}}}')
     with pytest.raises(ConfigError, match=r"poses\.json: poses.101.1.104.stow.elbow: .*mend or delete"):
-        Kept(101, "inc1", tmp_path).poses("101.1.104")
+        SavedFiles(101, "inc1", tmp_path).poses("101.1.104")

@@ -13,7 +13,7 @@ from jauspy_sim import rays
 from jauspy_sim.assembly import build
 from jauspy_sim.groups import VISUAL
 from jauspy_sim.robot import SimulatedRobot
-from jauspy_sim.treads import Treads
+from jauspy_sim.track_visuals import Treads
 
 ASSETS = files("jauspy_sim") / "worlds" / "assets"
 

@@ -11,7 +11,7 @@ cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 np = pytest.importorskip("numpy", reason="the extra 'video' is not installed")
 
 from jauspy.platform.camera import CameraSetup, Frame  # noqa: E402
-from jauspy.platform.imaging import (  # noqa: E402
+from jauspy.platform.imaging_settings import (  # noqa: E402
     ExposureMode,
     FocusMode,
     ImagingMode,

@@ -90,7 +90,7 @@ def console_page(
     if context.invoked_subcommand is not None:
         return
     try:
-        from jauspy.console.kept import read_poses
+        from jauspy.console.saved_files import read_poses
         from jauspy.console.server import RECORDINGS, Access, serving
         from jauspy.console.watchdog import Watchdog
     except ImportError as error:

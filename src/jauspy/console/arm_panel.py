@@ -8,9 +8,9 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.gripper_panel import GripperPanel
-from jauspy.console.kept import Kept
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
+from jauspy.console.saved_files import SavedFiles
 from jauspy.console.server import Console
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot
@@ -199,17 +199,17 @@ class ArmPanel:
 
     # --- poses ----------------------------------------------------------------------------------------------------
 
-    def _kept(self) -> Kept | None:
-        return None if self._robot is None else Kept(self._robot.id, self._robot.name)
+    def _files(self) -> SavedFiles | None:
+        return None if self._robot is None else SavedFiles(self._robot.id, self._robot.name)
 
     def _show_poses(self) -> None:
         self._poses.clear()
-        kept, arm = self._kept(), self._arm
-        if kept is None or arm is None:
+        files, arm = self._files(), self._arm
+        if files is None or arm is None:
             return
         id = str(arm.info.id)
         try:
-            poses = kept.poses(id)
+            poses = files.poses(id)
         except JausError as error:
             poses, self._motion.problem = {}, str(error)
         with self._poses:
@@ -244,11 +244,11 @@ class ArmPanel:
         button.props(f'outline dense no-caps aria-label="go to {name}"')
 
     async def _save_pose(self) -> None:
-        kept, arm = self._kept(), self._arm
-        if kept is None or arm is None:
+        files, arm = self._files(), self._arm
+        if files is None or arm is None:
             return
         try:
-            kept.save_pose(str(arm.info.id), str(self._name.value or ""), await arm.positions())
+            files.save_pose(str(arm.info.id), str(self._name.value or ""), await arm.positions())
         except JausError as error:
             self._motion.problem = str(error)
             return
@@ -257,11 +257,11 @@ class ArmPanel:
         self._show_poses()
 
     def _delete_pose(self, name: str) -> None:
-        kept, arm = self._kept(), self._arm
-        if kept is None or arm is None:
+        files, arm = self._files(), self._arm
+        if files is None or arm is None:
             return
         try:
-            kept.delete_pose(str(arm.info.id), name)
+            files.delete_pose(str(arm.info.id), name)
         except JausError as error:
             self._motion.problem = str(error)
         self._show_poses()

@@ -19,12 +19,12 @@ import uvicorn
 from fastapi import FastAPI, WebSocket, WebSocketDisconnect
 from starlette.staticfiles import StaticFiles
 
-from jauspy.console.access import LOCAL_HOSTS, Gate
 from jauspy.console.certificates import check_certificate
 from jauspy.console.fleet import NOTHING, Fleet
-from jauspy.console.kept import RobotPoses
+from jauspy.console.login import LOCAL_HOSTS, LoginMiddleware
 from jauspy.console.motion import Jogging
 from jauspy.console.operation import Operation
+from jauspy.console.saved_files import RobotPoses
 from jauspy.console.traffic import Traffic
 from jauspy.console.users import LOCAL, User, Users, current_user
 from jauspy.console.video import AttitudeFeed, SharedCamera, camera_state
@@ -314,7 +314,7 @@ def _add_jog(app: FastAPI, console: Console) -> None:
 
 
 async def _accepted(page: WebSocket, console: Console, token: str) -> bool:
-    """Accept a page of this console and of the user whose session it is; `access.Gate` has looked at its origin."""
+    """Accept a page of this console and of the user whose session it is; `LoginMiddleware` checks its origin."""
     if not console.is_of(token, current_user()):
         await page.close(4403)
         return False
@@ -390,7 +390,7 @@ async def serving(
     app = make_app(console)
     add_page(app, console)
     config = uvicorn.Config(
-        Gate(app, users, console.note),
+        LoginMiddleware(app, users, console.note),
         log_level="warning",
         lifespan="on",
         ws_max_size=MAX_FRAME,

@@ -10,9 +10,9 @@ from typing import Final
 from nicegui import ui
 from nicegui.events import UploadEventArguments, ValueChangeEventArguments
 
-from jauspy.console.kept import Kept, checked_name
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.motion import Motion
+from jauspy.console.saved_files import SavedFiles, checked_name
 from jauspy.console.server import Console
 from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular
 from jauspy.errors import ConfigError, JausError
@@ -43,8 +43,8 @@ class TrajectoryPanel:
             self._choice = ui.select({}, label="arm", on_change=self._choose).props("dense outlined options-dense")
             self._choice.classes("wide named")
             self._name = ui.input("name", value=DEFAULT_NAME).props("dense outlined").classes("wide")
-            self._kept = ui.select([], label="saved", on_change=self._load)
-            self._kept.props("dense outlined options-dense").classes("wide")
+            self._saved = ui.select([], label="saved", on_change=self._load)
+            self._saved.props("dense outlined options-dense").classes("wide")
             ui.button("save", on_click=self._save).props("outline no-caps")
             ui.button("delete", on_click=self._delete).props("flat no-caps")
         self._table = ui.element("div").classes("rows").props('role="table"')
@@ -72,7 +72,7 @@ class TrajectoryPanel:
         self._robot = robot
         self._arms = manipulators(robot) if robot is not None else {}
         self._choice.set_options({id: arm.title for id, arm in self._arms.items()}, value=next(iter(self._arms), None))
-        self._show_kept()
+        self._show_saved()
 
     def close(self) -> None:
         """The page has gone."""
@@ -246,47 +246,47 @@ class TrajectoryPanel:
 
     # --- files ------------------------------------------------------------------------------------------------------
 
-    def _folder(self) -> Kept | None:
-        return None if self._robot is None else Kept(self._robot.id, self._robot.name)
+    def _files(self) -> SavedFiles | None:
+        return None if self._robot is None else SavedFiles(self._robot.id, self._robot.name)
 
-    def _show_kept(self) -> None:
-        folder = self._folder()
-        self._kept.set_options(folder.trajectories() if folder is not None else [], value=None)
+    def _show_saved(self) -> None:
+        files = self._files()
+        self._saved.set_options(files.trajectories() if files is not None else [], value=None)
 
     def _text(self) -> str:
         return self.trajectory.to_json(self._robot.name if self._robot is not None else "")
 
     def _save(self) -> None:
-        folder, self._problem_here = self._folder(), ""
-        if folder is None:
+        files, self._problem_here = self._files(), ""
+        if files is None:
             return
         try:
-            folder.save_trajectory(str(self._name.value or ""), self._text())
+            files.save_trajectory(str(self._name.value or ""), self._text())
         except ConfigError as error:
             self._problem_here = str(error)
             return
-        self._show_kept()
+        self._show_saved()
 
     def _load(self) -> None:
-        folder, name = self._folder(), self._kept.value
-        if folder is None or not name:
+        files, name = self._files(), self._saved.value
+        if files is None or not name:
             return
         self._problem_here = ""
         try:
-            self._take(folder.trajectory(str(name)))
+            self._take(files.trajectory(str(name)))
         except ConfigError as error:
             self._problem_here = str(error)
             return
         self._name.set_value(str(name))
 
     def _delete(self) -> None:
-        folder = self._folder()
-        if folder is not None:
+        files = self._files()
+        if files is not None:
             try:
-                folder.delete_trajectory(str(self._name.value or ""))
+                files.delete_trajectory(str(self._name.value or ""))
             except (ConfigError, OSError) as error:
                 self._problem_here = str(error)
-        self._show_kept()
+        self._show_saved()
 
     async def _upload_file(self, event: UploadEventArguments) -> None:
         self._problem_here = ""

@@ -12,7 +12,7 @@ from jauspy.cloud.stream import MAX_POINTS
 from jauspy.errors import ConfigError
 from jauspy.modules.config_base import StrictConfig, UrdfName
 from jauspy.platform.camera import CameraSetup, OutsideSetup, Viewpoint
-from jauspy.platform.imaging import ImagingSetup
+from jauspy.platform.imaging_settings import ImagingSetup
 from jauspy.platform.video_settings import VideoSettings
 
 Coefficient: TypeAlias = Annotated[float, Field(ge=-10.0, le=10.0)]

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Final, Protocol, TypeAlias
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector, cross, difference, dot, scaled
-from jauspy.platform.imaging import IDEAL, ImagingSetup
+from jauspy.platform.imaging_settings import IDEAL, ImagingSetup
 
 if TYPE_CHECKING:
     import numpy as np

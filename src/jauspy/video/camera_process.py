@@ -10,7 +10,7 @@ from typing import Final, TypeAlias
 from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera, CameraSetup
-from jauspy.platform.imaging import ImagingSettings
+from jauspy.platform.imaging_settings import ImagingSettings
 from jauspy.platform.video_settings import Still, StillSettings, VideoSettings
 from jauspy.video import need_video
 from jauspy.video.camera_protocol import (

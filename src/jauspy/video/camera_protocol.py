@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TypeAlias
 
 from jauspy.platform.camera import Camera
-from jauspy.platform.imaging import ImagingSettings
+from jauspy.platform.imaging_settings import ImagingSettings
 from jauspy.platform.video_settings import StillSettings, VideoSettings
 
 Address: TypeAlias = tuple[str, int]

@@ -15,7 +15,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.camera import Frame
-from jauspy.platform.imaging import FocusMode, ImagingMode, ImagingSettings, MeteringMode, WhiteBalance, narrowed
+from jauspy.platform.imaging_settings import (
+    FocusMode,
+    ImagingMode,
+    ImagingSettings,
+    MeteringMode,
+    WhiteBalance,
+    narrowed,
+)
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import CameraSession, CameraSetup, Distances, Image

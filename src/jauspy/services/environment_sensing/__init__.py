@@ -4,7 +4,7 @@ from jauspy.services.environment_sensing.digital_resource_discovery import Digit
 from jauspy.services.environment_sensing.digital_video import DigitalVideo
 from jauspy.services.environment_sensing.force_torque_sensor import ForceTorqueSensor, MountedForceTorqueSensor
 from jauspy.services.environment_sensing.h264_video_encoding import H264VideoEncoding
-from jauspy.services.environment_sensing.older import DigitalVideoCapabilities, StillImageData
+from jauspy.services.environment_sensing.older_versions import DigitalVideoCapabilities, StillImageData
 from jauspy.services.environment_sensing.range_sensor import RangeSensor
 from jauspy.services.environment_sensing.sensors import JointMount, MountedLidar
 from jauspy.services.environment_sensing.still_image import StillImage

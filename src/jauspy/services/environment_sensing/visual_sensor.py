@@ -33,7 +33,7 @@ from jauspy.messages.environment_sensing.v2_0.visual_sensor import (
     SetVisualSensorConfiguration,
 )
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.imaging import (
+from jauspy.platform.imaging_settings import (
     ISO_LEVELS,
     ExposureMode,
     FocusMode,

@@ -1,4 +1,7 @@
-"""Who reaches the console: one gate before all of it, NiceGUI's own socket too; the login, and cookies of sessions."""
+"""ASGI middleware for all requests of the console, including NiceGUI's socket: login page, session cookies, origins.
+
+Who operates a robot is decided in `operation`.
+"""
 
 from __future__ import annotations
 
@@ -34,11 +37,11 @@ HEADERS: Final = [
 ]
 
 
-class Gate:
-    """Lets requests and sockets of users pass.
+class LoginMiddleware:
+    """Passes requests and WebSockets of users to `app`; refuses all others.
 
-    With `users` everything needs a session, which the login begins; without, requests must name this machine as their
-    host, so that no other site reaches the console by a name of its own.
+    With `users`, everything but the login page needs a session. Without, the host of a request must be one of
+    `LOCAL_HOSTS`, so that other sites cannot reach the console by DNS rebinding.
     """
 
     def __init__(self, app: ASGIApp, users: Users | None, note: Callable[[str], None]) -> None:

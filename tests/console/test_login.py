@@ -1,4 +1,4 @@
-"""The gate before the console: TLS and a login for other machines, and pages of other sites."""
+"""The login middleware of the console: TLS and a login for other machines, and requests of other sites."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ pytest.importorskip("nicegui", reason="needs the extra 'console'")
 import httpx
 
 from jauspy.console import users as users_module
-from jauspy.console.access import COOKIE, MAX_FORM, Gate
 from jauspy.console.certificates import check_certificate, make_certificate
+from jauspy.console.login import COOKIE, MAX_FORM, LoginMiddleware
 from jauspy.console.users import MAX_FAILURES, Users, add_user, current_user
 from jauspy.errors import ConfigError
 
@@ -23,7 +23,7 @@ PASSWORD = "a long password"
 
 
 async def behind(scope: Any, receive: Any, send: Any) -> None:
-    """What the gate protects: tells who asks; a socket stays open until it is closed."""
+    """The protected application: it replies with the name of the user; a socket stays open until it is closed."""
     user = current_user()
     assert user is not None
     if scope["type"] == "websocket":
@@ -43,8 +43,8 @@ def users(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Users:
     return Users(tmp_path / "users.toml")
 
 
-def client(gate: Gate, base: str = f"https://{HOST}") -> httpx.AsyncClient:
-    return httpx.AsyncClient(transport=httpx.ASGITransport(gate), base_url=base)  # type: ignore[arg-type]  # ASGI
+def client(middleware: LoginMiddleware, base: str = f"https://{HOST}") -> httpx.AsyncClient:
+    return httpx.AsyncClient(transport=httpx.ASGITransport(middleware), base_url=base)  # type: ignore[arg-type]  # ASGI
 
 
 async def login(at: httpx.AsyncClient, password: str = PASSWORD, **headers: str) -> httpx.Response:
@@ -53,14 +53,16 @@ async def login(at: httpx.AsyncClient, password: str = PASSWORD, **headers: str)
 
 
 class Socket:
-    """A WebSocket at the gate."""
+    """A WebSocket at the middleware."""
 
-    def __init__(self, gate: Gate, path: str, cookie: str = "", origin: str = f"https://{HOST}") -> None:
+    def __init__(
+        self, middleware: LoginMiddleware, path: str, cookie: str = "", origin: str = f"https://{HOST}"
+    ) -> None:
         headers = [(b"host", HOST.encode()), (b"origin", origin.encode()), (b"cookie", cookie.encode())]
         scope = {"type": "websocket", "path": path, "scheme": "wss", "headers": headers, "client": ("10.0.0.1", 1)}
-        self._gate, self._scope = gate, scope
+        self._middleware, self._scope = middleware, scope
         self.said: asyncio.Queue[dict[str, Any]] = asyncio.Queue()
-        self.task = asyncio.ensure_future(gate(scope, self._receive, self.said.put))
+        self.task = asyncio.ensure_future(middleware(scope, self._receive, self.said.put))
 
     async def _receive(self) -> dict[str, Any]:
         await asyncio.Event().wait()
@@ -72,8 +74,8 @@ class Socket:
 
 async def test_nothing_is_reached_without_a_login_and_everything_with_one(users: Users) -> None:
     notes: list[str] = []
-    gate = Gate(behind, users, notes.append)
-    async with client(gate) as at:
+    middleware = LoginMiddleware(behind, users, notes.append)
+    async with client(middleware) as at:
         assert (await at.get("/")).headers["location"] == "/login"
         for path in ("/static/console.js", "/_nicegui/x/components/y", "/_nicegui_ws/socket.io/"):
             assert (await at.get(path)).status_code == 401
@@ -91,35 +93,35 @@ async def test_nothing_is_reached_without_a_login_and_everything_with_one(users:
 
 
 async def test_logging_out_closes_sockets(users: Users) -> None:
-    gate = Gate(behind, users, lambda _: None)
-    async with client(gate) as at:
+    middleware = LoginMiddleware(behind, users, lambda _: None)
+    async with client(middleware) as at:
         cookie = (await login(at)).headers["set-cookie"].partition(";")[0]
-        socket = Socket(gate, "/_nicegui_ws/socket.io/", cookie)
+        socket = Socket(middleware, "/_nicegui_ws/socket.io/", cookie)
         assert (await socket.next())["type"] == "websocket.accept"
         assert (await at.post("/logout", headers={"origin": f"https://{HOST}"})).headers["location"] == "/login"
         assert (await socket.next())["type"] == "websocket.close"
         await socket.task
         assert (await at.get("/")).headers["location"] == "/login"
-        replayed = Socket(gate, "/ws/stop/x", cookie)
+        replayed = Socket(middleware, "/ws/stop/x", cookie)
         assert await replayed.next() == {"type": "websocket.close", "code": 4401}
 
 
 @pytest.mark.parametrize("path", ["/ws/stop/x", "/ws/drive/101/x", "/_nicegui_ws/socket.io/"])
 async def test_sockets_of_other_sites_are_closed(users: Users, path: str) -> None:
-    gate = Gate(behind, users, lambda _: None)
-    async with client(gate) as at:
+    middleware = LoginMiddleware(behind, users, lambda _: None)
+    async with client(middleware) as at:
         cookie = (await login(at)).headers["set-cookie"].partition(";")[0]
     for origin in ("https://elsewhere.example", f"http://{HOST}", "null", ""):
-        socket = Socket(gate, path, cookie, origin)
+        socket = Socket(middleware, path, cookie, origin)
         assert await socket.next() == {"type": "websocket.close", "code": 4403}
 
 
 async def test_other_sites_and_names_are_refused(users: Users) -> None:
-    gate = Gate(behind, users, lambda _: None)
-    async with client(gate) as at:
+    middleware = LoginMiddleware(behind, users, lambda _: None)
+    async with client(middleware) as at:
         assert (await login(at, origin="https://elsewhere.example")).status_code == 403
         assert (await at.post("/login", data={})).status_code == 403, "a form without an origin"
-    local = Gate(behind, None, lambda _: None)
+    local = LoginMiddleware(behind, None, lambda _: None)
     async with client(local, "http://localhost:8101") as at:
         assert (await at.get("/")).text == "local"
         assert (await at.get("/", headers={"origin": "http://elsewhere.example"})).status_code == 403
@@ -129,14 +131,14 @@ async def test_other_sites_and_names_are_refused(users: Users) -> None:
 
 
 async def test_attempts_are_limited_and_forms_are_bounded(users: Users) -> None:
-    gate = Gate(behind, users, lambda _: None)
-    async with client(gate) as at:
+    middleware = LoginMiddleware(behind, users, lambda _: None)
+    async with client(middleware) as at:
         answers = await asyncio.gather(*(login(at, "wrong password") for _ in range(MAX_FAILURES + 2)))
         assert sorted(each.status_code for each in answers) == [*[403] * MAX_FAILURES, 429, 429]
         refused = await login(at)
         assert refused.status_code == 429
         assert "try again in 5 min" in refused.text
-    async with client(Gate(behind, users, lambda _: None)) as at:
+    async with client(LoginMiddleware(behind, users, lambda _: None)) as at:
         assert (await login(at, "x" * MAX_FORM)).status_code == 403
 
 

@@ -1,4 +1,4 @@
-"""What the console keeps for its users between runs: named poses and trajectories of each robot, as JSON files."""
+"""Files in which the console saves named poses and trajectories of each robot, as JSON."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from jauspy.errors import ConfigError
 from jauspy.user_files import read_file, read_toml
 
 MAX_NAME: Final = 40
-MAX_KEPT: Final = 100
+MAX_SAVED: Final = 100
 """Poses of an arm, and trajectories of a robot."""
 _NAME: Final = re.compile(r"[\w][\w .+-]*")
 _Position = Annotated[float, Field(allow_inf_nan=False)]
@@ -27,7 +27,7 @@ class _Poses(BaseModel):
 
 
 def state_directory() -> Path:
-    """Where the console keeps its files: `$XDG_STATE_HOME/jauspy/console`, by default in `~/.local/state`."""
+    """Directory of the files of the console: `$XDG_STATE_HOME/jauspy/console`, by default in `~/.local/state`."""
     root = os.environ.get("XDG_STATE_HOME", "")
     return Path(root if root.startswith("/") else Path.home() / ".local" / "state") / "jauspy" / "console"
 
@@ -64,7 +64,7 @@ def read_poses(path: Path) -> RobotPoses:
     return poses
 
 
-class Kept:
+class SavedFiles:
     """The poses and trajectories of one robot."""
 
     def __init__(self, subsystem: int, robot: str, root: Path | None = None) -> None:
@@ -76,12 +76,12 @@ class Kept:
         return self._poses().poses.get(component, {})
 
     def save_pose(self, component: str, name: str, positions: dict[str, float]) -> None:
-        """Keep a pose; one of the same name is replaced."""
+        """Save a pose, positions in radians or metres; replaces the pose of this name."""
         poses = self._poses()
         own = poses.poses.setdefault(component, {})
         own[checked_name(name)] = {joint: round(value, 4) + 0.0 for joint, value in positions.items()}
-        if len(own) > MAX_KEPT:
-            raise ConfigError(f"an arm has at most {MAX_KEPT} poses; delete one first")
+        if len(own) > MAX_SAVED:
+            raise ConfigError(f"an arm has at most {MAX_SAVED} poses; delete one first")
         self._write("poses.json", poses.model_dump_json(indent=2))
 
     def delete_pose(self, component: str, name: str) -> None:
@@ -92,13 +92,13 @@ class Kept:
 
     def trajectories(self) -> list[str]:
         """The names of the trajectories."""
-        return sorted(path.stem for path in (self._folder / "trajectories").glob("*.json"))[:MAX_KEPT]
+        return sorted(path.stem for path in (self._folder / "trajectories").glob("*.json"))[:MAX_SAVED]
 
     def save_trajectory(self, name: str, text: str) -> None:
         """Keep a trajectory; one of the same name is replaced."""
         name, known = checked_name(name), self.trajectories()
-        if name not in known and len(known) >= MAX_KEPT:
-            raise ConfigError(f"a robot has at most {MAX_KEPT} trajectories; delete one first")
+        if name not in known and len(known) >= MAX_SAVED:
+            raise ConfigError(f"a robot has at most {MAX_SAVED} trajectories; delete one first")
         self._write(f"trajectories/{name}.json", text)
 
     def trajectory(self, name: str) -> Trajectory:

@@ -1,4 +1,7 @@
-"""Belts of tracks in MuJoCo's contacts: at each contact, a belt moves along the surface of its shape."""
+"""The tracked chassis in MuJoCo: commands to motors, brakes and belts, and its state.
+
+At each contact, a belt moves along the surface of its shape (`Belts`).
+"""
 
 from __future__ import annotations
 
@@ -7,7 +10,11 @@ from typing import Final, NamedTuple
 
 import mujoco
 
+from jauspy.geometry.poses import Pose, Twist
+from jauspy.platform.chassis import SkidSteerDrive
+from jauspy.platform.description import TrackSetup
 from jauspy_sim.assembly import view
+from jauspy_sim.joints import FloatingBase
 
 ALONG_THE_TRACK: Final = 0.002
 """Cosines of normals to the track, of all contacts together, below which MuJoCo's own Jacobian is right."""
@@ -101,3 +108,59 @@ class Belts:
         internal = self._base not in columns
         base = 0 if internal else columns.index(self._base)
         return tuple(_Belt(dof, columns.index(dof), base, length, internal) for dof in dofs)
+
+
+class SimulatedTracks(SkidSteerDrive):
+    """A `DriveBase`: free joint `base`, joints and motors of the belts, their names after `prefix`."""
+
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str, tracks: TrackSetup) -> None:
+        super().__init__()
+        self._model = model
+        self._data = data
+        self._qpos, self._qvel = view(data.qpos), view(data.qvel)
+        base = FloatingBase(model, data, prefix)
+        self._pose, self._twist = base.pose, base.twist
+        names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
+        self._belts = Belts(model, data, base.dof, names)
+        self._run = view(data.userdata)
+        positions = [int(model.joint(name).qposadr[0]) for name in names]
+        self._driven_positions = list(enumerate((positions[0], positions[len(tracks.left)])))
+        self._belt_positions = positions
+        driven = [f"{prefix}{side[0]}" for side in (tracks.left, tracks.right)]
+        self._dofs = [int(model.joint(name).dofadr[0]) for name in driven]
+        self._motors = [int(model.actuator(name).id) for name in driven]
+        self._speeds = [float(model.actuator_ctrlrange[motor][1]) for motor in self._motors]
+        self._brakes = [float(model.actuator_forcerange[motor][1]) for motor in self._motors]
+        self._gear_friction = [float(model.dof_frictionloss[dof]) for dof in self._dofs]
+        self.stop()
+
+    def set_track_efforts(self, left: float, right: float) -> None:
+        """Drive the belts with fractions of the motors' voltage, -1..1; zero for both brakes with their full force."""
+        braking = not (left or right)
+        rows = zip(self._motors, self._speeds, self._dofs, self._brakes, self._gear_friction, strict=True)
+        for (motor, speed, dof, brake, friction), effort in zip(rows, (left, right), strict=True):
+            self._data.ctrl[motor] = -speed * effort  # on the ground a belt runs backward when the robot drives forward
+            self._model.dof_frictionloss[dof] = brake if braking else friction
+
+    def step(self) -> None:
+        """Advance the physics by one step, in which the belts run around their shapes."""
+        mujoco.mj_step1(self._model, self._data)
+        self._belts.run_around()
+        mujoco.mj_step2(self._model, self._data)
+        for side, position in self._driven_positions:
+            self._run[side] -= self._qpos[position]
+        for position in self._belt_positions:
+            self._qpos[position] = 0.0
+
+    def pose(self) -> Pose:
+        """Pose of `base_link` in the world."""
+        return self._pose()
+
+    def twist(self) -> Twist:
+        """Velocity of `base_link` in its own frame."""
+        return self._twist()
+
+    def track_speeds(self) -> tuple[float, float]:
+        """As `SkidSteerDrive.track_speeds`, of the first belt of each side."""
+        left, right = self._dofs
+        return -self._qvel[left], -self._qvel[right]

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from jauspy.console.kept import read_poses
+from jauspy.console.saved_files import read_poses
 from jauspy.errors import ConfigError
 
 

@@ -1,6 +1,7 @@
-"""Treads that are seen to run: visual shapes of tracks that move with their belts, wherever a state is drawn.
+"""Visual shapes of tracks that move with their belts, in every picture of the robot.
 
-Physics has no moving treads (`jauspy_sim.belts`): how far each side's belts have run is in `userdata` of the state.
+The physics of tracks (`jauspy_sim.tracks`) has no moving treads. It keeps the distance that the belts of each side
+have run in `userdata` of the state.
 A visual shape moves if its element in the URDF says so (other programs ignore these attributes):
 
 - `belt_way`: "forward" or "backward", in which direction of x it moves when the robot drives forward;
