@@ -27,6 +27,8 @@ RISER, TREAD, STEPS = 0.18, 0.28, 6
 FOOT = 1.0
 """Where a flight of stairs begins, m."""
 LANDING = 2.0
+OUTER_EDGE = 0.28
+"""Of the belts, from the middle, m."""
 SAFE = math.radians(50.0)
 """More than any of these obstacles tilts a robot that climbs it."""
 
@@ -190,6 +192,33 @@ def test_slides_down_a_side_slope_where_friction_ends() -> None:
     before = robot.drive.pose()
     robot.advance(1.0)
     assert robot.drive.pose().y < before.y - 0.3
+
+
+@pytest.mark.parametrize(
+    ("left", "turret", "load", "tips"),
+    [
+        pytest.param(30.0, -math.pi / 2.0, 10.0, True, id="30 degrees, 10 kg"),
+        pytest.param(30.0, -math.pi / 2.0, 0.0, False, id="30 degrees, no load"),
+        pytest.param(30.0, math.pi / 2.0, 10.0, False, id="30 degrees, 10 kg uphill"),
+        pytest.param(25.0, -math.pi / 2.0, 8.0, False, id="25 degrees, 8 kg"),
+    ],
+)
+def test_tips_sideways_with_a_load_on_its_arm(left: float, turret: float, load: float, tips: bool) -> None:
+    """Where the centre of gravity of robot and load is beyond the lower belt; kg hang on the arm, 0.8 m beside it."""
+    robot = put(slope(left=left))
+    turn_joints(robot, "arm", turret, 0.6, -0.3, 0.0, 0.0)
+    robot.advance(4.0)
+    hand, base = robot.model.body("inc1/gripper_link").id, robot.model.body("inc1/base_link").id
+    gravity = robot.model.opt.gravity
+    centre = (robot.model.body_subtreemass[base] * robot.data.subtree_com[base] + load * robot.data.xpos[hand]) / (
+        robot.model.body_subtreemass[base] + load
+    )
+    below = centre - gravity * centre[2] / gravity[2]  # on the ground, along gravity
+    assert (below[1] < -OUTER_EDGE) == tips
+    robot.data.xfrc_applied[hand][:3] = load * gravity
+    tilts = [tilt(pose) for pose in driving(robot, 0.0, 3.0)]
+    assert (max(tilts) > math.radians(40.0)) == tips
+    assert tips or max(tilts) < math.radians(1.0)
 
 
 def test_crosses_a_gap_of_25_cm() -> None:
