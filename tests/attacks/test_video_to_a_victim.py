@@ -17,8 +17,9 @@ from jauspy.messages import environment_sensing as m
 from jauspy.messages.core import RequestControl
 from jauspy.messages.environment_sensing import ConfirmDigitalResourceEndpoint as Confirm
 from jauspy.ocu import OCU
+from jauspy.platform.video_settings import RTP_SERVER_TYPE
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
-from jauspy.services.environment_sensing.digital_resource_discovery import RTP, parse_rtp_url
+from jauspy.services.environment_sensing.digital_resource_discovery import parse_rtp_url
 from jauspy.testing.node import LocalNode
 
 OPERATOR, CONSOLE = JausID(42, 1, 1), JausID(42, 1, 2)
@@ -114,7 +115,7 @@ async def test_a_real_robot_refuses_what_is_not_the_clients() -> None:
     with LocalNode() as node:
         async with node.robot(), OCU("66.1.1", connect=node.udp) as attacker:
             for url in ("rtp://10.1.2.3:5004", "rtp://239.255.0.1:5004", "rtp://127.0.0.1:3794"):
-                record = m.RegisterDigitalResourceEndpoint.DigitalResourceEndpointRec(RTP, url, None, 1)
+                record = m.RegisterDigitalResourceEndpoint.DigitalResourceEndpointRec(RTP_SERVER_TYPE, url, None, 1)
                 request = m.RegisterDigitalResourceEndpoint(m.RegisterDigitalResourceEndpoint.RequestIDRec(1), record)
                 assert (await attacker.query("101.1.107", request, expects=Confirm)).id == 0
 

@@ -13,9 +13,8 @@ from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.hosts import host_of
 from jauspy.modules.robot_files import robot_model
 from jauspy.platform.kinematic import KinematicRobot
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import RTP_SERVER_TYPE, VideoSettings
 from jauspy.protocol.addressing import Location
-from jauspy.services.environment_sensing.digital_resource_discovery import RTP
 
 CLIENT, OTHER = JausID(42, 1, 1), JausID(42, 2, 1)
 HERE = Location(is_here=True, hosts=frozenset({"10.0.0.7", "10.0.0.8"}))
@@ -91,7 +90,7 @@ class Module:
         self.now = end
         return sent
 
-    def enter(self, url, client=CLIENT, server=RTP, sensor=1):
+    def enter(self, url, client=CLIENT, server=RTP_SERVER_TYPE, sensor=1):
         register = m.RegisterDigitalResourceEndpoint
         record = register.DigitalResourceEndpointRec(server, url, None, sensor)
         now = self.tell(register(register.RequestIDRec(9), record), client=client)

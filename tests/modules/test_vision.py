@@ -18,12 +18,11 @@ from jauspy.messages.environment_sensing.v1_0.types import (
     StaticGeometricPropertiesRec,
     VisualSensorErrorRec,
 )
-from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.video_settings import RTP_SERVER_TYPE, VideoSettings
 from jauspy.services.environment_sensing.digital_resource_discovery import (
     END_POINT_TIMEOUT,
     MAX_END_POINTS,
     MAX_END_POINTS_PER_CLIENT,
-    RTP,
     parse_rtp_url,
 )
 
@@ -62,7 +61,7 @@ def test_registered_end_point_receives_until_it_is_removed(module):
     assert module.video.receivers == {("127.0.0.1", 5004): True}
     assert flow(module) == "PLAY"
     (entry,) = module.ask(m.QueryDigitalResourceEndpoint()).digital_resource_endpoint_list
-    assert (entry.server_type, entry.server_url, entry.resource_id) == (RTP, "rtp://127.0.0.1:5004", 1)
+    assert (entry.server_type, entry.server_url, entry.resource_id) == (RTP_SERVER_TYPE, "rtp://127.0.0.1:5004", 1)
     assert (entry.jaus_id.subsystem_id, entry.jaus_id.node_id, entry.jaus_id.component_id) == (101, 1, 107)
     removed = module.ask(m.RemoveDigitalResourceEndpoint(number, 3))
     assert (removed.id, removed.request_id) == (number, 3)

@@ -36,11 +36,12 @@ from jauspy.platform.video_settings import (
     MAX_BIT_RATE,
     MAX_RATE,
     MIN_BIT_RATE,
+    RTP_SERVER_TYPE,
     SUPPORTED_FRAME_SIZES,
     FrameSize,
     frame_size,
 )
-from jauspy.services.environment_sensing.digital_resource_discovery import RTP, parse_rtp_url
+from jauspy.services.environment_sensing.digital_resource_discovery import parse_rtp_url
 from jauspy.video import need_video
 from jauspy.video.h264_payload import PPS, SPS, nal_type
 from jauspy.video.rtp import ffmpeg_source, gstreamer_source, session_description
@@ -158,7 +159,7 @@ def url_of(address: tuple[str, int]) -> str:
 
 async def register(ocu: OCU, camera: JausID, sensor: int, url: str) -> int:
     """Register an endpoint for the video of a sensor; returns the endpoint's id."""
-    record = Register.DigitalResourceEndpointRec(RTP, url, None, sensor)
+    record = Register.DigitalResourceEndpointRec(RTP_SERVER_TYPE, url, None, sensor)
     answer = await ocu.query(camera, Register(Register.RequestIDRec(1), record), expects=Confirm)
     if not answer.id:
         raise RequestError(

@@ -24,7 +24,7 @@ from jauspy.ocu.connection import Connection
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.stills import Photo
 from jauspy.ocu.subsystems import ComponentInfo
-from jauspy.services.environment_sensing.digital_resource_discovery import RTP
+from jauspy.platform.video_settings import RTP_SERVER_TYPE
 from jauspy.video import need_video
 from jauspy.video.h264_payload import Picture
 from jauspy.video.receiver import RtpReceiver
@@ -230,7 +230,7 @@ class Camera:
     async def _register(self, component: ComponentInfo, sensor: int, url: str) -> int:
         if component.find(ENDPOINTS) is None:
             raise ConfigError(f"{component.id} sends no video: it does not offer {ENDPOINTS}")
-        record = Register.DigitalResourceEndpointRec(RTP, url, None, sensor)
+        record = Register.DigitalResourceEndpointRec(RTP_SERVER_TYPE, url, None, sensor)
         answer = await self._connection.query(component.id, Register(Register.RequestIDRec(1), record), expects=Confirm)
         assert isinstance(answer, Confirm)
         if not answer.id:

@@ -12,6 +12,9 @@ from jauspy.messages.environment_sensing.v2_0.digital_video import ReportDigital
 
 FrameSize = ReportDigitalVideoSensorConfiguration.FrameSize
 
+RTP_SERVER_TYPE: Final = 201
+"""Server type of an end point, from the range for private use: RTP over UDP, sent to the address of the URL."""
+
 MAX_PIXELS: Final = 1920 * 1200
 """Pixels of the largest image that cameras support; small machines cannot encode larger ones in time."""
 

@@ -19,6 +19,7 @@ from jauspy.messages.environment_sensing.v2_0.digital_resource_discovery import 
     RemoveDigitalResourceEndpoint,
     ReportDigitalResourceEndpoint,
 )
+from jauspy.platform.video_settings import RTP_SERVER_TYPE
 from jauspy.protocol import judp
 from jauspy.protocol.addressing import Location
 from jauspy.services.deferred import Deferred
@@ -28,9 +29,6 @@ from jauspy.services.service import Service
 Network: TypeAlias = ipaddress.IPv4Network | ipaddress.IPv6Network
 
 _Record = ReportDigitalResourceEndpoint.DigitalResourceEndpointRec
-
-RTP: Final = 201
-"""Server type, from the range for private use: RTP over UDP, sent to the address of the URL."""
 
 MAX_END_POINTS: Final = 32
 """End points of a component; they are numbered from 1, and 0 stands for none."""
@@ -222,14 +220,18 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
         own = self.host.id
         component = JAUS_ID(own.component, own.node, own.subsystem)
         points = [each for each in self._streams.end_points.values() if each.client == source]
-        return ReportDigitalResourceEndpoint([_Record(RTP, each.url, component, each.sensor) for each in points])
+        return ReportDigitalResourceEndpoint(
+            [_Record(RTP_SERVER_TYPE, each.url, component, each.sensor) for each in points]
+        )
 
     def add_digital_resource_endpoint(self, msg: RegisterDigitalResourceEndpoint, source: JausID) -> None:
         """Add an end point, or restart the timeout of an existing one, when it is known where the client is."""
         self._confirmed_number, self._reply = 0, None
         server = msg.digital_resource_endpoint_rec.server_type
-        if server != RTP:
-            self.host.count("endpoint_refused", f"{source}: server type {server} is not {RTP}, RTP over UDP")
+        if server != RTP_SERVER_TYPE:
+            self.host.count(
+                "endpoint_refused", f"{source}: server type {server} is not {RTP_SERVER_TYPE}, RTP over UDP"
+            )
             return
         self._reply = reply = self.host.defer(partial(_confirmation, msg, 0))
         if reply.report is None:
