@@ -27,14 +27,17 @@ if TYPE_CHECKING:
 
 
 class JausError(Exception):
-    """Base class of all errors that jauspy raises. What they quote of peers and files is shown printable."""
+    """Base class of all errors that jauspy raises.
+
+    Quoted texts of peers and files contain printable characters only.
+    """
 
     def __str__(self) -> str:
         return printable_lines(super().__str__())
 
 
 class SchemaError(JausError):
-    """A JSIDL definition is wrong; says where and what was expected."""
+    """A JSIDL definition is wrong; names the place and what was expected."""
 
     def __init__(self, message: str, *, file: str | Path | None = None, line: int | None = None) -> None:
         self.reason = message
@@ -78,7 +81,7 @@ class ProtocolError(JausError):
 
 
 class TransportError(JausError):
-    """A socket cannot be opened, bound or used; says what to do."""
+    """A socket cannot be opened, bound or used; the text contains what to do."""
 
 
 class RequestError(JausError):

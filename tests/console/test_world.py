@@ -118,7 +118,7 @@ async def test_another_vendors_robot_shows_what_it_reports(virtual_network: Virt
         async with watched(ocu, nothing) as (world, geometry):
             await asyncio.sleep(0.5)
             assert (geometry.joints, geometry.shapes) == ([], [])
-            assert any("does not tell its pose" in each for each in world.notes())
+            assert any("does not report its pose" in each for each in world.notes())
             assert any("no range sensor" in each for each in world.notes())
 
 

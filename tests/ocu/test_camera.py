@@ -89,7 +89,7 @@ async def test_unknown_machine_asks_for_an_address(robot, ocu, monkeypatch):
         return Location()
 
     monkeypatch.setattr(module.Connection, "locate", locate)
-    with pytest.raises(ConfigError, match=r"not known on which machine 101.1.106 is; .*frames\(address=...\)"):
+    with pytest.raises(ConfigError, match=r"unknown on which machine 101.1.106 is; .*frames\(address=...\)"):
         await anext((await ocu.robot(101)).camera("arm").frames())
 
 

@@ -311,7 +311,7 @@ async def test_perform_waits_for_a_waypoint(virtual_network, robot_inc1, ocu):
 @pytest.mark.parametrize(
     ("call", "error", "words"),
     [
-        (lambda it: it.perform(QueryStatus(), within=1), ConfigError, r"QueryStatus is no command; `query\(\)` asks"),
+        (lambda it: it.perform(QueryStatus(), within=1), ConfigError, r"QueryStatus is not a command; use `query\(\)`"),
         (lambda it: it.perform(SetTime, within=1), TypeError, r"^perform\(\) takes a message, and SetTime is only"),
         (lambda it: it.perform(SET_TIME, within="1"), TypeError, r"^within is a number, not the str '1'$"),
         (lambda it: it.perform(SET_TIME, within=-1), ConfigError, r"within -1 s is outside 0\.\."),

@@ -74,7 +74,7 @@ async def test_ocu_without_the_definition_can_query(own: Registry, lamp: Any, wo
         (True, "Lamp has no message QueryLmap$"),
         (
             False,
-            r"no definition of urn:example:vendor:Lamp is known here; give it: OCU\(registry=jauspy\.load\(FILE\)\)$",
+            r"no definition of urn:example:vendor:Lamp is known; pass it: OCU\(registry=jauspy\.load\(FILE\)\)$",
         ),
     ],
 )

@@ -191,7 +191,7 @@ async def test_rows_that_cannot_be_move_nothing(inc1, robot):
             ([(3.0, {TURN: 0.4}), (0.1, {TURN: -0.4})], rf"row 2: {TURN} needs at least \d.\d\d s for its way"),
             ([(3.0, {TURN: 0.4}), (3.0, {ELBOW: 3.0})], f"row 2: {ELBOW} can be"),
             ([(-1.0, {TURN: 0.4})], "row 1: its time is -1 s"),
-            ([], "no rows"),
+            ([], "`rows` is empty"),
         ):
             with pytest.raises(ConfigError, match=said):
                 await inc1.arm.follow(rows)

@@ -321,4 +321,4 @@ def test_verbs_are_the_same_without_await(node_manager, ocu, caplog):
                 assert abs(runner.snapshot.twist.vx) < 0.05
         finally:
             portal.run(running.__aexit__(None, None, None))
-    assert "101.1.102 was stopped: the program stood still for 1." in caplog.text
+    assert "101.1.102 was stopped: the program was blocked for 1." in caplog.text

@@ -73,7 +73,7 @@ class Judge:
 
     def __init__(self, robot: Robot) -> None:
         if not isinstance(robot, KnowsTruth):
-            raise ConfigError("this backend does not tell where parts really are; use the backend `sim`")
+            raise ConfigError("this backend does not report the true poses of parts; use the backend `sim`")
         self._truth = robot.truth
         self._robot: Robot = robot
         self.prepare = robot.prepare

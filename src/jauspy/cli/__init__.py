@@ -15,7 +15,7 @@ EXTRA_OF_VERB: Final = {"demo": "all", "up": "robot", "node-manager": "node-mana
 
 
 def main() -> None:
-    """The console script; a package that is not installed ends it with one sentence that names the extra."""
+    """The console script; if a package is missing, it exits with a sentence that names the extra to install."""
     try:
         from jauspy.cli.main import main as run_verb
 

@@ -1,4 +1,4 @@
-"""`jauspy can`: who is on a CAN bus, simulated drives, and faults of them."""
+"""`jauspy can`: list the drives on a CAN bus, simulate drives and their faults, and home drives."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ def _robot(name: str, bus: str | None) -> tuple[RobotModel, CanSetup]:
         raise ConfigError("`jauspy can` needs python-can and canopen: pip install 'jauspy[can]'")
     model = robot_files.robot_model(on_bus(robot_files.load(name), bus))
     if model.can is None:
-        raise ConfigError(f"{name} has no table [can] in its file, and so no drives (docs/hardware.md)")
+        raise ConfigError(f"{name} has no drives on CAN: its file has no table [can] (docs/hardware.md)")
     if isinstance(model.can, str):
         raise ConfigError(model.can)
     return model, model.can
@@ -44,7 +44,7 @@ def _robot(name: str, bus: str | None) -> tuple[RobotModel, CanSetup]:
 
 @contextmanager
 def _network(setup: CanSetup) -> Iterator[canopen.Network]:
-    """The bus of a robot, as another program sees it; raises `ConfigError` for one inside the robot's process."""
+    """Open the bus of a robot from another process; raises `ConfigError` for a bus inside the robot's process."""
     import can
     import canopen
 
@@ -207,13 +207,13 @@ def home(*, robot: Robot, bus: Bus = None) -> None:
     """
     model, setup = _robot(robot, bus)
     if not any(drive.homing for drive in setup.drives.values()):
-        console.note(f"no drive of {robot} has a homing: their encoders are absolute (can.drives.NAME.homing)")
+        console.note(f"no drive of {robot} needs homing: their encoders are absolute (can.drives.NAME.homing)")
         return
     from jauspy.platform.can import bus as buses
     from jauspy.platform.can.robot import CanRobot
 
     if buses.split(setup.bus)[0] == buses.VIRTUAL:
-        raise ConfigError(f"{setup.bus} is inside the robot's process, and its drives know their home positions")
+        raise ConfigError(f"{setup.bus} is inside the robot's process, and its simulated drives need no homing")
     moved: list[str] = []
 
     def tell(text: str) -> None:
@@ -226,7 +226,7 @@ def home(*, robot: Robot, bus: Bus = None) -> None:
         raise ConfigError(f"can: {error}") from error
     except KeyboardInterrupt:
         raise typer.Exit(130) from None
-    console.note(f"{len(moved)} drives have moved; all know their home positions")
+    console.note(f"{len(moved)} drives have moved; all drives have their home positions")
 
 
 def fault(
@@ -240,7 +240,9 @@ def fault(
             "SYNC), restart, normal.",
         ),
     ],
-    robot: Annotated[str, typer.Option("--robot", metavar="ROBOT", help="The robot whose drive it is.")] = "inc1",
+    robot: Annotated[
+        str, typer.Option("--robot", metavar="ROBOT", help="The robot that the drive belongs to.")
+    ] = "inc1",
     bus: Bus = None,
 ) -> None:
     """Make a simulated drive fail.
@@ -269,7 +271,7 @@ def fault(
             else:
                 sdo.download(BEHAVIOUR_OBJECT, 0, bytes((BEHAVIOURS[what],)))
         except SdoAbortedError as error:
-            raise ConfigError(f"node {node} refuses: it is no simulated drive ({error})") from error
+            raise ConfigError(f"node {node} refuses: it is not a simulated drive ({error})") from error
         except SdoError as error:
             raise ConfigError(f"node {node} does not answer on {setup.bus}") from error
     console.note(f"node {node}: {what}")

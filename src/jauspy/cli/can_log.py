@@ -1,4 +1,4 @@
-"""Logs of CAN frames (candump and what else python-can reads) in words, for `jauspy decode`: PDOs in SI units."""
+"""Explains logs of CAN frames (candump and other formats of python-can) for `jauspy decode`: PDOs in SI units."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ CANDUMP: Final = re.compile(rb"\(\d+\.\d+\) +\S+ +[0-9A-Fa-f]+#")
 """The first line of a file that `candump -l` writes."""
 
 SUFFIXES: Final = frozenset({".asc", ".blf", ".trc"})
-"""Other formats of python-can, which are known by their names."""
+"""Suffixes of other formats of python-can."""
 
 NUMBER: Final = re.compile(r"-?\d+\.\d+")
 
@@ -35,7 +35,7 @@ TORQUES: Final = frozenset({0x6071, 0x6077})
 
 @dataclass(frozen=True, slots=True)
 class CanFrame:
-    """One frame. `time` is in seconds since 1970, UTC; `text` says what it means."""
+    """One frame. `time` is in seconds since 1970, UTC; `text` explains it."""
 
     time: float
     identifier: int
@@ -91,9 +91,9 @@ def can_frames(source: str, robot: str) -> Iterator[CanFrame]:
 
 
 def changes(frames: Iterable[CanFrame]) -> Iterator[CanFrame]:
-    """Of the frames of each identifier those that say something else than the last one, not only another number.
+    """The frames whose content differs from the last frame of the same identifier in more than the size of a number.
 
-    That a number becomes zero, or changes its sign, counts.
+    A number that becomes zero or changes its sign is such a difference.
     """
     said: dict[int, str] = {}
     for frame in frames:
@@ -120,7 +120,7 @@ class FrameNames:
         self._pdos = {each.cob_id: each for each in pdo.ALL}
 
     def explain(self, identifier: int, data: bytes) -> str:
-        """One frame in words; bytes in hex for what is not known."""
+        """An explanation of one frame; unknown content as bytes in hex."""
         function, node = identifier & 0x780, identifier & 0x7F
         if identifier == pdo.SYNC:
             return "SYNC"

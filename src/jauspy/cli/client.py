@@ -1,4 +1,4 @@
-"""The client that a verb is: its own JAUS id, and the component it talks to."""
+"""The JAUS id of a verb's client, its OCU, and the id of the component that it addresses."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def own_id(given: str | None, connect: str | None) -> str:
 
 
 def ids_elsewhere(connect: str | None) -> set[str]:
-    """Ids that another host uses, so that the node manager of this machine gives them to no program here."""
+    """Ids that another host uses, so that the node manager does not assign them on this machine."""
     root = _local_root(connect)
     if root is None:
         return set()

@@ -158,7 +158,7 @@ def _print_json(result: Result) -> None:
 
 @contextmanager
 def _ignoring_closed_pipe() -> Iterator[None]:
-    """If the pipe of the output is closed, the run continues, for its files and its status."""
+    """Continue the run if the output pipe is closed, to write the files and return the status."""
     try:
         yield
         sys.stdout.flush()

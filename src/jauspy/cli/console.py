@@ -28,7 +28,7 @@ def _console(*, stderr: bool, width: int | None = None) -> Console:
     from rich.segment import Segment
 
     class SafeConsole(Console):
-        """Makes what it prints printable. Leaves a closed pipe to `main`; rich itself would end with status 1."""
+        """Replaces unprintable characters. `main` handles a closed pipe; rich would exit with status 1."""
 
         def render(self, renderable: RenderableType, options: ConsoleOptions | None = None) -> Iterator[Segment]:
             """As `Console.render`."""
@@ -56,7 +56,7 @@ def stderr() -> Console:
 
 
 def print_lines(*lines: str, file: TextIO | None = None) -> None:
-    """Print lines at once, on stdout unless `file` is another stream."""
+    """Print and flush lines, on stdout unless `file` is another stream."""
     print(*map(printable, lines), sep="\n", file=file, flush=True)
 
 
@@ -108,7 +108,7 @@ def print_counters(counters: Mapping[str, int], title: str = "counters:") -> Non
 
 
 def print_if_read(*lines: str, file: TextIO | None = None) -> None:
-    """As `print_lines`, for a service, which neither ends nor waits because nobody reads or the disk is full."""
+    """As `print_lines` for services: drop the lines when nobody reads them or the disk is full."""
     stream = file or sys.stdout
     if not _has_room(stream):
         return
@@ -129,7 +129,7 @@ def _has_room(stream: TextIO) -> bool:
 
 
 class _NonBlockingHandler(logging.StreamHandler[TextIO]):
-    """Drops lines when nobody reads them."""
+    """Drops lines instead of blocking when the pipe is full."""
 
     def emit(self, record: logging.LogRecord) -> None:
         if _has_room(self.stream):

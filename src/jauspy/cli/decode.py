@@ -40,7 +40,7 @@ from jauspy.schema import model
 
 
 class HexKind(StrEnum):
-    """What hex text is."""
+    """How to interpret hex text."""
 
     DATAGRAM = "datagram"
     MESSAGE = "message"
@@ -122,7 +122,7 @@ def decode(
 
 
 def by_time(listings: Iterable[Iterator[Item | CanFrame]]) -> Iterator[Item | CanFrame]:
-    """What several captures and logs have, in order of time; raises `ConfigError` for what has no times."""
+    """The items of several captures and logs in order of time; raises `ConfigError` for inputs without times."""
     return heapq.merge(*listings, key=_time)
 
 
@@ -475,7 +475,7 @@ _MIN_DATAGRAM: Final = 15  # bytes of a datagram without payload
 
 @dataclass(frozen=True, slots=True)
 class DecodeOptions:
-    """Which definitions to decode by, which UDP port to select, and what hex text is."""
+    """Definitions for decoding, the UDP port to select, and how to interpret hex text."""
 
     registry: Registry = registry
     wanted: Hints = NO_HINTS

@@ -1,4 +1,4 @@
-"""`jauspy estop`: set or clear the emergency of one component, one robot or all robots, and tell which obeyed."""
+"""`jauspy estop`: set or clear the emergency of one component, one robot or all robots, and list which obeyed."""
 
 from __future__ import annotations
 
@@ -44,10 +44,10 @@ def estop(
 ) -> None:
     """Stop all robots, one robot or one component, and list which have stopped.
 
-    Sets the emergency of every component that is reached, whoever controls it. The message is sent at once, without
-    discovery, and again until all that answer have obeyed. Lists the status of each component that answers. The exit
-    status is 0 if at least one answered, and all that answered obeyed. A client keeps control across
-    the emergency; commands from before it are not resumed. Robots that require operators need a key to release.
+    Sets the emergency of every component that is reached, whoever controls it. The message is sent immediately, without
+    discovery, and repeated until all that answer have obeyed. Lists the status of each component that answers. The exit
+    status is 0 if at least one answered, and all that answered obeyed. A client keeps control across the emergency;
+    commands from before it are not resumed. Robots that require operators need a key to release.
 
     Examples:
       jauspy estop
@@ -68,7 +68,7 @@ def estop(
             console.stdout().print(Text.assemble(str(id), "  ", state, "" if obeyed else "  did not obey"))
     if not found:
         nobody = "no component answered" if to.is_wildcard else f"{to} did not answer"
-        raise ResponseTimeout(f"{nobody} within {timeout:g} s; the message was sent nevertheless")
+        raise ResponseTimeout(f"{nobody} within {timeout:g} s; the message was sent")
     disobedient = [str(id) for id, report in found.items() if not obeys(report, release=release)]
     if disobedient:
         why = (

@@ -1,4 +1,4 @@
-"""`field=value` of the command line to messages, what fields a message has, and examples as a person types them."""
+"""Converts `field=value` of the command line to messages, describes fields, and writes example commands."""
 
 from __future__ import annotations
 
@@ -206,7 +206,7 @@ def _number_kind(item: Number) -> str:
 
 
 SAMPLES: Final = (0.5, 0.05, 0.0, 1.0)
-"""Numbers of which the first that is in range is taken."""
+"""Candidates for the value of a number; the first in range is used."""
 WIDTH: Final = 100_000
 """Columns of YAML, so that it is one line."""
 

@@ -131,7 +131,8 @@ FUZZ_VERBS: Final = {
     "codec": ("jauspy.cli.fuzz:codec", "Decode valid, random and damaged messages and check invariants."),
     "replay": ("jauspy.cli.fuzz:replay", "Check the bytes of a saved finding again."),
 }
-"""Each verb's function and its line in the help. Its module is imported when it runs, so that `--help` is fast."""
+"""The function of each verb and its line in the help. A verb's module is imported when the verb runs, so that `--help`
+is fast."""
 
 GROUPS: Final = {
     "jauspy": VERBS,
@@ -186,7 +187,7 @@ class SchemaGroup(VerbGroup):
 
 
 def load_verb(name: str, target: str) -> Any:
-    """The command of a verb, from `module:function`; an `app` in that module has it with verbs of its own."""
+    """The command of a verb, from `module:function`; a module with an `app` has subcommands."""
     path, _, function = target.partition(":")
     module = importlib.import_module(path)
     verb = getattr(module, function)

@@ -31,9 +31,9 @@ WATCHDOG: Final = "WATCHDOG_USEC"
 
 
 class SystemdNotifier:
-    """Notifies systemd of readiness, reloads and, for the watchdog, of life, by the protocol of sd_notify(3).
+    """Notifies systemd of readiness and reloads, and feeds its watchdog (sd_notify(3)).
 
-    Within its context the service is ready, and the event loop feeds the watchdog, so that a hang is detected.
+    In the block the service is ready, and the event loop feeds the watchdog, so that systemd detects a hang.
 
     Does nothing if the process was not started by systemd with notifications.
     """

@@ -155,7 +155,9 @@ def add(
     else:
         password = sys.stdin.readline().rstrip("\n")
     replaced = add_user(users, name, role, password)
-    console.note(f"{users}: {name} is {'changed' if replaced else 'added'}, {role}; it holds when the console starts")
+    console.note(
+        f"{users}: {name} is {'changed' if replaced else 'added'}, {role}; it takes effect when the console starts"
+    )
 
 
 @user_app.command("remove")
@@ -168,7 +170,7 @@ def remove(
     from jauspy.console.users import remove_user
 
     remove_user(users, name)
-    console.note(f"{users}: {name} is removed; it holds when the console starts")
+    console.note(f"{users}: {name} is removed; it takes effect when the console starts")
 
 
 @user_app.command("ls")
@@ -188,7 +190,7 @@ def make_certificate(
     output: Annotated[Path, typer.Option("--output", "-o", metavar="FILE", help="The certificate.")] = CERTIFICATE_FILE,
     key: Annotated[Path, typer.Option("--key", metavar="FILE", help="The private key of the certificate.")] = KEY_FILE,
 ) -> None:
-    """Make a certificate that signs itself, for a year. Browsers warn of it once; compare the fingerprint.
+    """Make a self-signed certificate that is valid for a year. Browsers warn about it once; compare the fingerprint.
 
     Example:
       jauspy console certificate ground-station.local 192.168.1.20
@@ -224,7 +226,7 @@ async def console_beside(root: Path, port: int) -> AsyncIterator[str]:
 
 
 async def _tell_end(child: ChildProcess) -> None:
-    console.error(f"{await child.ended()}; the robot runs on; start another one with: jauspy console")
+    console.error(f"{await child.ended()}; the robot keeps running; start another console with: jauspy console")
 
 
 def _forward(line: str) -> None:

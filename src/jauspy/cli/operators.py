@@ -107,7 +107,7 @@ def audit(
 
 
 def _lines(name: str, role: str, key: OperatorKey) -> tuple[str, ...]:
-    """A table of its own, which may follow anything in the file."""
+    """The lines of a TOML table; they may follow any other content of the file."""
     return (
         f"[operators.{_check_word(name, 'NAME')}]",
         f'role = "{_check_word(role, "--role")}"',

@@ -1,4 +1,4 @@
-"""Running a verb until it ends or is stopped, and verbs as child processes."""
+"""Runs a verb until it ends or is stopped, and starts verbs as child processes."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ START_TIMEOUT: Final = 30.0
 STOP_TIMEOUT: Final = 5.0
 """Seconds from SIGTERM to SIGKILL."""
 PARENT_GRACE: Final = 4.0
-"""Seconds in which a child ends by itself after its parent died."""
+"""Seconds in which a child ends after its parent died."""
 REPEATED_SIGNAL_TIME: Final = 5.0
 """Seconds in which a second Ctrl-C is ignored, so that it does not interrupt the orderly end."""
 MAX_KEPT_LINES: Final = 50
@@ -36,8 +36,8 @@ def run(main: Coroutine[Any, Any, T]) -> T | None:
     """Run `main`; Ctrl-C, SIGTERM and SIGHUP cancel it, so that its `async with` blocks are left in order.
 
     Returns None after SIGTERM and SIGHUP; Ctrl-C raises `KeyboardInterrupt`. SIGINT counts also if this process was
-    started with SIGINT ignored, as by a script with `&`: whoever sends it means this process. SIGHUP stays ignored when
-    it was, as by nohup.
+    started with SIGINT ignored, as by a script with `&`: a signal that is sent to it is meant for it. SIGHUP stays
+    ignored when it was, as by nohup.
     """
     terminated = False
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
@@ -111,7 +111,7 @@ def remove_if_empty(root: Path) -> None:
 
 
 class ChildFailed(JausError):
-    """A child process did not start, or ended by itself; the message has its last lines of output."""
+    """A child process did not start, or ended unexpectedly; the message contains its last lines of output."""
 
 
 class ChildProcess:
@@ -166,7 +166,7 @@ class ChildProcess:
         return None if self._process is None else self._process.pid
 
     async def ended(self) -> ChildFailed:
-        """Wait until the child ends by itself; returns the error to raise."""
+        """Wait until the child ends unexpectedly; returns the error to raise."""
         assert self._process is not None
         status = await self._process.wait()
         await asyncio.gather(*self._readers)
@@ -219,7 +219,7 @@ class ChildProcess:
             ended.cancel()
 
     async def _read_output(self, stream: asyncio.StreamReader) -> None:
-        """The first line of standard output says that the child is ready; the rest is discarded."""
+        """Read standard output. Its first line means that the child is ready; the rest is discarded."""
         async for line in _lines(stream):
             if not self._ready.is_set():
                 self.first_line = line

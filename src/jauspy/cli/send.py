@@ -156,7 +156,7 @@ async def send_in_control(
 
 
 async def _ignored(client: ServiceClient, command: Message) -> str:
-    """Why the component ignores the command, as far as its state shows it; empty if it may have taken it."""
+    """Why the component ignores the command, according to its state; empty if it may have accepted it."""
     return await client.explain(command) if needs_control(command) else ""
 
 

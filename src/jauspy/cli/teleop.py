@@ -24,17 +24,18 @@ from jauspy.errors import ConfigError, ResponseTimeout
 from jauspy.ocu import OCU, Robot, RobotControl, RobotPose
 
 DEAD_ZONE: Final = 0.1
-"""Share of the way of a stick that counts as its middle."""
+"""Deflection of a stick, as a share of the full one, below which it counts as centred."""
 EV_KEY, EV_ABS = 0x01, 0x03
 BTN_GAMEPAD, BTN_TL, BTN_TR = 0x130, 0x136, 0x137
-"""Linux' numbers (input-event-codes.h): the first button of gamepads, and the shoulders, which are the dead-man."""
+"""Linux' numbers (input-event-codes.h): the first button of gamepads, and the shoulder buttons, which are the
+dead-man's switch."""
 ABS_X, ABS_Y, ABS_RX = 0x00, 0x01, 0x03
 HOLD: Final = 0.7
-"""Seconds that a key drives: terminals do not tell when it is released, and repeat it after half a second."""
+"""Seconds of motion for one key: terminals do not report its release, and repeat it only after half a second."""
 PERIOD: Final = 0.05
 """Seconds between two commands."""
 LOOK_PERIOD: Final = 0.2
-"""Seconds between two looks at the robot."""
+"""Seconds between two queries for pose and state."""
 STEP: Final = 1.25
 """Factor between two speeds."""
 MIN_SPEED: Final = 0.02
@@ -90,7 +91,7 @@ def teleop(
       jauspy teleop 101 --speed 0.2 --connect udp://192.168.1.20
     """
     if not sys.stdin.isatty():
-        raise ConfigError("teleop reads keys from a terminal, and standard input is none")
+        raise ConfigError("teleop reads keys from a terminal, but standard input is not a terminal")
     device = find_gamepad(pad)
     ocu = client.make_ocu(own_id, connect, timeout, operator=operator_key)
     run(_drive(ocu, robot, Speeds(speed, turn_rate), device, authority))
@@ -98,7 +99,7 @@ def teleop(
 
 @dataclass(slots=True)
 class Speeds:
-    """m/s and rad/s that a share of 1 stands for."""
+    """The speeds of full deflection, m/s and rad/s."""
 
     linear: float
     angular: float
@@ -110,7 +111,7 @@ class Speeds:
 
 
 class Keys:
-    """Keys that are pressed; `motion` is what the last one stands for, for `HOLD` seconds. `clock`: seconds."""
+    """Keys that are pressed; `motion` is the motion of the last one, for `HOLD` seconds. `clock` returns seconds."""
 
     def __init__(self, clock: Callable[[], float]) -> None:
         self.ended = False
@@ -187,7 +188,7 @@ async def _drive(ocu: OCU, number: int, speeds: Speeds, device: object, authorit
 
 
 class _Session:
-    """From the first key to the last."""
+    """One run of teleop: control, commands and the status line."""
 
     def __init__(self, robot: Robot, control: RobotControl, speeds: Speeds, most: tuple[float, float]) -> None:
         self._robot, self._control, self._speeds, self._most = robot, control, speeds, most
@@ -265,7 +266,10 @@ async def _opened(pad: Gamepad | None) -> AsyncIterator[None]:
 
 
 def find_gamepad(path: str | None) -> Any | None:
-    """The gamepad at `path`, or the first one; None without one. Raises `ConfigError` when `path` is none."""
+    """The gamepad at `path`, or the first one; None if there is none.
+
+    Raises `ConfigError` when `path` is not a gamepad.
+    """
     if find_spec("evdev") is None:
         if path is not None:
             raise ConfigError("a gamepad needs evdev: pip install 'jauspy[teleop]'")
@@ -309,11 +313,11 @@ class Gamepad:
         return -self._axes.get(ABS_Y, 0.0), -turn
 
     def open(self) -> None:
-        """Read it from now on."""
+        """Start reading the device."""
         asyncio.get_running_loop().add_reader(self._device.fd, self._read)
 
     def close(self) -> None:
-        """Read no more; twice is fine."""
+        """Stop reading; may be called again."""
         device, self._device = self._device, None
         self._held.clear()
         if device is not None:

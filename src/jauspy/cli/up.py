@@ -183,7 +183,8 @@ CAN: Final = "can"
 _DRIVE: Final = "jauspy send {} SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2"
 
 LONG_CONTROL_TIMEOUT: Final = 30
-"""Seconds; a longer time in which a module keeps obeying a dead client causes a warning."""
+"""Seconds; a module with a longer access control timeout, in which it keeps obeying a client that has died, causes a
+warning."""
 
 
 def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -> None:
@@ -212,7 +213,7 @@ def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -
 
 
 def note_audit_log(runner: RobotRunner) -> None:
-    """Tell the head of the audit log; with it, who noted it can tell whether lines are cut off later."""
+    """Print the head of the audit log, with which later truncation can be detected."""
     if runner.audit is not None:
         console.note(f"audit log {runner.audit.path}: head {runner.audit.head}")
 
@@ -338,7 +339,7 @@ def _forward(line: str) -> None:
 
 
 def print_truth(name: str, snapshot: Snapshot | None) -> None:
-    """Print where a simulated robot is, if it does not know it exactly itself."""
+    """Print the true pose of a simulated robot, unless its own pose is exact."""
     if snapshot is not None and PartId(Localization) in snapshot.parts:
         pose = snapshot.pose
         where = f"x {pose.x:+.3f} m  y {pose.y:+.3f} m  z {pose.z:+.3f} m  yaw {math.degrees(pose.yaw):+.2f}°"

@@ -229,7 +229,7 @@ def _head(look: RobotStatus) -> Table:
 
 
 def _motion(snapshot: Snapshot) -> str:
-    """As the robot knows it, in the axes of REP-103, as all commands show poses: y and yaw grow to the left."""
+    """Estimated pose and velocity, with the axes of REP-103 as in all commands: y and yaw grow to the left."""
     known = snapshot.parts.get(PartId(Localization))
     pose, twist = snapshot.pose, snapshot.twist
     if isinstance(known, LocalizationState):

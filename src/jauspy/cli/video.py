@@ -146,7 +146,7 @@ RENEWAL_INTERVAL: Final = 60.0
 """Seconds between two registrations; the robot removes an endpoint after five minutes."""
 
 FIRST_NOTE: Final = 3.0
-"""Seconds without a picture after which a note says why that may be."""
+"""Seconds without a picture after which a note with possible causes is printed."""
 START_TIMEOUT: Final = 20.0
 """Seconds until the first picture; the camera may have to be started."""
 
@@ -209,7 +209,7 @@ async def watch(
 
 
 async def configure(ocu: OCU, camera: JausID, sensor: int, settings: StreamSettings) -> None:
-    """Change the stream, if it is to be changed."""
+    """Change the stream if one of the options requires it."""
     if not settings.is_empty:
         robot = await ocu.discover(camera.subsystem)
         await change_stream(robot.component(str(camera)), sensor, settings)

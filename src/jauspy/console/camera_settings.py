@@ -87,7 +87,7 @@ async def _tried(reading: Awaitable[list[Setting]]) -> tuple[list[Setting], str]
 
 
 async def sensor_name(component: ComponentClient, sensor: int = 1) -> str:
-    """What the robot calls the sensor; that of the component when it does not tell."""
+    """What the robot calls the sensor; that of the component when it does not report it."""
     if component.info.find(LENS):
         record = QueryVisualSensorCapabilities.QueryVisualSensorCapabilitiesRec(sensor, 0)
         report = await component.service(LENS).query(QueryVisualSensorCapabilities([record]))

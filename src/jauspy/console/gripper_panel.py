@@ -110,7 +110,7 @@ class GripperPanel:
             self._show_opening()
         joints = await gripper.joints()
         at = ", ".join(f"{1000.0 * value:.0f} mm" for value in joints.positions.values())
-        self._state.set_text(f"fingers at {at}" if at else "does not tell its fingers")
+        self._state.set_text(f"fingers at {at}" if at else "does not report its fingers")
 
     def _show_force(self) -> None:
         unit = "N" if self._max_force else "%"
@@ -150,7 +150,7 @@ async def connector_state(connector: ServiceClient) -> str:
     """What a vacuum connector holds, in words."""
     report = await connector.query(QueryConnectorState(ALL_FIELDS, 1))
     if not isinstance(report, ReportConnectorState):
-        raise ConfigError(f"{connector.id} does not tell its state")
+        raise ConfigError(f"{connector.id} does not report its state")
     if report.attached_to:
         return printable(f"holds {report.attached_to}")
     return printable(f"on, holds nothing: {report.error_text}" if report.enabled else "off")

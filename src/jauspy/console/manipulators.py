@@ -94,7 +94,7 @@ class Manipulator(ABC):
 
     @abstractmethod
     async def tool(self) -> str:
-        """Where the tool is, in words; empty if the arm does not tell."""
+        """Where the tool is, in words; empty if the arm does not report it."""
 
     @abstractmethod
     async def move(self, positions: Mapping[str, float], share: float) -> None:

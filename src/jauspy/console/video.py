@@ -122,7 +122,7 @@ MAX_QUEUED: Final = 8
 MAX_BYTES: Final = 4 << 20
 """Bytes of pictures that wait for one browser."""
 RETRY_INTERVAL: Final = 2.0
-"""Seconds until a camera is asked again after its stream has ended, or a component that does not tell the attitude."""
+"""Seconds until a camera is queried again after its stream has ended, or a component that reports no attitude."""
 QUIET_TIME: Final = 2.0
 """Seconds without a picture after which the browsers learn why."""
 KEY_INTERVAL: Final = 2.0

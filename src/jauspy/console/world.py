@@ -237,7 +237,7 @@ class World:
         return found
 
     async def _read_table(self, component: ComponentInfo) -> JointTable | None:
-        """How the component calls and counts its joints; None if it does not tell."""
+        """How the component calls and counts its joints; None if it does not report it."""
         if not component.find(DESCRIPTION):
             return None
         report = await self._ocu.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
@@ -274,7 +274,7 @@ class World:
         sensor = "mobility:LocalPoseSensor"
         component = next((each for each in self._found().components if each.find(sensor)), None)
         if component is None:
-            self.problems["pose"] = f"this robot does not tell its pose: it offers no {sensor}"
+            self.problems["pose"] = f"this robot does not report its pose: it offers no {sensor}"
             return
         await self._follow("pose", component, QueryLocalPose(), self._take_pose)
 

@@ -1,4 +1,4 @@
-"""The arm: joints by name and the tool by its pose, as the description of the robot (URDF) counts them."""
+"""Moves arms: joints by name, and the tool to a pose, with the names and signs of the robot's description (URDF)."""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says where the arm is
 
@@ -55,16 +55,16 @@ LIST_DRIVER: Final = "ManipulatorJointPositionListDriver"
 PROFILE: Final = "ManipulatorJointMotionProfile"
 SPECIFICATION: Final = "ManipulatorSpecificationService"
 BASE_ONLY: Final = 0b1
-"""Presence vector of a specification with the place of its base."""
+"""Presence vector of a query for the specification with the pose of the base."""
 JOINT_TOLERANCE: Final = 0.02
 """Radians or metres from a target within which a joint has reached it."""
 TOOL_TOLERANCE: Final = 0.01
 """Metres from a target within which the tool has reached it."""
 ATTITUDE_TOLERANCE: Final = math.radians(2.0)
 POLL_INTERVAL: Final = 0.1
-"""Seconds between two looks at an arm that does not report the end of a command."""
+"""Seconds between two queries for the positions of an arm that does not report the end of a command."""
 STEP_TIME: Final = 0.25
-"""Seconds ahead to which the tool of an arm without a velocity driver is sent."""
+"""Seconds of motion that one pose command contains, for an arm without a velocity driver."""
 MIN_SPEED: Final = 0.002
 """rad/s or m/s that a motion profile has at least: zero would mean no limit."""
 
@@ -78,28 +78,28 @@ class Arm:
 
     def __init__(self, connection: Connection, info: ComponentInfo) -> None:
         self.info: ComponentInfo = info
-        """The component."""
+        """Id and services of the component."""
         self._connection = connection
         self._table: JointTable | None = None
         self._base: Transform | None = None
         self._step_goal: Transform | None = None
         self._step_end = 0.0
-        """Where the steps of `move_tool_at` have sent the tool, and until when, by the event loop's clock."""
+        """The last pose that `move_tool_at` commanded, and when the tool should reach it, in the event loop's time."""
 
     def __repr__(self) -> str:
         return f"<arm {self.info.id}>"
 
     async def joints(self) -> Joints:
-        """Present positions by name."""
+        """The present positions by name, in radians or metres; raises `ResponseTimeout`."""
         table = await self._joint_table()
         return Joints(table.from_reported(await reported(self._connection, self.info)), datetime.now(UTC))
 
     async def limits(self) -> dict[str, tuple[float, float]]:
-        """The least and the greatest position of each joint."""
+        """The least and the greatest position of each joint, in radians or metres."""
         return {joint.name: (joint.lower, joint.upper) for joint in (await self._joint_table()).joints}
 
     async def motion_limits(self) -> dict[str, MotionLimits]:
-        """Speed and acceleration of each joint: its motion profile, or else what is known of its speed."""
+        """Limits of speed and acceleration of each joint, from its motion profile, or else from its description."""
         names = [joint.name for joint in (await self._joint_table()).joints]
         if self.info.find(PROFILE):
             return dict(zip(names, map(_motion_limits, await self._profile()), strict=True))
@@ -107,11 +107,14 @@ class Arm:
         return {name: MotionLimits(speed or math.inf) for name, speed in zip(names, speeds, strict=True)}
 
     async def description(self) -> JointTable:
-        """Its joints, base to tip, with their kinds, limits and speeds."""
+        """The joints from base to tip, with type, limits and greatest speed."""
         return await self._joint_table()
 
     async def joint_positions(self, **positions: float) -> SetJointPositions:
-        """The message for these joints; the others stay where they are commanded to be. For lists, and `perform`."""
+        """The message that moves these joints (radians or metres) and leaves the others where they are commanded to be.
+
+        For `send`, `perform` and lists.
+        """
         return await self._command(positions)
 
     async def move(
@@ -156,7 +159,8 @@ class Arm:
         """Move the tool at m/s along and rad/s about the axes of a frame; without velocities it stops.
 
         `frame`: "robot" (x forward, y left, z up), or "tool", that of the tool link. Repeat the command: the arm stops
-        after the robot's `command_timeout`. Where it takes poses only, each command moves it for a quarter of a second.
+        after the robot's `command_timeout`. An arm without a velocity driver receives poses instead; each command then
+        moves it for a quarter of a second.
         """
         velocity, turn = _vector(linear, "linear"), _vector(angular, "angular")
         if frame not in ("robot", "tool"):
@@ -194,11 +198,12 @@ class Arm:
     ) -> Joints:
         """Move joints through several positions, and wait until they are at the last ones; returns the positions.
 
-        A row has the seconds that its way takes, and positions by name, as in `(2.0, {"elbow": 0.6})`; 0 seconds are
-        as fast as the robot's motion profile allows. All rows are checked before anything moves. The component gets
-        them as a list, if it takes lists and each row moves a joint; else one after another. `progress` is called with
-        the index of each row that begins. Raises `ConfigError` with the number of a row that cannot be, and
-        `RequestError` when the arm stops before the end. If the call is cancelled, the arm stops.
+        A row consists of the duration of its motion in seconds and of positions by name, as in `(2.0, {"elbow": 0.6})`;
+        a duration of 0 means as fast as the robot's motion profile allows. All rows are checked before anything moves.
+        They are uploaded as a list if the component supports lists and each row moves a joint; otherwise they are sent
+        one after another. `progress` is called with the index of each row that begins. Raises `ConfigError` with the
+        number of a row that is not possible, and `RequestError` when the arm stops before the end. If the call is
+        cancelled, the arm stops.
         """
         commands, speeds, moves = await self._planned(rows)
         await check_ready(self._connection, self.info.id)
@@ -228,7 +233,9 @@ class Arm:
         speed: float | None = None,
         timeout: float = 60.0,
     ) -> RobotPose:
-        """Move the tool and wait until it is there: metres and radians in the robot's frame (x forward, y left, z up).
+        """Move the tool to a pose and wait until it is there.
+
+        Metres and radians in the robot's frame: x forward, y left, z up.
 
         `rpy` is roll, pitch and yaw of the tool link; without it the arm keeps the present attitude as well as it can.
         `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there.
@@ -253,7 +260,7 @@ class Arm:
         return await self.tool()
 
     async def tool(self) -> RobotPose:
-        """The present pose of the tool link in the robot's frame."""
+        """The present pose of the tool link in the robot's frame, in metres and radians."""
         pose = (await self._tool()).to_pose()
         return RobotPose(pose.x, pose.y, pose.z, pose.roll, pose.pitch, pose.yaw, datetime.now(UTC))
 
@@ -286,7 +293,7 @@ class Arm:
 
     @asynccontextmanager
     async def _stopping(self) -> AsyncIterator[None]:
-        """Stop the arm when what is inside is cancelled or fails, as far as it is still controlled."""
+        """Stop the arm when the block is cancelled or fails, if the arm is still controlled."""
         try:
             yield
         except BaseException:
@@ -297,7 +304,7 @@ class Arm:
 
     @asynccontextmanager
     async def _limited(self, speed: float | Mapping[str, float] | None) -> AsyncIterator[dict[str, Any]]:
-        """The motion profile with this speed; yields the one before, by joint, and restores it."""
+        """Set this speed in the motion profile; yields the previous speeds by joint, and restores them at the end."""
         if speed is None:
             yield {}
             return
@@ -323,7 +330,7 @@ class Arm:
         return list(report.joint_motion_profile_list)
 
     async def _speeds_for(self, command: SetJointPositions, duration: float) -> dict[str, float]:
-        """The speed of each joint with which it takes `duration` seconds."""
+        """The speed of each joint with which its motion takes `duration` seconds."""
         return _speeds(
             await self.motion_limits(), await reported(self._connection, self.info), _values(command), duration
         )
@@ -333,7 +340,7 @@ class Arm:
     ) -> tuple[list[SetJointPositions], list[dict[str, float]], list[bool]]:
         """The command and the speeds of each row, none for full speed, and whether it moves a joint."""
         if not rows:
-            raise ConfigError("there are no rows to follow")
+            raise ConfigError("`rows` is empty; give at least one row")
         table, limits = await self._joint_table(), await self.motion_limits()
         values = await reported(self._connection, self.info)
         commands, speeds, moves = list[SetJointPositions](), list[dict[str, float]](), list[bool]()
@@ -354,7 +361,10 @@ class Arm:
     async def _follow_list(
         self, commands: list[SetJointPositions], speeds: list[dict[str, float]], tell: Callable[[int], None]
     ) -> None:
-        """Have the component carry out its list; the motion profile of a row is set while the one before moves."""
+        """Execute the rows as a list of the component.
+
+        The motion profile of a row is set during the motion of the row before.
+        """
         info = self.info.find(LIST_DRIVER)
         assert info is not None
         elements = Elements(self._connection, self.info.id, info)
@@ -370,7 +380,7 @@ class Arm:
             raise RequestError(await self._why(commands[-1], RequestError(f"{self.info.id} has not followed all rows")))
 
     async def _step(self, velocity: Vector, turn: Vector) -> None:
-        """Send the tool to where these velocities, in the robot's frame, bring it until the next command."""
+        """Command the pose that the tool reaches with these velocities until the next command, in the robot's frame."""
         table, base, now = await self._joint_table(), await self._base_frame(), asyncio.get_running_loop().time()
         if self._step_goal is None or now > self._step_end:
             self._step_goal, self._step_end = await self._tool(), now
@@ -387,7 +397,7 @@ class Arm:
         await self._connection.send_checked(self.info.id, SetJointMotionProfile(records), ack=True)
 
     async def _arrive(self, command: SetJointPositions, timeout: float) -> None:
-        """Send a command to a component that does not report its end, and wait for the positions."""
+        """Send a command to a component that does not report its end, and wait until the positions are reached."""
         await self._connection.send_checked(self.info.id, command, ack=True)
         wanted = _values(command)
         clock = asyncio.get_running_loop().time
@@ -397,7 +407,7 @@ class Arm:
             if all(abs(a - b) <= JOINT_TOLERANCE for a, b in zip(now, wanted, strict=True)):
                 return
             if clock() > end:
-                raise RequestError(f"{self.info.id} is not there after {timeout:g} s; it may be blocked")
+                raise RequestError(f"{self.info.id} has not reached its target after {timeout:g} s; it may be blocked")
             await asyncio.sleep(POLL_INTERVAL)
 
     async def _why(self, command: SetJointPositions, error: RequestError) -> str:
@@ -419,7 +429,7 @@ class Arm:
             report = await self._connection.query(self.info.id, query, expects=ReportManipulatorSpecifications)
             assert isinstance(report, ReportManipulatorSpecifications)
             if report.manipulator_coordinate_system_rec is None:
-                raise ConfigError(f"{self.info.id} does not report where it stands on the robot")
+                raise ConfigError(f"{self.info.id} does not report the pose of its base on the robot")
             self._base = JAUS_FROM_REP_103 @ _base_of(report.manipulator_coordinate_system_rec)
         return self._base
 
@@ -464,7 +474,7 @@ def _rotated(rotation: Rotation, vector: Vector) -> Vector:
 
 
 def _motion_limits(record: Any) -> MotionLimits:
-    """Of one joint; a zero, with which the joint would not move, means no limit."""
+    """The limits of one joint; zero, with which the joint could not move, means no limit."""
     values = record.joint_max_speed, record.joint_max_acceleration_rate, record.joint_max_deceleration_rate
     return MotionLimits(*(value or math.inf for value in values))
 
@@ -494,7 +504,7 @@ def _values(command: SetJointPositions) -> list[float]:
 def _speeds(
     limits: Mapping[str, MotionLimits], start: Sequence[float], end: Sequence[float], duration: float
 ) -> dict[str, float]:
-    """The speed of each joint with which it takes `duration` seconds."""
+    """The speed of each joint with which its motion takes `duration` seconds."""
     speeds = dict[str, float]()
     for (name, limit), here, there in zip(limits.items(), start, end, strict=True):
         speed = limit.speed_for(there - here, duration)

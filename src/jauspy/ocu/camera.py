@@ -51,7 +51,7 @@ class Reader(Protocol[P_co]):
 
     @property
     def receiver(self) -> RtpReceiver:
-        """What receives the packets."""
+        """The receiver of the packets."""
         ...
 
     def fileno(self) -> int:
@@ -100,7 +100,7 @@ class Camera:
 
     def __init__(self, connection: Connection, components: tuple[ComponentInfo, ...], name: str | None) -> None:
         self.name: str | None = name
-        """As it was asked for."""
+        """The name that was given to `Robot.camera`."""
         self._connection = connection
         self._components = components
         self._found: tuple[ComponentInfo, int] | None = None
@@ -112,7 +112,7 @@ class Camera:
 
     @property
     def waiting(self) -> str:
-        """What `frames` or `encoded` wait for until a picture arrives, in words, such as for a first packet."""
+        """A text for users: what `frames` or `encoded` wait for until a picture arrives, as in "a first packet"."""
         if self._receiver is None:
             return "the robot has not yet agreed to send video"
         counters = {name: count for name, count in self._receiver.counters.items() if count}
@@ -129,7 +129,7 @@ class Camera:
         return None if seconds is None else datetime.fromtimestamp(seconds, UTC)
 
     def refresh(self) -> None:
-        """Ask for a picture that can be decoded without others; without effect when nothing is received."""
+        """Request a picture that can be decoded without others (IDR); without effect when nothing is received."""
         if self._receiver is not None:
             self._receiver.ask_for_idr()
 
@@ -137,8 +137,8 @@ class Camera:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
 
         A slow reader gets the newest one. `address` is the IP address of this machine to which the robot sends; by
-        default the one that routes to it. Raises `RequestError` when no first frame arrives within `timeout` seconds,
-        or none for 5 s later. The camera stops sending when the loop is left.
+        default the one from which the robot is reached. Raises `RequestError` when no first frame arrives within
+        `timeout` seconds, or none for 5 s later. The camera stops sending when the loop is left.
         """
         check_number(timeout, "timeout")
         need_video()
@@ -154,9 +154,9 @@ class Camera:
                 yield frame
 
     async def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> AsyncGenerator[Picture, None]:
-        """Pictures as the camera encodes them (H.264), from a whole IDR picture on; otherwise as `frames`.
+        """Pictures as the camera encodes them (H.264), beginning with an IDR picture; otherwise as `frames`.
 
-        Pictures of which packets were lost are left out, with those that depend on them, until the next IDR picture.
+        After a lost packet, pictures are dropped until the next IDR picture.
         """
         check_number(timeout, "timeout")
         component, sensor = await self._find()
@@ -171,7 +171,7 @@ class Camera:
     async def still(
         self, *, size: tuple[int, int] | None = None, format: str | None = None, timeout: float = 10.0
     ) -> Photo:
-        """An image as the content of a file; see `ServiceClient.still`.
+        """Take a still image, returned as the content of a file; see `ServiceClient.still`.
 
         Raises `ResponseTimeout` when none arrives within `timeout` seconds.
         """
@@ -223,7 +223,7 @@ class Camera:
         if found is not None:
             return found
         raise ConfigError(
-            f"it is not known on which machine {component.id} is; name the address of this machine to which it is to "
+            f"it is unknown on which machine {component.id} is; name the address of this machine to which it is to "
             "send: frames(address=...)"
         )
 

@@ -44,7 +44,7 @@ R = TypeVar("R", bound=Message)
 _LOG: Final = get_logger("jauspy.ocu")
 
 CLASH_INTERVAL: Final = 5.0
-"""Seconds between two looks for another machine with the same id."""
+"""Seconds between two checks for another machine with the same id."""
 _OCU_TYPE = 20001
 _COMPONENT_TYPE = 60001
 _NODE_TYPE = 40001
@@ -136,10 +136,10 @@ class OCU:
         self._stack.callback(watch.cancel)
 
     async def close(self) -> None:
-        """Put controlled components in Standby, release them, cancel events, disconnect; without effect when closed.
+        """Put controlled components in Standby, release control, cancel events, disconnect; without effect when closed.
 
-        Waits for acknowledgements, for little more than a second. Whatever still waits for an answer or an event ends
-        with `TransportError`.
+        Waits for acknowledgements for up to 1.3 s. Calls that still wait for an answer or an event raise
+        `TransportError`.
         """
         component, self._component = self._component, None
         if component is None:
@@ -152,7 +152,7 @@ class OCU:
             await component.close()
 
     async def _watch_id(self) -> None:
-        """Warn of another machine with the same id, also if all is well here: the other program gets no answers."""
+        """Log a warning when another machine has the same id: one of the two receives no answers."""
         clash = ""
         while not clash:
             await asyncio.sleep(CLASH_INTERVAL)
@@ -194,11 +194,11 @@ class OCU:
     # --- discovery ------------------------------------------------------------------------------------------------
 
     async def discover(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
-        """The subsystem of this number; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
+        """The subsystem with this id; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
         return Robot(self._connection, await discover(self._connection, subsystem, timeout))
 
     async def robot(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
-        """The robot of this number: another name of `discover`."""
+        """The robot with this subsystem id; the same as `discover`."""
         return await self.discover(subsystem, timeout=timeout)
 
     async def discover_all(self, *, timeout: float | None = None) -> tuple[Robot, ...]:
@@ -211,7 +211,7 @@ class OCU:
     async def watch(
         self, subsystem: int | None = None, *, interval: float = 2.0, silence: float = 7.0, parts: bool = False
     ) -> AsyncGenerator[News, None]:
-        """`async for news in ocu.watch()`: yields the robots that are present, and then each that comes, changes, goes.
+        """`async for news in ocu.watch()`: yields the robots that are present, and then every change.
 
         One event for each robot (and other subsystem), whose `components` are in it: `Appeared`, `Changed` with what it
         was before, and `Vanished`. With `parts`, one for each subsystem, node, component and service.
@@ -222,20 +222,20 @@ class OCU:
             yield news
 
     async def address_towards(self, destination: str | JausID) -> str:
-        """The IP address of this machine that routes to a component, as for video that it is to send here.
+        """The IP address of this machine from which a component is reached, for example as the destination of video.
 
-        Raises `RequestError` while it is not known on which machine the component is: nothing was received from it.
+        Raises `RequestError` while nothing was received from the component, so that its machine is unknown.
         """
         id = JausID.of(destination)
         found = await self._connection.address_towards(id)
         if found is None:
-            raise RequestError(f"it is not known on which machine {id} is, so no address of this machine routes to it")
+            raise RequestError(f"{id} has sent nothing yet, so its machine is unknown; query it first")
         return found
 
     # --- without discovery ----------------------------------------------------------------------------------------
 
     def service(self, destination: str | JausID, name: str) -> ServiceClient:
-        """The client of a service of any component, whether it was discovered, and lists the service, or not.
+        """The client of a service of any component. The component need not have been discovered, nor list the service.
 
         `name` is the URN or the end of it; `ConfigError` if it is not known. With AccessControl, or any service that
         inherits from it, `async with ocu.service("126.1.11", "AccessControl").control(): ...` takes control.
@@ -284,19 +284,22 @@ class OCU:
         timeout: float | None = None,
         retries: int | None = None,
     ) -> Any:
-        """Query any component; of several that a wildcard id reaches, the first answer is returned."""
+        """Query any component; of several that match a wildcard id, the first answer is returned."""
         retry = self._connection.retry.replaced(timeout, retries)
         return await self._connection.query(JausID.of(destination), message, retry=retry, expects=expects)
 
     async def query_each(
         self, destination: str | JausID, message: Message, *, within: float = 2.0, expects: type[Message] | None = None
     ) -> AsyncGenerator[tuple[JausID, Any], None]:
-        """Query all that a wildcard id reaches: sender and answer, as they arrive in the next `within` seconds."""
+        """Query all components that match a wildcard id.
+
+        Yields sender and answer as they arrive within `within` seconds.
+        """
         async for answer, source in self._connection.query_each(JausID.of(destination), message, within, expects):
             yield source, answer
 
     async def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
-        """Send to any component, or to all that a wildcard id reaches; `ControlRejected` as `ServiceClient.send`.
+        """Send to any component, or to all that match a wildcard id; `ControlRejected` as `ServiceClient.send`.
 
         With `ack` it is resent until that one component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """
@@ -328,7 +331,7 @@ def _builtin() -> Registry:
 
 
 SIGNALS: Final = ("SIGTERM", "SIGHUP")
-"""Signals that would end the process at once."""
+"""Signals that by default end the process without cleanup."""
 
 
 _users: Final[Counter[int]] = Counter()
@@ -349,7 +352,7 @@ def leave(number: int, frame: object = None) -> None:  # noqa: ARG001 - a signal
 
 @contextmanager
 def orderly(install: Callable[[int], object], remove: Callable[[int], object]) -> Iterator[None]:
-    """Inside, signals that would kill the process are handled by what `install` installs for each, in the main thread.
+    """Inside the block, `install` handles signals that would kill the process, in the main thread.
 
     Without effect for signals that the program handles or ignores itself.
     """

@@ -1,9 +1,10 @@
-"""Commands that take time, awaited until they have been carried out, and commands that are repeated.
+"""Commands that are awaited until they have been carried out, and commands that are repeated.
 
-The first use command events (AS5710 1.1). The second make a robot stop when the program does (dead-man).
+The former use command events (AS5710 1.1). The latter stop a robot when the program stops sending them (dead-man's
+switch).
 
 A component has one event for equal commands of one client. The event is created for the longest time that any of those
-who wait allows; the others give up by themselves.
+who wait allows; the others time out earlier.
 """
 
 from __future__ import annotations
@@ -48,7 +49,7 @@ async def perform(connection: Connection, id: JausID, command: Message, within: 
     if not 0 <= within <= MAX_WITHIN:
         raise ConfigError(f"within {within} s is outside 0..{MAX_WITHIN}")
     if not command.IS_COMMAND:
-        raise ConfigError(f"{command.NAME} is no command; `query()` asks, `send()` sends anything")
+        raise ConfigError(f"{command.NAME} is not a command; use `query()` for queries and `send()` for other messages")
     connection.controls.check(id, command)
     begin = asyncio.get_running_loop().time()
     result = await _PendingCommand(connection, id, command, within).result()
@@ -150,20 +151,20 @@ _LOG: Final = get_logger("jauspy.ocu")
 MAX_RATE: Final = 1000.0
 """Hz."""
 MAX_PROGRAM_SILENCE: Final = 1.0
-"""Seconds that the program may stand still before its command is dropped and the robot is stopped."""
+"""Seconds for which the program may be blocked before its command is dropped and the robot is stopped."""
 
 _ZEROS: Final[Mapping[str, Zero]] = {**CONTINUOUS_COMMANDS, "SetTravelSpeed": Zero.ALL}
-"""How the motion of a command is stopped: the speed of travel, which is not repeated otherwise, as the others."""
+"""Fields that are set to zero to stop the motion of a command."""
 _CURRENT: Final = (0, "SET_CURRENT_COMMAND", "SET_COMMAND_SOG")
 """The type of a velocity command that is not a limit."""
 
 
 class CommandStream:
-    """Sends the last command again at `rate` Hz, only while the event loop of the program turns.
+    """Sends the last command again at `rate` Hz while the event loop of the program runs.
 
-    When the loop stood still for a second, the command is dropped and the robot is stopped; the next `send`
-    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero,
-    and the speed of a vector, whose heading stays. A command of positions is not repeated any more.
+    When the loop was blocked for a second, the command is dropped and the robot is stopped; the next `send` starts
+    again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero, and the
+    speed of a vector, whose heading stays. A command of positions is not repeated any more.
     """
 
     def __init__(self, connection: Connection, id: JausID, rate: float) -> None:
@@ -173,7 +174,7 @@ class CommandStream:
         self.rate: float = rate
         """Hz."""
         self.dropped = 0
-        """How often the command was dropped because the program had stood still."""
+        """How often the command was dropped because the program was blocked."""
         self._connection = connection
         self._id = id
         self._command: Message | None = None
@@ -255,7 +256,7 @@ class CommandStream:
             return
         self.dropped += 1
         _LOG.warning(
-            "%s was stopped: the program stood still for %.1f s, so %s was not repeated",
+            "%s was stopped: the program was blocked for %.1f s, so %s was not repeated",
             self._id,
             seconds,
             command.NAME,

@@ -47,7 +47,7 @@ from jauspy.transport.multicast import address_towards
 _LOG: Final = get_logger("jauspy.ocu")
 
 LOOPBACK: Final = "127.0.0.1"
-"""Where programs of this machine send to each other."""
+"""Addresses of this machine."""
 QUERY_EACH_INTERVAL: Final = 0.5
 """Seconds after which `query_each` sends its query again."""
 MAX_ANSWERS: Final = 4096
@@ -94,7 +94,7 @@ class RetryPolicy:
 
 
 CHALLENGE_RETRY: Final = RetryPolicy(timeout=0.25, retries=3)
-"""For the challenge before the first command; components that know no operators do not answer."""
+"""For the challenge before the first command; components without CommandSeal do not answer."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -107,9 +107,9 @@ class Stats:
     timeouts: int = 0
     malformed: int = 0
     unexpected: int = 0
-    """Messages that nobody waited for, such as answers that arrive too late."""
+    """Messages that no call waited for, such as late answers."""
     refused: int = 0
-    """Commands that a component refused since they had no seal of an operator, or a wrong one."""
+    """Commands that a component refused because the seal of an operator was missing or wrong."""
     rtt_min: float = 0.0
     rtt_median: float = 0.0
     rtt_max: float = 0.0
@@ -247,7 +247,7 @@ class Connection:
         self.controls = ActiveControls()
         self.events = EventUsers()
         self.program_silence: Callable[[], float] = lambda: 0.0
-        """Seconds for which the program has stood still, where that is another thread than the event loop's."""
+        """Seconds for which the program was blocked, if it runs in another thread than the event loop."""
         self.trace: Trace | None = None
         self._component: Component | None = None
         self._loop: asyncio.AbstractEventLoop | None = None
@@ -259,7 +259,7 @@ class Connection:
     # --- opening and closing --------------------------------------------------------------------------------------
 
     def attach(self, component: Component) -> None:
-        """Use this component for sending."""
+        """Send with this component."""
         self._component, self._loop = component, asyncio.get_running_loop()
         self.pending_cancels = asyncio.Semaphore(MAX_PENDING_CANCELS)
 
@@ -294,7 +294,7 @@ class Connection:
             return ServiceInfo(*versions.popitem())
         if versions:
             raise ConfigError(f"several services are called {name}; name one of {', '.join(sorted(versions))}")
-        raise ConfigError(f"no service {name} is known here; give its definition: OCU(registry=jauspy.load(FILE))")
+        raise ConfigError(f"no service {name} is known; pass its definition: OCU(registry=jauspy.load(FILE))")
 
     def message_class(self, urn: str, version: str | None, name: str) -> type[Any]:
         """The message class of this JAUS name in a service, in this version of it when that is known.
@@ -307,7 +307,7 @@ class Connection:
                 return self.registry.by_name(name, service=service, version=of)
         if any(entry.service == urn for entry in self.registry.entries):
             raise ConfigError(f"{urn.removeprefix('urn:jaus:jss:')} has no message {name}")
-        raise ConfigError(f"no definition of {urn} is known here; give it: OCU(registry=jauspy.load(FILE))")
+        raise ConfigError(f"no definition of {urn} is known; pass it: OCU(registry=jauspy.load(FILE))")
 
     # --- receiving ------------------------------------------------------------------------------------------------
 
@@ -352,7 +352,7 @@ class Connection:
         broadcast: Broadcast = Broadcast.NONE,
         ack: Ack = Ack.NONE,
     ) -> None:
-        """Send a message; raises `EncodeError` when a value does not fit."""
+        """Send a message; raises `EncodeError` when a value is out of range."""
         sealed = self._sealed(destination, message)
         self._opened().send(destination, sealed, priority=priority, broadcast=broadcast, ack=ack)
         self._on_sent(destination, message)

@@ -39,7 +39,7 @@ _LOG: Final = get_logger("jauspy.ocu")
 DEFAULT_AUTHORITY: Final = 127
 """The middle of 0..255: clients that must be able to take over use a higher one."""
 DEFAULT_CONTROL_TIMEOUT: Final = 3.0
-"""Seconds, for a component that does not report after how long it takes control back."""
+"""Seconds; assumed for a component that does not report its control timeout."""
 STATUS_RETRY: Final = RetryPolicy(timeout=0.3, retries=3)
 """For the queries after control was granted or lost: the control timeout is running already."""
 CHECK_INTERVAL: Final = 2.0
@@ -110,7 +110,7 @@ class ControlStatus:
         return True
 
     def held_by(self) -> str:
-        """The other client in words."""
+        """A description of the other client."""
         return "is held by {} with authority {}".format(*self._other)
 
     def rejected(self, why: str) -> ControlRejected:
@@ -124,7 +124,8 @@ class Control:
 
     Entering raises `ControlRejected`, which names the client in control. When control is lost later, `lost` gives the
     reason and commands to the component raise `ControlRejected`; the block itself is not interrupted. Control also
-    counts as lost when the component has left Ready by itself, as after a restart, since it then ignores commands.
+    counts as lost when the component left Ready without a command of this client, as after a restart, since it then
+    ignores commands.
     """
 
     def __init__(self, connection: Connection, id: JausID, authority: int, retry: RetryPolicy) -> None:
@@ -256,7 +257,7 @@ class Control:
             raise
 
     async def _check_and_renew(self) -> None:
-        """Check and renew control at a third of its timeout, so that single lost packets do no harm."""
+        """Check and renew control at a third of its timeout, so that single lost packets do not end it."""
         clock = asyncio.get_running_loop().time
         interval = min(self.timeout / 3 or CHECK_INTERVAL, CHECK_INTERVAL)
         retry = RetryPolicy(min(self._retry.timeout, interval / 3), 1)

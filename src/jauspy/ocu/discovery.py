@@ -59,7 +59,7 @@ MAX_FOLLOW_UPS: Final = 64
 PROBES_PER_INTERVAL: Final = 4
 """How often in each interval `watch` queries components that have not answered the broadcast: packets get lost."""
 MIN_PAUSE: Final = 0.02
-"""Seconds between two looks of `watch`, so that it does not keep the event loop busy."""
+"""Least seconds between two updates of `watch`, so that it does not keep the event loop busy."""
 COALESCE_TIME: Final = 0.1
 """Seconds that `watch` waits for further reports before it yields changes."""
 ROBOT_QUIET_TIME: Final = 0.3
@@ -89,7 +89,7 @@ class Changed:
 
 @dataclass(frozen=True, slots=True)
 class Vanished:
-    """It was silent for too long, or the component no longer offers the service."""
+    """It sent nothing for `silence` seconds, or the component no longer offers the service."""
 
     id: JausID
     before: SubsystemPart
@@ -256,7 +256,7 @@ async def watch(
 
 
 async def _next_reports(received: asyncio.Event, until: float) -> bool:
-    """Wait for a report and for those that follow at once, no longer than `until`; true when there was one."""
+    """Wait until `until` for a report, and then a little for those that follow; true when there was one."""
     with suppress(TimeoutError):
         async with asyncio.timeout_at(until):
             await received.wait()
@@ -358,10 +358,11 @@ class _Pending:
 
 
 class RobotNews:
-    """Compares what is known of robots with what was reported. Times are seconds of a monotonic clock.
+    """Decides when a robot has appeared, changed or vanished.
 
-    The components of a robot that is switched off fall silent one after the other, up to `silence` seconds apart, so
-    that a robot with fewer components is reported when nothing more is lost for as long.
+    Times are seconds of a monotonic clock. When a robot is switched off, its components expire one after the other, up
+    to `silence` seconds apart. Therefore a robot with fewer components is reported only when no further one expires
+    within `silence`.
     """
 
     def __init__(self, silence: float) -> None:

@@ -1,4 +1,4 @@
-"""Driving in metres and radians: at velocities, and to points; the axes are those of REP-103."""
+"""Drives at velocities and to points, in metres and radians, with the axes of REP-103."""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says where the robot is
 
@@ -39,18 +39,18 @@ X_AND_YAW: Final = 0b100001
 ROUNDING: Final = 1e-3
 """m/s and rad/s by which a velocity may exceed the limit that the robot reports."""
 PROGRESS_INTERVAL: Final = 0.2
-"""Seconds between two looks at the pose on the way to a point."""
+"""Seconds between two queries for the pose on the way to a point."""
 TOLERANCE: Final = 0.1
 """Metres from a point within which it is reached."""
 MAX_STEP: Final = 0.01
-"""Metres between two looks below which a robot stands."""
+"""Metres between two poses below which a robot counts as stopped."""
 
 FRAMES: Final = ("local", "robot")
 
 
 @dataclass(frozen=True, slots=True)
 class Progress:
-    """On the way to a point: what is left, in metres, where the robot is, and seconds since it started."""
+    """Progress on the way to a point: remaining distance in metres, pose, and seconds since the start."""
 
     distance: float
     pose: RobotPose
@@ -127,7 +127,7 @@ class Driving:
         return self._limits
 
     async def stop(self) -> None:
-        """Stand still."""
+        """Stop the robot."""
         if self._stream is not None and self._stream.active:
             await self._stream.stop()
             return
@@ -144,7 +144,7 @@ class Driving:
         """See `Robot.pose`."""
         sensor = self._offering("mobility:LocalPoseSensor")
         if sensor is None:
-            raise ConfigError("this robot does not tell its pose: it does not offer mobility:LocalPoseSensor")
+            raise ConfigError("this robot does not report its pose: it does not offer mobility:LocalPoseSensor")
         report = await sensor.query(QueryLocalPose(), expects=ReportLocalPose)
         return pose_of(report, datetime.now(UTC))
 

@@ -14,7 +14,8 @@ if TYPE_CHECKING:
 ROUND: Final = 0.4
 """Seconds in which components answer QueryStatus before the message is sent again."""
 SETTLED_ROUNDS: Final = 2
-"""Rounds without a new component, in which all obey, after which it ends: packets may have been lost."""
+"""Rounds without a new component, in which all obey, after which the exchange ends; there are several because packets
+get lost."""
 STOP: Final = SetEmergency.EmergencyCode.STOP
 
 Reports: TypeAlias = dict[JausID, ReportStatus]
@@ -23,8 +24,8 @@ Reports: TypeAlias = dict[JausID, ReportStatus]
 async def set_emergency(ocu: OCU, to: JausID, *, release: bool = False, within: float = 2.0) -> Reports:
     """Set the emergency of all that `to` reaches, or clear it with `release`; the last status of each that answered.
 
-    The message is sent at once, and again until all that answer have obeyed or `within` seconds are over. Only the id
-    that set an emergency can clear it.
+    The message is sent immediately, without discovery, and repeated until all that answer have obeyed, at most for
+    `within` seconds. Only the id that set an emergency can clear it.
     """
     message = ClearEmergency(emergency_code=STOP) if release else SetEmergency(emergency_code=STOP)
     found: Reports = {}
@@ -44,5 +45,5 @@ async def set_emergency(ocu: OCU, to: JausID, *, release: bool = False, within: 
 
 
 def obeys(report: ReportStatus, *, release: bool) -> bool:
-    """True if the emergency is as it was asked to be."""
+    """True if this status is the requested one: in emergency, or with `release` not."""
     return (report.status == ReportStatus.Status.EMERGENCY) != release

@@ -1,4 +1,4 @@
-"""Why a component ignores commands: JAUS has no answer that says so, but its state can be queried."""
+"""Finds out why a component ignores commands. JAUS has no answer for that, but the component's state can be queried."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ _UNCONTROLLED_SERVICES: Final = frozenset(
     {"Transport", "Events", "EventsClient", "AccessControl", "Discovery", "Liveness"}
 )
 _TAKEN_IN_STANDBY: Final = ("SetLocalWaypoint", "SetGlobalWaypoint", "SetElement", "DeleteElement")
-"""Beginnings of names of commands that need control, and not Ready."""
+"""Prefixes of names of commands that need control, but not the state Ready."""
 TAKE_CONTROL: Final = "take control first"
 NOT_CONTROLLED: Final = f"{{}} is not controlled by this program; {TAKE_CONTROL}, with `robot.control()`"
 """What to do when another client, or none, is in control."""
@@ -82,7 +82,7 @@ async def explain(
 
 
 async def check_ready(connection: Connection, id: JausID) -> None:
-    """Raise `ControlRejected` or `RequestError`, which say why, unless this client controls `id` and `id` is Ready."""
+    """Raise `ControlRejected` or `RequestError` with the reason, unless this client controls `id` and `id` is Ready."""
     if id not in connection.controls:
         raise ControlRejected(NOT_CONTROLLED.format(id))
     status = await connection.query(id, QueryStatus(), expects=ReportStatus)
@@ -135,7 +135,7 @@ async def _wrong_values(connection: Connection, id: JausID, command: Message, re
             return await _wrong_joints(connection, id, command, retry)
         if isinstance(command, SetVelocityCommand) and not command.command_type:
             return await _too_fast(connection, id, command, retry)
-    except (ResponseTimeout, ConfigError):  # it does not tell its joints or limits
+    except (ResponseTimeout, ConfigError):  # it does not report its joints or limits
         return ""
     return ""
 

@@ -44,7 +44,7 @@ class JointReader(Protocol):
 
 
 class ManipulatorReader:
-    """Joints of a manipulator or gripper; the standard measures them from the axes of its own DH frames."""
+    """Joints of a manipulator or gripper, which AS6057 measures in Denavit-Hartenberg frames."""
 
     def __init__(self, component: ComponentClient, model: RobotModel, group: GroupSetup) -> None:
         self._id = component.id
@@ -53,7 +53,7 @@ class ManipulatorReader:
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
-        """As the protocol; `ConfigError` when the number of joints differs from the description."""
+        """As in `JointReader`; raises `ConfigError` when the number of joints differs from the description."""
         report = await self._sensor.query(QueryJointPositions(), expects=ReportJointPositions)
         standard = [record.joint_position.value for record in report.joint_position_list]
         if len(standard) != len(self.joints):
@@ -65,7 +65,7 @@ class ManipulatorReader:
 
 
 class PanTiltReader:
-    """Joints of a pan-tilt unit; the standard counts angles to the right and upwards."""
+    """Joints of a pan-tilt unit; AS6057 counts angles to the right and upwards."""
 
     def __init__(self, component: ComponentClient, model: RobotModel, group: GroupSetup) -> None:
         self._sensor = component.service(PAN_TILT)
@@ -73,7 +73,7 @@ class PanTiltReader:
         self.joints = group.joints
 
     async def read(self) -> dict[str, float]:
-        """As the protocol."""
+        """As in `JointReader`."""
         report = await self._sensor.query(QueryPanTiltJointPositions(), expects=ReportPanTiltJointPositions)
         rows = zip(self.joints, (report.joint1_position, report.joint2_position), self._reversed, strict=True)
         return {joint: -angle if is_reversed else angle for joint, angle, is_reversed in rows}

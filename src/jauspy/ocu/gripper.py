@@ -24,9 +24,9 @@ START_TIME: Final = 0.4
 """Seconds until the fingers move."""
 POLL_INTERVAL: Final = 0.05
 STILL_REPORTS: Final = 5
-"""Consecutive reports in which the fingers rest."""
+"""Consecutive reports without motion after which the fingers count as stopped."""
 MAX_STEP: Final = 3e-4
-"""Metres or radians between two reports up to which a finger rests."""
+"""Metres or radians between two reports up to which a finger counts as stopped."""
 BLIND_TIME: Final = 2.0
 """Seconds to wait for a gripper that does not report its fingers."""
 
@@ -44,22 +44,22 @@ class Gripper:
         return f"<gripper {self.info.id}>"
 
     async def close(self, *, force: float | None = None, effort: float | None = None, timeout: float = 10.0) -> Joints:
-        """Close until the fingers rest, and keep the force; returns where the fingers are.
+        """Close until the fingers stop, and hold the force; returns the positions of the fingers.
 
-        `force` is that of each finger in newtons; `effort` is in percent of the greatest, by default 50. The force is
-        kept after the block of `control()`: a gripper does not drop what it holds.
+        `force` is the force of each finger in newtons, `effort` percent of the greatest force, by default 50. The force
+        is kept after the block of `control()`: a gripper does not drop what it holds.
         """
         return await self._squeeze(await self._percent(force, effort), timeout)
 
     async def open(self, *, effort: float | None = None, timeout: float = 10.0) -> Joints:
-        """Open until the fingers rest; returns where the fingers are."""
+        """Open until the fingers stop; returns the positions of the fingers."""
         return await self._squeeze(-await self._percent(None, effort), timeout)
 
     async def open_to(self, opening: float, *, effort: float = 25.0, timeout: float = 10.0) -> Joints:
-        """Open or close until the first finger is at `opening` metres or radians, or rests; then hold it there.
+        """Open or close until the first finger is at `opening` metres or radians, or stops; then hold it there.
 
-        JAUS has no command for it: the effort (percent) ends when a report says that the finger is there, so that it
-        may go some millimetres too far; less effort is more exact. Returns where the fingers are.
+        JAUS has no command for this: the effort (percent) ends when a report contains the position, so the finger may
+        overshoot by some millimetres; with less effort it overshoots less. Returns the positions of the fingers.
         """
         check_number(opening, "opening")
         if self.info.find(POSITION_SENSOR) is None:
@@ -83,19 +83,25 @@ class Gripper:
         await self._send(0.0)
 
     async def max_force(self) -> float | None:
-        """The greatest force of a finger in newtons; None if the gripper does not tell."""
+        """The greatest force of a finger in newtons; None if the gripper does not report it."""
         if self.info.find(POSITION_SENSOR) is None:
             return None
         return (await self._joint_table()).joints[0].max_effort or None
 
     async def limits(self) -> dict[str, tuple[float, float]]:
-        """The least and the greatest position of each finger; empty when it does not report them."""
+        """The least and the greatest position of each finger in metres or radians.
+
+        Empty if the gripper does not report them.
+        """
         if self.info.find(POSITION_SENSOR) is None:
             return {}
         return {joint.name: (joint.lower, joint.upper) for joint in (await self._joint_table()).joints}
 
     async def joints(self) -> Joints:
-        """Where the fingers are, in metres or radians by the name of the joint; empty when it does not report them."""
+        """The positions of the fingers in metres or radians by the name of the joint.
+
+        Empty if the gripper does not report them.
+        """
         if self.info.find(POSITION_SENSOR) is None:
             return Joints({}, datetime.now(UTC))
         table = await self._joint_table()
@@ -124,7 +130,7 @@ class Gripper:
         await self._connection.send_checked(self.info.id, SetEndEffectorEffort(effort), ack=True)
 
     async def _until(self, finger: str, opening: float, start: float, timeout: float, *, closes: bool) -> None:
-        """Wait until the finger has passed an opening, or rests."""
+        """Wait until the finger has passed an opening, or stops."""
         clock = asyncio.get_running_loop().time
         begun, before, still = clock(), start, 0
         while still < STILL_REPORTS:
@@ -153,9 +159,7 @@ class Gripper:
         """The force as percent of the greatest."""
         greatest = (await self._joint_table()).joints[0].max_effort
         if not greatest:
-            raise ConfigError(
-                f"{self.info.id} does not tell its greatest force, so newtons have no meaning; use `effort` (percent)"
-            )
+            raise ConfigError(f"{self.info.id} does not report its greatest force in newtons; use `effort` (percent)")
         if not 0 < force <= greatest:
             raise ConfigError(f"force {force:g} is outside 0..{greatest:g} N")
         return 100.0 * force / greatest

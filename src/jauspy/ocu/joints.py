@@ -1,6 +1,6 @@
-"""How the joints of a component are called and counted: names and positions of the robot's description (URDF).
+"""Names, order, signs and limits of a component's joints, converted between AS6057 and the robot's description (URDF).
 
-Commands from plain numbers, as in `joint_positions(0.0, 0.6, metres(0.03))`, count as the component does (AS6057);
+Plain numbers, as in `joint_positions(0.0, 0.6, metres(0.03))`, have the order and signs of the component (AS6057);
 `Robot.arm.joint_positions(elbow=0.6)` takes names and positions of the description.
 """
 
@@ -59,7 +59,7 @@ class DescribedJoint:
 
     @property
     def unit(self) -> str:
-        """Of its positions."""
+        """The unit of its positions."""
         return "rad" if self.is_revolute else "m"
 
 
@@ -83,7 +83,7 @@ class JointTable:
         return {joint.name: joint.sign * (value - joint.zero) for joint, value in rows}
 
     def to_reported(self, positions: Mapping[str, float]) -> list[float]:
-        """Positions of all joints as commands have them."""
+        """The positions of all joints as in commands (AS6057)."""
         return [joint.sign * positions[joint.name] + joint.zero for joint in self.joints]
 
     def check(self, positions: object) -> dict[str, float]:
@@ -104,7 +104,7 @@ class JointTable:
 
 
 async def joint_table(connection: Connection, component: ComponentInfo) -> JointTable:
-    """How this component's joints are called and counted; raises `ResponseTimeout` when it does not answer."""
+    """The names, signs and limits of this component's joints; raises `ResponseTimeout` when it does not answer."""
     if component.find(DESCRIPTION):
         report = await connection.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
         assert isinstance(report, ReportJointDescription)
@@ -119,7 +119,7 @@ async def joint_table(connection: Connection, component: ComponentInfo) -> Joint
 
 
 async def reported(connection: Connection, component: ComponentInfo) -> list[float]:
-    """Present positions, base to tip, as the component counts them."""
+    """The present positions, base to tip, with the signs of the component (AS6057)."""
     if component.find(POSITION_SENSOR):
         report = await connection.query(component.id, QueryJointPositions(), expects=ReportJointPositions)
         assert isinstance(report, ReportJointPositions)
@@ -130,7 +130,7 @@ async def reported(connection: Connection, component: ComponentInfo) -> list[flo
 
 
 def position_records(table: JointTable, values: Sequence[float]) -> list[JointPositionRec]:
-    """The list of a command, base to tip."""
+    """The records of a command, base to tip."""
     make, kinds = JointPositionRec.JointPosition, JointPositionRec.JointPositionChoice
     return [
         JointPositionRec(make(kinds(1 if joint.is_revolute else 2), value))
@@ -221,14 +221,14 @@ def _kind(value: float) -> int:
 
 
 DURATION_ROUNDING: Final = 1e-6
-"""Seconds by which a duration may be too short."""
+"""Seconds by which a duration may be shorter than possible (rounding)."""
 
 
 @dataclass(frozen=True, slots=True)
 class MotionLimits:
     """Limits of a joint's motion: rad/s and rad/s^2, or m/s and m/s^2; infinite where there is none.
 
-    The speed rises, stays and falls evenly.
+    The speed profile is a trapezoid.
     """
 
     speed: float = math.inf
@@ -241,7 +241,7 @@ class MotionLimits:
         return (1.0 / self.acceleration + 1.0 / self.deceleration) / 2.0
 
     def least_duration(self, way: float) -> float:
-        """Seconds that the joint takes at least for a way in radians or metres."""
+        """The least time in seconds for a motion of this many radians or metres."""
         way, ramps = abs(way), self._ramps
         if not way:
             return 0.0
@@ -251,7 +251,7 @@ class MotionLimits:
         return way / top + ramps * top
 
     def speed_for(self, way: float, duration: float) -> float | None:
-        """The speed with which the joint takes `duration` seconds for a way; None if it cannot be as fast."""
+        """The speed with which the motion takes `duration` seconds; None if the joint is not as fast."""
         way, ramps = abs(way), self._ramps
         if duration < self.least_duration(way) - DURATION_ROUNDING or not duration:
             return None

@@ -65,9 +65,9 @@ _REJECTION_REASONS: Final[dict[int, str]] = {
 
 
 class Elements(Sequence[Element]):
-    """The elements as they were last read or changed here: `len`, `[]`, `in` and loops use these.
+    """A copy of the list as it was last read or changed by this client; `len`, `[]`, `in` and loops use the copy.
 
-    A change is sent first and shows here when the component has confirmed it. Changes need control; they raise
+    A change is sent first, and made in the copy when the component has confirmed it. Changes need control; they raise
     `ElementRejected` with the reason, or `ResponseTimeout`. More than 255 elements are changed in several requests.
     """
 
@@ -107,7 +107,7 @@ class Elements(Sequence[Element]):
     async def upload(self, elements: Iterable[Element]) -> None:
         """Replace the whole list and end its execution.
 
-        The new elements are inserted in front of the old ones, which are deleted when all new ones are confirmed. If an
+        The new elements are inserted before the old ones, which are deleted when all new ones are confirmed. If an
         error occurs before that, the old list remains.
         """
         records, old = _checked(elements), await self._client.uids()
@@ -144,7 +144,7 @@ class Elements(Sequence[Element]):
         await self._insert(slice(index, None).indices(len(self))[0], new)
 
     async def replace(self, index: int | slice, elements: Element | Iterable[Element]) -> None:
-        """What `list[index] = elements` does. The component restarts an active element that is replaced."""
+        """The same as `list[index] = elements`. The component restarts an active element that is replaced."""
         new = _checked(elements if isinstance(index, slice) else [elements])
         uids = await self._at(index)
         if len(new) == len(uids):
@@ -157,7 +157,7 @@ class Elements(Sequence[Element]):
         await self._delete(uids)
 
     async def delete(self, index: int | slice) -> None:
-        """What `del list[index]` does. Deleting the active element ends the execution."""
+        """The same as `del list[index]`. Deleting the active element ends the execution."""
         await self._delete(await self._at(index))
 
     async def clear(self) -> None:
@@ -175,8 +175,8 @@ class Elements(Sequence[Element]):
         """Execute the list from the element at `start`; `speed` in m/s, for drivers that take one.
 
         Raises `RequestError` when the component is not Ready, since it then ignores the command. The command is sent
-        again, as often as queries are, while no element is active; a short list may be over at once, so that having
-        no active element is no error.
+        again, as often as queries are, while no element is active; a short list may end before the first query, so it
+        is no error that no element is active.
         """
         (uid,) = await self._at(start)
         command = self._message("ExecuteList")
@@ -188,7 +188,10 @@ class Elements(Sequence[Element]):
                 return
 
     async def set_speed(self, speed: float) -> None:
-        """Go on at another speed, in m/s; raises `ResponseTimeout` when the component does not acknowledge it."""
+        """Change the speed of the execution, in m/s.
+
+        Raises `ResponseTimeout` when the component does not acknowledge it.
+        """
         command = self._message("ExecuteList")
         await self._connection.send_checked(self._id, command(**_speed(command, speed)), ack=True)
 

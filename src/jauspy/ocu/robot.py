@@ -188,11 +188,11 @@ class Robot:
         """Positions of all joints that are reported, in radians or metres by their names in the description (URDF)."""
         offering = [each for each in self.components if each.find(POSITION_SENSOR) or each.find(PAN_TILT_SENSOR)]
         if not offering:
-            raise ConfigError(f"subsystem {self.id} does not tell where its joints are: it offers no {POSITION_SENSOR}")
+            raise ConfigError(f"subsystem {self.id} does not report its joints: it offers no {POSITION_SENSOR}")
         groups = await asyncio.gather(*map(self._joints_of, offering))
         found: dict[str, float] = {}
         for component, group in zip(offering, groups, strict=True):
-            for name, value in group.items():  # names of components that do not tell theirs are not unique
+            for name, value in group.items():  # names of components that do not report theirs are not unique
                 found[f"{component.id} {name}" if name in found else name] = value
         return Joints(found, datetime.now(UTC))
 

@@ -25,7 +25,7 @@ class RobotPose:
     pitch: float = 0.0
     yaw: float = 0.0
     time: datetime | None = None
-    """When it was measured; None when the robot does not say."""
+    """Time of the measurement; None when the robot does not report it."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -42,7 +42,7 @@ CAMERA_WAIT: Final = 2.0
 
 @dataclass(frozen=True, slots=True)
 class Photo:
-    """An image as the content of a file; `format` is JAUS's name of it (JPEG, PNG), `taken` the time in UTC."""
+    """An image as the content of a file; `format` is the format's name in JAUS (JPEG, PNG), `taken` the time in UTC."""
 
     content: bytes
     format: str
@@ -51,7 +51,7 @@ class Photo:
 
 
 async def take_photo(connection: Connection, id: JausID, wanted: Configuration, timeout: float) -> Photo:
-    """As `ServiceClient.still`: the camera is configured for this image if need be, and set back after it."""
+    """As `ServiceClient.still`: if necessary, the camera is configured for this image and restored afterwards."""
     sensor = wanted.sensor_id
     before = await _query_configuration(connection, id, sensor)
     if all(getattr(wanted, name) in (None, getattr(before, name)) for name in ("frame_size", "still_image_format")):

@@ -296,7 +296,7 @@ class Subscription(Generic[R]):
                 yield await self.get()
 
     async def get(self) -> R:
-        """The next report, oldest first; raises `ResponseTimeout` when the component has fallen silent."""
+        """The next report, oldest first; raises `ResponseTimeout` when no report arrives for `silence` seconds."""
         while not self._buffer:
             if self._error is not None:
                 self._raise(self._error)
@@ -454,7 +454,7 @@ class Subscription(Generic[R]):
         return max(3.0 * period, (self.request.silence or 2.0 * RENEWAL_INTERVAL) / 2)
 
     def _fail(self, error: Exception) -> None:
-        """Let `get` raise this."""
+        """Make `get` raise this error."""
         self._error = error
         self._changed.set()
 

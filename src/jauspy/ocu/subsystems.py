@@ -57,7 +57,7 @@ class ComponentInfo:
 
     @property
     def kind(self) -> str:
-        """The type in words."""
+        """The name of the type."""
         return kind_of(self.type)
 
     def find(self, name: str) -> ServiceInfo | None:
@@ -86,7 +86,7 @@ class SubsystemInfo:
 
     @property
     def kind(self) -> str:
-        """The type in words."""
+        """The name of the type."""
         return kind_of(self.type)
 
     @property
@@ -117,13 +117,13 @@ class _Entry:
     first_seen: float
     last_seen: float
     responds: bool = False
-    """True when it has sent a message itself; from then on reports by others are no sign of life."""
+    """True when it has sent a message itself; from then on, reports by others do not keep it alive."""
     services: dict[JausID, frozenset[ServiceInfo]] = field(default_factory=dict)
     """By the component that reported them."""
 
     @property
     def offered(self) -> frozenset[ServiceInfo]:
-        """What it reports itself; what others report of it counts only as long as it reports nothing."""
+        """The services that it reports itself, or, until it does, those that others report for it."""
         return self.services.get(self.id) or frozenset().union(*self.services.values())
 
 

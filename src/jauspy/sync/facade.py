@@ -101,7 +101,7 @@ class Subscription(Facade[_Subscription[R]], Generic[R]):
         return self._portal.iterate(self._async)
 
     def get(self) -> R:
-        """The next report, oldest first; raises `ResponseTimeout` when the component has fallen silent."""
+        """The next report, oldest first; raises `ResponseTimeout` when no report arrives for `silence` seconds."""
         return self._portal.run(self._async.get())
 
 
@@ -110,7 +110,8 @@ class Control(Facade[_Control]):
 
     Entering raises `ControlRejected`, which names the client in control. When control is lost later, `lost` gives the
     reason and commands to the component raise `ControlRejected`; the block itself is not interrupted. Control also
-    counts as lost when the component has left Ready by itself, as after a restart, since it then ignores commands.
+    counts as lost when the component left Ready without a command of this client, as after a restart, since it then
+    ignores commands.
     """
 
     @property
@@ -164,9 +165,9 @@ class Control(Facade[_Control]):
 
 
 class Elements(Facade[_Elements], MutableSequence[Element]):
-    """The elements as they were last read or changed here: `len`, `[]`, `in` and loops use these.
+    """A copy of the list as it was last read or changed by this client; `len`, `[]`, `in` and loops use the copy.
 
-    A change is sent first and shows here when the component has confirmed it. Changes need control; they raise
+    A change is sent first, and made in the copy when the component has confirmed it. Changes need control; they raise
     `ElementRejected` with the reason, or `ResponseTimeout`. More than 255 elements are changed in several requests.
     """
 
@@ -189,7 +190,7 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
     def upload(self, elements: Iterable[Element]) -> None:
         """Replace the whole list and end its execution.
 
-        The new elements are inserted in front of the old ones, which are deleted when all new ones are confirmed. If an
+        The new elements are inserted before the old ones, which are deleted when all new ones are confirmed. If an
         error occurs before that, the old list remains.
         """
         self._portal.run(self._async.upload(elements))
@@ -207,13 +208,13 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         self._portal.run(self._async.insert(index, element))
 
     def replace(self, index: int | slice, elements: Element | Iterable[Element]) -> None:
-        """What `list[index] = elements` does. The component restarts an active element that is replaced."""
+        """The same as `list[index] = elements`. The component restarts an active element that is replaced."""
         self._portal.run(self._async.replace(index, elements))
 
     __setitem__ = replace
 
     def delete(self, index: int | slice) -> None:
-        """What `del list[index]` does. Deleting the active element ends the execution."""
+        """The same as `del list[index]`. Deleting the active element ends the execution."""
         self._portal.run(self._async.delete(index))
 
     __delitem__ = delete
@@ -226,13 +227,16 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         """Execute the list from the element at `start`; `speed` in m/s, for drivers that take one.
 
         Raises `RequestError` when the component is not Ready, since it then ignores the command. The command is sent
-        again, as often as queries are, while no element is active; a short list may be over at once, so that having
-        no active element is no error.
+        again, as often as queries are, while no element is active; a short list may end before the first query, so it
+        is no error that no element is active.
         """
         self._portal.run(self._async.execute(speed, start=start))
 
     def set_speed(self, speed: float) -> None:
-        """Go on at another speed, in m/s; raises `ResponseTimeout` when the component does not acknowledge it."""
+        """Change the speed of the execution, in m/s.
+
+        Raises `ResponseTimeout` when the component does not acknowledge it.
+        """
         self._portal.run(self._async.set_speed(speed))
 
     def active(self) -> int | None:
@@ -249,11 +253,11 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
 
 
 class CommandStream(Facade[_CommandStream]):
-    """Sends the last command again at `rate` Hz, only while the program calls the OCU at least once a second.
+    """Sends the last command again at `rate` Hz while the event loop of the program runs.
 
-    When it does not, the command is dropped and the robot is stopped; the next `send`
-    starts again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero,
-    and the speed of a vector, whose heading stays. A command of positions is not repeated any more.
+    When the loop was blocked for a second, the command is dropped and the robot is stopped; the next `send` starts
+    again. On leaving the block, the robot is stopped: efforts and velocities of the last command become zero, and the
+    speed of a vector, whose heading stays. A command of positions is not repeated any more.
     """
 
     @property
@@ -263,7 +267,7 @@ class CommandStream(Facade[_CommandStream]):
 
     @property
     def dropped(self) -> int:
-        """How often the command was dropped because the program had stood still."""
+        """How often the command was dropped because the program was blocked."""
         return self._async.dropped
 
     @property
@@ -483,27 +487,30 @@ class Arm(Facade[_Arm]):
 
     @property
     def info(self) -> ComponentInfo:
-        """The component."""
+        """Id and services of the component."""
         return self._async.info
 
     def joints(self) -> Joints:
-        """Present positions by name."""
+        """The present positions by name, in radians or metres; raises `ResponseTimeout`."""
         return self._portal.run(self._async.joints())
 
     def limits(self) -> dict[str, tuple[float, float]]:
-        """The least and the greatest position of each joint."""
+        """The least and the greatest position of each joint, in radians or metres."""
         return self._portal.run(self._async.limits())
 
     def motion_limits(self) -> dict[str, MotionLimits]:
-        """Speed and acceleration of each joint: its motion profile, or else what is known of its speed."""
+        """Limits of speed and acceleration of each joint, from its motion profile, or else from its description."""
         return self._portal.run(self._async.motion_limits())
 
     def description(self) -> JointTable:
-        """Its joints, base to tip, with their kinds, limits and speeds."""
+        """The joints from base to tip, with type, limits and greatest speed."""
         return self._portal.run(self._async.description())
 
     def joint_positions(self, **positions: float) -> SetJointPositions:
-        """The message for these joints; the others stay where they are commanded to be. For lists, and `perform`."""
+        """The message that moves these joints (radians or metres) and leaves the others where they are commanded to be.
+
+        For `send`, `perform` and lists.
+        """
         return self._portal.run(self._async.joint_positions(**positions))
 
     def move(
@@ -533,7 +540,8 @@ class Arm(Facade[_Arm]):
         """Move the tool at m/s along and rad/s about the axes of a frame; without velocities it stops.
 
         `frame`: "robot" (x forward, y left, z up), or "tool", that of the tool link. Repeat the command: the arm stops
-        after the robot's `command_timeout`. Where it takes poses only, each command moves it for a quarter of a second.
+        after the robot's `command_timeout`. An arm without a velocity driver receives poses instead; each command then
+        moves it for a quarter of a second.
         """
         self._portal.run(self._async.move_tool_at(linear, angular, frame=frame))
 
@@ -546,11 +554,12 @@ class Arm(Facade[_Arm]):
     ) -> Joints:
         """Move joints through several positions, and wait until they are at the last ones; returns the positions.
 
-        A row has the seconds that its way takes, and positions by name, as in `(2.0, {"elbow": 0.6})`; 0 seconds are
-        as fast as the robot's motion profile allows. All rows are checked before anything moves. The component gets
-        them as a list, if it takes lists and each row moves a joint; else one after another. `progress` is called with
-        the index of each row that begins. Raises `ConfigError` with the number of a row that cannot be, and
-        `RequestError` when the arm stops before the end. If the call is cancelled, the arm stops.
+        A row consists of the duration of its motion in seconds and of positions by name, as in `(2.0, {"elbow": 0.6})`;
+        a duration of 0 means as fast as the robot's motion profile allows. All rows are checked before anything moves.
+        They are uploaded as a list if the component supports lists and each row moves a joint; otherwise they are sent
+        one after another. `progress` is called with the index of each row that begins. Raises `ConfigError` with the
+        number of a row that is not possible, and `RequestError` when the arm stops before the end. If the call is
+        cancelled, the arm stops.
         """
         return self._portal.run(self._async.follow(rows, progress=progress, timeout=timeout))
 
@@ -562,7 +571,9 @@ class Arm(Facade[_Arm]):
         speed: float | None = None,
         timeout: float = 60.0,
     ) -> RobotPose:
-        """Move the tool and wait until it is there: metres and radians in the robot's frame (x forward, y left, z up).
+        """Move the tool to a pose and wait until it is there.
+
+        Metres and radians in the robot's frame: x forward, y left, z up.
 
         `rpy` is roll, pitch and yaw of the tool link; without it the arm keeps the present attitude as well as it can.
         `speed` limits every joint, in rad/s or m/s. Raises `RequestError` when the tool does not get there.
@@ -570,7 +581,7 @@ class Arm(Facade[_Arm]):
         return self._portal.run(self._async.move_tool(position, rpy, speed=speed, timeout=timeout))
 
     def tool(self) -> RobotPose:
-        """The present pose of the tool link in the robot's frame."""
+        """The present pose of the tool link in the robot's frame, in metres and radians."""
         return self._portal.run(self._async.tool())
 
     def stop(self) -> None:
@@ -587,22 +598,22 @@ class Gripper(Facade[_Gripper]):
         return self._async.info
 
     def close(self, *, force: float | None = None, effort: float | None = None, timeout: float = 10.0) -> Joints:
-        """Close until the fingers rest, and keep the force; returns where the fingers are.
+        """Close until the fingers stop, and hold the force; returns the positions of the fingers.
 
-        `force` is that of each finger in newtons; `effort` is in percent of the greatest, by default 50. The force is
-        kept after the block of `control()`: a gripper does not drop what it holds.
+        `force` is the force of each finger in newtons, `effort` percent of the greatest force, by default 50. The force
+        is kept after the block of `control()`: a gripper does not drop what it holds.
         """
         return self._portal.run(self._async.close(force=force, effort=effort, timeout=timeout))
 
     def open(self, *, effort: float | None = None, timeout: float = 10.0) -> Joints:
-        """Open until the fingers rest; returns where the fingers are."""
+        """Open until the fingers stop; returns the positions of the fingers."""
         return self._portal.run(self._async.open(effort=effort, timeout=timeout))
 
     def open_to(self, opening: float, *, effort: float = 25.0, timeout: float = 10.0) -> Joints:
-        """Open or close until the first finger is at `opening` metres or radians, or rests; then hold it there.
+        """Open or close until the first finger is at `opening` metres or radians, or stops; then hold it there.
 
-        JAUS has no command for it: the effort (percent) ends when a report says that the finger is there, so that it
-        may go some millimetres too far; less effort is more exact. Returns where the fingers are.
+        JAUS has no command for this: the effort (percent) ends when a report contains the position, so the finger may
+        overshoot by some millimetres; with less effort it overshoots less. Returns the positions of the fingers.
         """
         return self._portal.run(self._async.open_to(opening, effort=effort, timeout=timeout))
 
@@ -611,15 +622,21 @@ class Gripper(Facade[_Gripper]):
         self._portal.run(self._async.stop())
 
     def max_force(self) -> float | None:
-        """The greatest force of a finger in newtons; None if the gripper does not tell."""
+        """The greatest force of a finger in newtons; None if the gripper does not report it."""
         return self._portal.run(self._async.max_force())
 
     def limits(self) -> dict[str, tuple[float, float]]:
-        """The least and the greatest position of each finger; empty when it does not report them."""
+        """The least and the greatest position of each finger in metres or radians.
+
+        Empty if the gripper does not report them.
+        """
         return self._portal.run(self._async.limits())
 
     def joints(self) -> Joints:
-        """Where the fingers are, in metres or radians by the name of the joint; empty when it does not report them."""
+        """The positions of the fingers in metres or radians by the name of the joint.
+
+        Empty if the gripper does not report them.
+        """
         return self._portal.run(self._async.joints())
 
 
@@ -628,12 +645,12 @@ class Camera(Facade[_Camera]):
 
     @property
     def name(self) -> str | None:
-        """As it was asked for."""
+        """The name that was given to `Robot.camera`."""
         return self._async.name
 
     @property
     def waiting(self) -> str:
-        """What `frames` or `encoded` wait for until a picture arrives, in words, such as for a first packet."""
+        """A text for users: what `frames` or `encoded` wait for until a picture arrives, as in "a first packet"."""
         return self._async.waiting
 
     def taken(self, picture: Picture) -> datetime | None:
@@ -641,27 +658,27 @@ class Camera(Facade[_Camera]):
         return self._async.taken(picture)
 
     def refresh(self) -> None:
-        """Ask for a picture that can be decoded without others; without effect when nothing is received."""
+        """Request a picture that can be decoded without others (IDR); without effect when nothing is received."""
         self._async.refresh()
 
     def frames(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Frame, None, None]:
         """Frames as they arrive: NumPy arrays of uint8, (height, width, 3), in BGR, with `.time`; extra `video`.
 
         A slow reader gets the newest one. `address` is the IP address of this machine to which the robot sends; by
-        default the one that routes to it. Raises `RequestError` when no first frame arrives within `timeout` seconds,
-        or none for 5 s later. The camera stops sending when the loop is left.
+        default the one from which the robot is reached. Raises `RequestError` when no first frame arrives within
+        `timeout` seconds, or none for 5 s later. The camera stops sending when the loop is left.
         """
         return self._portal.iterate(self._async.frames(address=address, timeout=timeout))
 
     def encoded(self, *, address: str | None = None, timeout: float = 20.0) -> Generator[Picture, None, None]:
-        """Pictures as the camera encodes them (H.264), from a whole IDR picture on; otherwise as `frames`.
+        """Pictures as the camera encodes them (H.264), beginning with an IDR picture; otherwise as `frames`.
 
-        Pictures of which packets were lost are left out, with those that depend on them, until the next IDR picture.
+        After a lost packet, pictures are dropped until the next IDR picture.
         """
         return self._portal.iterate(self._async.encoded(address=address, timeout=timeout))
 
     def still(self, *, size: tuple[int, int] | None = None, format: str | None = None, timeout: float = 10.0) -> Photo:
-        """An image as the content of a file; see `ServiceClient.still`.
+        """Take a still image, returned as the content of a file; see `ServiceClient.still`.
 
         Raises `ResponseTimeout` when none arrives within `timeout` seconds.
         """
@@ -916,11 +933,11 @@ class OCU(OpensPortal):
         return self._async.is_open
 
     def discover(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
-        """The subsystem of this number; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
+        """The subsystem with this id; raises `ResponseTimeout` when it does not answer for `timeout` seconds."""
         return Robot(self._portal, self._portal.run(self._async.discover(subsystem, timeout=timeout)))
 
     def robot(self, subsystem: int, *, timeout: float = 5.0) -> Robot:
-        """The robot of this number: another name of `discover`."""
+        """The robot with this subsystem id; the same as `discover`."""
         return Robot(self._portal, self._portal.run(self._async.robot(subsystem, timeout=timeout)))
 
     def discover_all(self, *, timeout: float | None = None) -> tuple[Robot, ...]:
@@ -938,7 +955,7 @@ class OCU(OpensPortal):
         silence: float = 7.0,
         parts: bool = False,
     ) -> Generator[News, None, None]:
-        """`for news in ocu.watch()`: yields the robots that are present, and then each that comes, changes, goes.
+        """`for news in ocu.watch()`: yields the robots that are present, and then every change.
 
         One event for each robot (and other subsystem), whose `components` are in it: `Appeared`, `Changed` with what it
         was before, and `Vanished`. With `parts`, one for each subsystem, node, component and service.
@@ -948,14 +965,14 @@ class OCU(OpensPortal):
         return self._portal.iterate(self._async.watch(subsystem, interval=interval, silence=silence, parts=parts))
 
     def address_towards(self, destination: str | JausID) -> str:
-        """The IP address of this machine that routes to a component, as for video that it is to send here.
+        """The IP address of this machine from which a component is reached, for example as the destination of video.
 
-        Raises `RequestError` while it is not known on which machine the component is: nothing was received from it.
+        Raises `RequestError` while nothing was received from the component, so that its machine is unknown.
         """
         return self._portal.run(self._async.address_towards(destination))
 
     def service(self, destination: str | JausID, name: str) -> ServiceClient:
-        """The client of a service of any component, whether it was discovered, and lists the service, or not.
+        """The client of a service of any component. The component need not have been discovered, nor list the service.
 
         `name` is the URN or the end of it; `ConfigError` if it is not known. With AccessControl, or any service that
         inherits from it, `with ocu.service("126.1.11", "AccessControl").control(): ...` takes control.
@@ -1004,7 +1021,7 @@ class OCU(OpensPortal):
         timeout: float | None = None,
         retries: int | None = None,
     ) -> Any:
-        """Query any component; of several that a wildcard id reaches, the first answer is returned."""
+        """Query any component; of several that match a wildcard id, the first answer is returned."""
         return self._portal.run(self._async.query(destination, message, expects=expects, timeout=timeout, retries=retries))
 
     def query_each(
@@ -1015,11 +1032,14 @@ class OCU(OpensPortal):
         within: float = 2.0,
         expects: type[Message] | None = None,
     ) -> Generator[tuple[JausID, Any], None, None]:
-        """Query all that a wildcard id reaches: sender and answer, as they arrive in the next `within` seconds."""
+        """Query all components that match a wildcard id.
+
+        Yields sender and answer as they arrive within `within` seconds.
+        """
         return self._portal.iterate(self._async.query_each(destination, message, within=within, expects=expects))
 
     def send(self, destination: str | JausID, message: Message, *, ack: bool = False) -> None:
-        """Send to any component, or to all that a wildcard id reaches; `ControlRejected` as `ServiceClient.send`.
+        """Send to any component, or to all that match a wildcard id; `ControlRejected` as `ServiceClient.send`.
 
         With `ack` it is resent until that one component acknowledges it. If it does not, `ResponseTimeout` is raised.
         """

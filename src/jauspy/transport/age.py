@@ -69,7 +69,7 @@ class DatagramReader:
 
 
 class StallDetector:
-    """Tells that the event loop has stood still for longer than `max_age` seconds, from when it runs until `close`.
+    """Tells that the event loop was blocked for longer than `max_age` seconds, from when it runs until `close`.
 
     A stream has no stamps: after a stall, all that it has in the kernel may be old.
     """

@@ -41,7 +41,7 @@ class SerialLine:
 class SerialLink:
     """Sends datagrams, and calls `received(datagram)` for each received one.
 
-    While the device is missing, datagrams are dropped, and opening is retried. After the event loop has stood still for
+    While the device is missing, datagrams are dropped, and opening is retried. After the event loop was blocked for
     more than `max_age` seconds, what the device has received is dropped.
     """
 

@@ -37,7 +37,7 @@ class StreamLink(asyncio.BufferedProtocol):
 
     A stream that has lost the packet boundaries is closed, because nothing restores them. A connection has one version:
     the client sends the version byte of AS5669A; the server, which has the callback `accepted`, sends the version that
-    it has received. It is closed, too, when the event loop has stood still for more than `max_age` seconds: the packets
+    it has received. It is closed, too, when the event loop was blocked for more than `max_age` seconds: the packets
     under way are old, those that wait at the peer as well.
     """
 

@@ -85,7 +85,7 @@ def _filmed(task: str, seed: int, film: Path | None) -> Measured:
 def _once(
     found: Measured, title: str, film: Path, wanted: str = "it succeeds", figures: str = ""
 ) -> tuple[Promise, Section]:
-    """A task that ran once; `figures` are those that were promised, its duration if there are none."""
+    """The result of one run of a task; `figures` are those with a required value, or else its duration."""
     from jauspy.cell.measured import figure_text
     from jauspy.cell.report import Promise, Section
 

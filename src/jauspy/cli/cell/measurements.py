@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 
 
 def kpi(*, seed: Seed = 0, out: Out = OUTPUT, json: Json = False) -> None:
-    """Measure how soon the arm is at rest after a release, with both controllers.
+    """Measure how soon the arm comes to rest after a release, with both controllers.
 
     Writes DIR/swing.json and a plot of the last module's angular velocity, DIR/swing.svg. Exit status 1 unless the
     controller with the arm's model settles five times sooner and overshoots a third at most.

@@ -22,7 +22,7 @@ View = Annotated[
 ]
 Out = Annotated[Path, typer.Option("--out", metavar="DIR", help="Directory of plots, films and results.")]
 Jobs = Annotated[
-    int | None, typer.Option("--jobs", "-j", min=1, metavar="N", help="Processes at once. Default: one a core.")
+    int | None, typer.Option("--jobs", "-j", min=1, metavar="N", help="Parallel processes. Default: one per core.")
 ]
 Seeds = Annotated[int, typer.Option("--seeds", min=1, metavar="N", help="Runs, with the seeds 0 to N - 1.")]
 Exact = Annotated[

@@ -41,7 +41,7 @@ def assembly_table(found: Measured) -> Table:
 
 
 def values_table(found: Measured) -> Table:
-    """What was measured of one run."""
+    """A table of the measurements of one run."""
     from rich.table import Table
 
     table = Table(title=f"{found.task}, seed {found.seed}", title_justify="left", show_header=False)
@@ -63,7 +63,7 @@ def values_table(found: Measured) -> Table:
 
 
 def trials_table(summary: Summary, results: Sequence[Measured]) -> Table:
-    """What many runs have shown."""
+    """A table of the results of many runs."""
     from rich.table import Table
 
     table = Table(title=f"{summary.runs} runs of {summary.task}", title_justify="left", show_header=False)

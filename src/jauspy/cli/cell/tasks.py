@@ -1,4 +1,4 @@
-"""`jauspy cell assemble`, `lift`, `step` and `car`: one run of a task, and what was measured."""
+"""`jauspy cell assemble`, `lift`, `step` and `car`: one run of a task with its measurements."""
 
 from __future__ import annotations
 
@@ -75,9 +75,9 @@ def assemble(
 ) -> None:
     """Build an arm with five joints: the UR10 takes modules out of the bins and joins them.
 
-    Every grasp and every joint is verified by the connectors' state and by force; what fails is tried again another
-    way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task is
-    carried out by a running cell, such as `jauspy up cell`.
+    Every grasp and every joint is verified by the connectors' state and by force; a step that fails is repeated in
+    another way. Without --connect the cell is simulated in this process, as fast as the machine can; with it the task
+    is carried out by a running cell, such as `jauspy up cell`.
 
     Exit status 1 when the arm could not be built; the reason is printed, and the cell is left at rest.
     """

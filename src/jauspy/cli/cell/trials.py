@@ -61,7 +61,7 @@ def trials(
     from jauspy.cli.cell.tables import trials_table
 
     if task not in TASKS:
-        raise typer.BadParameter(f"{task!r} is no task; there are: {', '.join(TASKS)}", param_hint="TASK")
+        raise typer.BadParameter(f"{task!r} is not a task; the tasks are: {', '.join(TASKS)}", param_hint="TASK")
     found: list[Measured] = []
     out.mkdir(parents=True, exist_ok=True)
     path = out / f"trials-{task}.json"
@@ -86,7 +86,7 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT) -> None:
     """Fill kitting orders with the UR10 alone and with an arm that it built, scored as in ARIAC 2018.
 
     Each order has two products from the bins and two boxes from the belt, at drawn poses on a tray. Prints score and
-    time of both ways, and from how many orders on building the arm is worth its time.
+    time of both ways, and the number of orders from which building the arm saves time.
     """
     check_extra()
     from rich.table import Table
@@ -114,7 +114,7 @@ def kitting(*, seeds: Seeds = 20, jobs: Jobs = None, out: Out = OUTPUT) -> None:
 
 
 def break_even(alone: list[Measured], both: list[Measured]) -> str:
-    """From how many orders on building the arm saves time, in a sentence."""
+    """A sentence with the number of orders from which building the arm saves time."""
     from jauspy.cell.trials import mean_of
 
     saved = mean_of(alone, "order_time") - mean_of(both, "order_time")

@@ -150,7 +150,7 @@ async def play(port: int, backend: str, view: View, folder: Path, *, size: Frame
 
 
 class Place(NamedTuple):
-    """Where the robot is, as the simulation knows it."""
+    """The true pose of the robot, from the simulation."""
 
     pose: PlanarPose
     height: float
@@ -158,7 +158,7 @@ class Place(NamedTuple):
 
 
 class RobotOutput:
-    """Collects what the robot's process prints at SIGUSR1: counters, and where a simulated robot really is."""
+    """Collects what the robot's process prints at SIGUSR1: counters, and the true pose of a simulated robot."""
 
     def __init__(self) -> None:
         self._counters: dict[str, int] = {}
@@ -181,7 +181,7 @@ class RobotOutput:
 
 
 def true_place(place: Place, goals: Plan) -> StageResult:
-    """Judge by the simulation, not by the robot's own pose, whether it stands where it was to drive."""
+    """Check with the simulation's pose, not the estimated one, whether the robot has reached its goal."""
     goal = goals.goal
     off = math.dist(place.pose[:2], (goal.x, goal.y))
     turn = math.remainder(place.pose.yaw - goal.heading, math.tau)

@@ -1,4 +1,4 @@
-"""Looking for the thing, reaching for it, grasping and lifting it."""
+"""Finds the thing with a camera, reaches for it, grasps and lifts it."""
 
 from __future__ import annotations
 

@@ -27,8 +27,8 @@ class Waypoint:
     flippers: float | None = None
     """Radians; where the flippers are before the robot drives there, or None where they are."""
     effort: float | None = None
-    """Percent; drives straight on with this effort as far as the point is away, and does not steer, as an operator
-    does at a kerb: who steers takes force from one track. None follows the way and turns to the heading."""
+    """Percent. The robot drives straight ahead with this effort for the distance to the point, without steering, since
+    steering at a kerb takes force from one track. None drives to the point and turns to the heading."""
     slip: float = 0.0
     """Metres by which the robot's own pose is ahead along x when it is there: belts slip at a kerb, by 0.1 to 0.3 m."""
 
@@ -65,8 +65,8 @@ class Plan:
     """What the drive is, as in "Drive to the table"."""
     thing: Thing
     view: tuple[float, float, float]
-    """Distance from the arm's first axis, height above the ground, m, and pitch, rad: from here the camera sees all of
-    the thing above the gripper, wherever it may stand."""
+    """Pose of the arm's camera: distance from the arm's first axis and height above the ground, m, and pitch, rad. From
+    here the whole thing is in the picture at every possible position."""
     pitch: float
     """Of the gripper in the grasp, rad."""
     high: tuple[float, float]
@@ -76,7 +76,7 @@ class Plan:
     approach: tuple[tuple[float, float], ...]
     """Offsets from there to around the thing."""
     aim: tuple[float, float]
-    """Pan and tilt of the camera on the chassis, rad right and up: it sees the gripper lift the thing."""
+    """Pan and tilt of the camera on the chassis, rad right and up, towards the gripper as it lifts the thing."""
     ground: float = 0.0
     """Metres; height of the ground at the goal above that at the start."""
 
@@ -118,14 +118,14 @@ PLANS: Final[Mapping[str, Plan]] = {
 """By the names of worlds."""
 
 WAYPOINT_TOLERANCE: Final = 0.05
-"""Metres; what the robot is asked for."""
+"""Metres; the tolerance in the commanded waypoints."""
 DRIVE_TOLERANCE: Final = (0.15, math.radians(3.0))
 """Tolerance in m and rad, by the robot's own pose."""
 
 TRUE_TOLERANCE: Final = (0.25, math.radians(5.0))
-"""As the simulation knows it, m and rad: the robot stands where its drifting pose is at the goal."""
+"""Tolerance of the true pose, m and rad: the robot stops where its drifting estimate reaches the goal."""
 GROUND_TOLERANCE: Final = 0.02
-"""Metres; tolerance of the height on which it stands, as the simulation knows it."""
+"""Metres; tolerance of the true height of the ground below the robot."""
 
 MAX_OFFSET: Final = 0.20
 """Metres between nominal and measured position: the pose has drifted, and the attitude is off by 0.3 degrees."""

@@ -53,7 +53,7 @@ def component(
 ) -> None:
     """Write a package with a component that offers a service: methods, a program, tests and a README.
 
-    The program runs and the tests pass at once; fill in the methods.
+    The program runs and the tests pass without changes; complete the methods.
 
     Examples:
       jauspy new component brake --service ugv:ParkingBrakeDriver

@@ -80,7 +80,7 @@ def _fields(texts: Sequence[str]) -> list[tuple[str, str]]:
 
 
 def _jaus_name(name: str) -> str:
-    """`FlowRate` for `flow_rate`, and `V_2` for `v_2`, which would come back as `v2`."""
+    """`FlowRate` for `flow_rate`, and `V_2` for `v_2`, which Python would name `v2`."""
     words = [part[:1].upper() + part[1:] for part in name.split("_")]
     return "".join(words) if snake("".join(words)) == name else "_".join(words)
 

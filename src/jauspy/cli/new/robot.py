@@ -1,4 +1,7 @@
-"""`jauspy new robot`: a first TOML file for somebody's URDF. What the robot has is found in its joints, or guessed."""
+"""`jauspy new robot`: write a first TOML file for a URDF.
+
+Groups and sensors are derived from joints and links, or guessed.
+"""
 
 from __future__ import annotations
 
@@ -286,7 +289,7 @@ def _sensors(description: RobotDescription) -> tuple[list[tuple[str, str]], list
 
 
 class _Masses:
-    """What joints carry, for guesses of gains."""
+    """Masses that joints carry, to guess gains."""
 
     def __init__(self, description: RobotDescription) -> None:
         known = {each.link: each.mass for each in inertials(description.urdf)}
@@ -299,7 +302,7 @@ class _Masses:
         self.total = sum(self._mass.values())
 
     def inertia(self, joint: Joint) -> float:
-        """Of all that a joint moves, stretched out: kg m^2, or kg; a quarter of it, since arms are seldom stretched."""
+        """Inertia of everything that a joint moves, kg m^2 or kg: a quarter of that of the stretched arm."""
         slides = joint.kind is JointKind.PRISMATIC
         found = sum(mass * (1.0 if slides else max(0.03, reach) ** 2) for mass, reach in self._carried(joint.child))
         return found if slides else found / 4.0
@@ -364,7 +367,7 @@ def robot(
         typer.Option(
             "--package-path",
             metavar="DIRECTORY",
-            help="Where the packages of package:// and $(find ...) are searched first; may be repeated.",
+            help="Directory searched first for the packages of package:// and $(find ...); may be repeated.",
         ),
     ] = None,
     argument: Annotated[
@@ -401,7 +404,7 @@ def robot(
 
 
 def _passed_over(urdf: str) -> str:
-    """The elements of other programs, and joints that are taken as fixed."""
+    """A note on elements of other programs, and on joints that are treated as fixed."""
     root = parse_tree(urdf)
     tags = Counter(str(each.tag) for each in root.iterchildren("gazebo", "transmission", "ros2_control"))
     parts = [f"{count} <{tag}>" for tag, count in tags.items()]

@@ -81,7 +81,7 @@ class Drive:
         self.last_status = self.last_heartbeat = 0.0
         """Times at which it was heard."""
         self.unanswered = 0
-        """SYNCs since it was heard. Time in which this process stood still and sent none is not the drive's."""
+        """SYNCs since it was heard. Time in which this process was blocked and sent none is not the drive's."""
         self.received = 0
         """PDOs with its status."""
         self._restarted = False

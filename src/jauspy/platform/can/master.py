@@ -40,7 +40,7 @@ EXPLAIN_TIME: Final = 0.02
 """Seconds from a fault to the exception, in which the drive's emergency message with the reason arrives."""
 
 PAUSE: Final = 0.1
-"""Seconds between two cycles after which drives must not just go on: this process stood still."""
+"""Seconds between two cycles after which drives must not just go on: this process was blocked."""
 
 MAX_SEND_ERRORS: Final = 5
 """Cycles in a row in which nothing could be sent."""
