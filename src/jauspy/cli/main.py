@@ -108,7 +108,7 @@ CELL_VERBS: Final = {
     "car": ("jauspy.cli.cell.tasks:car", "Build the car, put the arm on top, and drive both off the conveyor."),
     "kpi": (
         "jauspy.cli.cell.measurements:kpi",
-        "Measure how soon the arm is at rest after a release, with both controllers.",
+        "Measure how soon the arm comes to rest after a release, with both controllers.",
     ),
     "iso9283": (
         "jauspy.cli.cell.measurements:iso9283",
