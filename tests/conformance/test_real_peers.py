@@ -2,8 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
+import socket
+import threading
+import time
 from collections.abc import Iterable
 from datetime import UTC, datetime
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -15,7 +20,8 @@ from jauspy.conformance.profile import Offers
 from jauspy.conformance.wire import LinkWire, UdpWire, random_sequence
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl, ReportStatus
-from jauspy.protocol import judp
+from jauspy.protocol import judp, junior
+from jauspy.protocol.header import Packet
 from jauspy.services.core import AccessControl, Events, Liveness, Management, Time
 from jauspy.services.host import Host
 
@@ -49,6 +55,29 @@ def test_sequence_numbers_begin_at_random_on_networks(free_port):
         each.close()
     assert len({each.first_sequence for each in wires}) > 1
     assert len({random_sequence() for _ in range(20)}) > 10
+
+
+def test_datagrams_wait_for_a_node_manager_that_does_not_read(root: Path) -> None:
+    sender, payloads = JausID(42, 2, 1), [number.to_bytes(2, "little") for number in range(40)]
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as node:
+        node.bind(str(root / junior.SOCKET_NAME))
+        accepting = threading.Thread(target=lambda: node.sendto(junior.accept(sender), node.recvfrom(100)[1]))
+        accepting.start()
+        wire = LinkWire(f"local:{root}")
+        wire.join(sender)
+        accepting.join()
+        for payload in payloads:
+            wire.send(judp.pack(Packet(sender, COMPONENT, payload)), sender)
+        node.setblocking(False)
+        arrived: list[bytes] = []
+        deadline = time.monotonic() + 10.0
+        while len(arrived) < len(payloads) and time.monotonic() < deadline:
+            wire.receive(time.monotonic() + 0.01)
+            with contextlib.suppress(BlockingIOError):
+                while datagram := node.recv(100):
+                    arrived += [each.payload for each in judp.unpack_all(datagram)[0] if not junior.parse(datagram)]
+        wire.close()
+    assert arrived == payloads
 
 
 class Lagging(TargetComponent):

@@ -254,7 +254,7 @@ class LinkWire:
     def send(self, datagram: bytes, source: JausID, *, other_port: bool = False) -> None:
         """Send as the component `source`."""
         assert not other_port, "a step that needs this wants PORTS"
-        self._transports[source].send(datagram)
+        self._loop.run_until_complete(self._send(datagram, source))
 
     def receive(self, until: float) -> Arrival | None:
         """The next datagram to any of the clients."""
@@ -276,6 +276,11 @@ class LinkWire:
         transport.received = self._take
         await transport.open()
         self._transports[id] = transport
+
+    async def _send(self, datagram: bytes, source: JausID) -> None:
+        self._transports[source].send(
+            datagram
+        )  # one that cannot send at once starts a timer, for which the loop must run
 
     def _take(self, datagram: bytes) -> None:
         try:
