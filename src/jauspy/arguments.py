@@ -1,4 +1,4 @@
-"""Checks of arguments of public functions; errors say what is expected."""
+"""Checks arguments of public functions; errors name what is expected."""
 
 from __future__ import annotations
 

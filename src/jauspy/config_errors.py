@@ -33,7 +33,7 @@ def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
 
 
 def _form(kind: str, where: tuple[int | str, ...], model: type[BaseModel]) -> str:
-    """How a list or a table is written in TOML."""
+    """The TOML notation of a list or a table."""
     name = str(where[-1])
     tables = len(where) == 1 and any(models_in(model.model_fields[name].annotation))
     if kind == "tuple_type":
@@ -101,7 +101,7 @@ def _names(text: str) -> tuple[str | int, ...]:
 
 
 def _within_lists(names: tuple[str | int, ...], lists: Counter[tuple[str | int, ...]]) -> tuple[str | int, ...]:
-    """The way to a table, with the number of the last item of each list on the way."""
+    """The path to a table, with the number of the last item of each list in it."""
     way: tuple[str | int, ...] = ()
     for number, name in enumerate(names, 1):
         way = (*way, name)

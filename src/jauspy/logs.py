@@ -1,4 +1,4 @@
-"""Loggers of this package: no kind of line is written at an unbounded rate, because peers cause many of them."""
+"""Loggers of this package. Lines of one kind are limited in rate, because peers can cause any number of them."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MAX_LINES_AT_ONCE: Final = 16
 LINE_INTERVAL: Final = 10.0
 """Seconds until one more line of a kind is written; it contains how many were left out."""
 MAX_KINDS: Final = 512
-"""Kinds of lines that are distinguished; what was written longest ago is forgotten."""
+"""Kinds of lines that are distinguished; the kind that was written longest ago is forgotten."""
 
 _Kind: TypeAlias = tuple[str, str, str]
 
@@ -26,7 +26,8 @@ class LogRateLimit(logging.Filter):
     def __init__(self) -> None:
         super().__init__()
         self._kinds: OrderedDict[_Kind, tuple[float, float, int]] = OrderedDict()
-        """Lines that may be written, the time when this was so, and the number of lines left out since the last."""
+        """For each kind: lines that may be written, the time of that number, and the lines left out since the last
+        one."""
 
     def filter(self, record: logging.LogRecord) -> bool:
         """False for a line too many; else the number of lines that were left out is added to it."""

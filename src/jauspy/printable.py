@@ -1,10 +1,10 @@
-"""Text from peers and files, made safe to show: it moves no cursor, turns no direction, and stays on its line."""
+"""Makes text from peers and files safe to print: without control characters, changes of direction and line breaks."""
 
 from __future__ import annotations
 
 
 def printable(text: str) -> str:
-    r"""The text with what is not printable escaped: control characters, line breaks, directions (`\x1b`, `\u202e`)."""
+    r"""The text with unprintable characters escaped: control characters, line breaks, directions (`\x1b`, `\u202e`)."""
     if text.isprintable():
         return text
     return "".join(letter if letter.isprintable() else repr(letter)[1:-1] for letter in text)

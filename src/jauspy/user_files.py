@@ -1,4 +1,4 @@
-"""Reading files that a user names: regular ones of limited size; errors are one sentence that names the file."""
+"""Reads files that a user names: regular files of limited size. Errors are one sentence that names the file."""
 
 from __future__ import annotations
 

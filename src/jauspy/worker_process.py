@@ -1,4 +1,6 @@
-"""Worker processes: started, sent commands, restarted when they die; and what runs in such a process.
+"""Worker processes: the parent's side starts them, sends commands, and restarts them when they die.
+
+`Parent` is the worker's side.
 
 `SupervisedWorker` is the side of the parent. `python -m jauspy.worker_process MODULE NICENESS` is the worker: it calls
 `MODULE.run(first message, Parent)`. Messages are pickled objects with their length before them, on standard input and
@@ -280,8 +282,8 @@ class Parent:
 def lower_priority(niceness: int) -> None:
     """Add `niceness` to this process, and leave the first processor to others if there is another one.
 
-    Niceness decides who gets how much processor time, not who waits: a process that wakes up may wait 4 ms until a
-    nicer one is interrupted.
+    Niceness determines shares of processor time, not latency: a process that wakes up may wait 4 ms until a nicer one
+    is interrupted.
     """
     os.nice(niceness)
     processors = sorted(os.sched_getaffinity(0))

@@ -24,7 +24,7 @@ async def test_child_is_ready_after_its_first_line_and_ends_on_exit(free_port, l
 
 async def test_failed_child_error_has_its_output(free_port, local_root):
     arguments = ["node-manager", "--port", str(free_port), "--local-root", str(local_root), "--address", "203.0.113.9"]
-    with pytest.raises(ChildFailed, match=r"^node manager: 203\.0\.113\.9 is no address of this machine"):
+    with pytest.raises(ChildFailed, match=r"^node manager: 203\.0\.113\.9 is not an address of this machine"):
         async with ChildProcess("node manager", arguments):
             pass
 

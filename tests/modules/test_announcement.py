@@ -77,7 +77,7 @@ def test_queries_are_multicast_even_if_an_address_of_the_console_is_known(host):
     assert {type(port) for port, _ in router.poll_output()} == {UdpPort, GroupPort}
 
 
-@pytest.mark.parametrize(("id", "problem"), [("42", "is not a JAUS id"), ("42.1.255", "stands for many")])
+@pytest.mark.parametrize(("id", "problem"), [("42", "is not a JAUS id"), ("42.1.255", "has wildcards")])
 def test_console_must_be_one_component(tmp_path, id, problem):
     path = tmp_path / "mine.toml"
     path.write_text(f'extends = "igvc"\n[[modules]]\ntype = "CM-MOB"\ncomponent = 1\nannounce_to = "{id}"\n')

@@ -224,7 +224,7 @@ async def test_run_ends_when_it_is_closed(node: NodeManager) -> None:
 
 def test_foreign_address_is_an_error(root: Path) -> None:
     manager = NodeManager(NodeConfig(address="192.0.2.1", port=0, local_root=root))
-    with pytest.raises(TransportError, match=r"192\.0\.2\.1 is no address of this machine"):
+    with pytest.raises(TransportError, match=r"192\.0\.2\.1 is not an address of this machine"):
         asyncio.run(manager.open())
 
 

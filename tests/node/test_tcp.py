@@ -315,7 +315,7 @@ async def test_component_reconnects(root: Path, free_port: int) -> None:
 
 
 async def test_missing_peer_and_port_in_use_errors_say_what_to_do(root: Path, free_port: int) -> None:
-    with pytest.raises(TransportError, match="TCP switched on"):
+    with pytest.raises(TransportError, match="with `tcp = true`"):
         await TcpTransport(FAR, ("127.0.0.1", free_port), timeout=0.2).open()
     with socket.create_server(("127.0.0.1", 0)) as taken:
         port = taken.getsockname()[1]

@@ -263,7 +263,7 @@ print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), ocu.is_open)
 
 def test_use_in_a_forked_process_is_an_error():
     run = subprocess.run([sys.executable, "-c", FORKED], capture_output=True, text=True, timeout=30, check=False)
-    assert run.stdout == "this is not open; use it inside `with`, and in the process that opened it\n3 True\n"
+    assert run.stdout == "it is not open; use it inside `with`, and in the process that opened it\n3 True\n"
 
 
 INTERRUPTED = """

@@ -106,7 +106,7 @@ def test_close_ends_calls_of_other_threads():
         portal.run(here())
     portal.close()
     thread.join(20)
-    assert (log, str(problems[0])) == (["begun", "tidied up"], "this was closed while it waited")
+    assert (log, str(problems[0])) == (["begun", "tidied up"], "the portal was closed during this call")
 
 
 def test_call_from_its_own_loop_is_an_error():

@@ -40,7 +40,7 @@ from jauspy.transport.connect import DEFAULT_ROOT, transport_for
 
 
 class ErrorGuard:
-    """A `with` block that logs and counts exceptions, so that the component goes on; reusable, not to be nested."""
+    """A `with` block that logs and counts exceptions, so that the component continues; reusable, not to be nested."""
 
     __slots__ = ("_counters", "_name")
 
@@ -144,9 +144,9 @@ class Component:
     Core services (Transport, Events, AccessControl, Management, Time, Liveness and Discovery) are included by default;
     with `core=False` only those that the given services inherit from. `name` is reported by Discovery. `connect` is the
     address of the node manager: None (on this machine, its sockets in /tmp), or as for `OCU`; with "udp://HOST" the
-    component is found only by those that have heard of it. `transport` replaces the connection. An id with zeros, as in
-    `"0.0.101"`, is completed later, see `move`. An exception in a service is logged with the message that triggered it;
-    the component keeps its state, or goes to Failure with `on_action_error="failure"`.
+    component can act as a client, but others cannot discover it. `transport` replaces the connection. An id with zeros,
+    as in `"0.0.101"`, is completed later, see `move`. An exception in a service is logged with the message that
+    triggered it; the component keeps its state, or goes to Failure with `on_action_error="failure"`.
 
     While there is no connection, what is sent is dropped and counted by the transport. Nothing raises because of the
     network or of exceptions in services.
@@ -190,7 +190,7 @@ class Component:
         intercept: Intercept | None = None,
         options: ComponentOptions | None = None,
     ) -> Self:
-        """A component that runs a `Host` made before, with exactly its services."""
+        """A component that runs an existing `Host`, with exactly its services."""
         component = cls.__new__(cls)
         component._set_up(host, None, transport, intercept, options or ComponentOptions())  # noqa: SLF001 - its own
         return component
@@ -276,7 +276,7 @@ class Component:
         return found
 
     async def open(self) -> None:
-        """Connect and start; raises `TransportError` that says what to do. May be called twice."""
+        """Connect and start. Raises `TransportError`, whose text contains what to do. May be called twice."""
         if self.is_open:
             return
         transport = self._transport = self._given_transport or await self._make_transport()
@@ -360,7 +360,10 @@ class Component:
         self._flush()
 
     def wake(self) -> None:
-        """Call this after using services from outside: sends what they queued, and sets their timers."""
+        """Send what services have queued, and set their timers.
+
+        To be called after services were used outside of actions.
+        """
         self._require_open()
         self._flush()
 
@@ -485,7 +488,7 @@ class Component:
             self._continuation = self._loop.call_soon(self._begin_turn)
 
     def _begin_turn(self) -> None:
-        """Handle what the last turn left, and some packets of those that wait."""
+        """Handle the rest of the last turn's packets, and some of those that wait in the inbox."""
         self._continuation, self._handled = None, 0
         self._handle_packets()
         while self._handled < MAX_WAITING_PER_TURN and (packet := self._inbox.take()) is not None:
@@ -496,7 +499,10 @@ class Component:
             self._flush()
 
     def _on_unreachable(self, client: JausID) -> None:
-        """A client did not acknowledge: its events and control end; what services send then goes out next turn."""
+        """End the events and control of a client that did not acknowledge.
+
+        What services send for this is sent in the next turn.
+        """
         self.host.unreachable(client, self._clock())
         if self._loop is not None:
             self._loop.call_soon(self._flush)
@@ -509,11 +515,11 @@ class Component:
             self._timer.set(self._loop, at)
 
     def host_towards(self, id: JausID) -> str | None:
-        """The host to which datagrams for a component go, if the transport sends to hosts and knows it."""
+        """The host to which datagrams for a component are sent; None if the transport does not know it."""
         return self._transport.host_towards(id) if isinstance(self._transport, AddressedTransport) else None
 
     async def id_clash(self) -> str | None:
-        """The address of another machine that uses the id of this component, as far as the transport knows it."""
+        """The address of another machine that uses the id of this component; None if the transport knows of none."""
         transport = self._transport
         return await transport.id_clash() if isinstance(transport, ClashAwareTransport) else None
 
@@ -545,7 +551,7 @@ class Component:
 def run(*components: Component) -> None:
     """Run components until Ctrl-C or SIGTERM, or until all are closed.
 
-    Raises `TransportError` when one cannot start. In a program with an event loop of its own use `component.run()`.
+    Raises `TransportError` when one cannot start. In a program with its own event loop, use `component.run()`.
     """
     for each in components:
         if not isinstance(each, Component):
@@ -565,7 +571,7 @@ async def _serve(components: tuple[Component, ...]) -> None:
 async def until_signalled(serving: asyncio.Future[Any]) -> None:
     """Wait for `serving`; Ctrl-C, SIGTERM and SIGHUP (unless ignored, as by nohup) cancel it, which is no error then.
 
-    In the main thread; in another one signals do nothing.
+    Works in the main thread only; in other threads, signals have no effect here.
     """
     loop = asyncio.get_running_loop()
     stopped = False

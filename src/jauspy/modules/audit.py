@@ -1,4 +1,4 @@
-"""The audit log of a robot: who commanded what, as JSON lines of which each has the hash of the one before.
+"""The audit log of a robot: commands with their operators, as JSON lines. Each line has the hash of the one before.
 
 A thread writes, so that a slow disk does not slow the robot. `FILE.head` has the number and hash of the last line. What
 this proves, and what it does not, is in docs/security.md.
@@ -58,7 +58,7 @@ FIRST: Final = "0" * 64
 
 @dataclass(frozen=True, slots=True)
 class Head:
-    """The last line of a log: its number, and its hash. Whoever knows it can tell whether lines were cut off."""
+    """The last line of a log: its number, and its hash. With it, removal of the last lines can be detected."""
 
     number: int = 0
     hash: str = FIRST
@@ -68,7 +68,7 @@ class Head:
 
     @classmethod
     def parse(cls, text: str) -> Head:
-        """The head of a text as `str` gives it; raises `ConfigError`."""
+        """Parse the text that `str` returns; raises `ConfigError`."""
         number, _, hash = text.strip().partition(":")
         if not number.isdecimal() or len(hash) != len(FIRST) or set(hash) - set("0123456789abcdef"):
             raise ConfigError(f"{text[:100]!r} is not the head of an audit log, which is NUMBER:HASH")
@@ -76,12 +76,12 @@ class Head:
 
 
 def head_file(path: Path) -> Path:
-    """The file beside a log that has its head."""
+    """The path of the file with the head of a log."""
     return path.with_name(f"{path.name}.head")
 
 
 class AuditLog:
-    """Writes the log: `with AuditLog(path, "inc1") as log: log.record(...)`; goes on where the file ends.
+    """Writes the log: `with AuditLog(path, "inc1") as log: log.record(...)`; continues an existing file.
 
     Raises `ConfigError` for a file that cannot be written, or is written by another robot.
     """
@@ -122,7 +122,10 @@ class AuditLog:
             self._close_files()
 
     def record(self, record: CommandRecord) -> None:
-        """Have it written soon; never waits. What cannot be written is counted, and the log says so later."""
+        """Queue a record for the writing thread; never blocks.
+
+        Records that cannot be written are counted, and the log notes their number later.
+        """
         if record.operator is None:
             second, number = int(record.time.timestamp()), 0
             if second == self._second[0]:
@@ -137,7 +140,7 @@ class AuditLog:
             self.counters["lost"] += 1
 
     def note(self, entry: dict[str, Any]) -> None:
-        """Have a line with these keys written soon; never waits. For programs that know who commands without seals."""
+        """Queue a line with these keys; never blocks. For programs that know the users of commands without seals."""
         try:
             self._waiting.put_nowait(entry)
         except queue.Full:
@@ -146,7 +149,7 @@ class AuditLog:
     # --- the file -------------------------------------------------------------------------------------------------
 
     def _open(self) -> dict[str, Any]:
-        """Open the files; returns what is to be said about how the log was found."""
+        """Open the files; returns a note for the log about its state."""
         try:
             self._file = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
             fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
@@ -156,7 +159,7 @@ class AuditLog:
             expected = os.pread(self._head_file, 256, 0).decode("ascii", "replace").partition("\n")[0]
         except BlockingIOError as error:
             raise ConfigError(
-                f"audit_log {self.path}: another robot writes to it; give each a file of its own"
+                f"audit_log {self.path}: another robot writes to it; give each robot its own file"
             ) from error
         except OSError as error:
             raise ConfigError(f"audit_log {self.path}: {error.strerror}") from error
@@ -173,7 +176,7 @@ class AuditLog:
         return found
 
     def _run(self) -> None:
-        """The thread: writes what waits, and within a second what could not be recorded."""
+        """The thread: writes waiting records, and within a second the number of those that were not recorded."""
         reported = Counter[str]()
         closing = False
         while not closing:
@@ -251,11 +254,11 @@ def _line_of(record: CommandRecord) -> dict[str, Any]:
 
 @dataclass(slots=True)
 class AuditReport:
-    """What a log is like: its head, whom it has commands of, and the first thing that is wrong with it."""
+    """The result of verifying a log: its head, the number of commands by operator, and the first problem."""
 
     head: Head = field(default_factory=Head)
     commands: Counter[str] = field(default_factory=Counter)
-    """By operator; those without one are of `-`."""
+    """By operator; `-` stands for commands without one."""
     refused: int = 0
     verified: int = 0
     """Commands whose signature was verified."""
@@ -315,7 +318,7 @@ def _verify(stream: BinaryIO, head: str, anchors: list[Head], operators: Mapping
 
 
 def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping[int, str]) -> str:
-    """What is wrong with the next line."""
+    """The problem of the next line."""
     number, entry = before.number + 1, _parsed(line)
     if entry is None:
         return f"line {number} was changed: it is no line of an audit log"
@@ -339,7 +342,7 @@ def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping
 
 
 def _beyond(head: int, last: int) -> str:
-    """What lines after the one of the head file mean."""
+    """The meaning of lines after the one in the head file."""
     return (
         f"lines {head + 1} to {last} follow the line of the head file: they were added by somebody else, or the robot "
         "lost power before it could write its head"

@@ -42,19 +42,19 @@ class DepthConfig(StrictConfig):
 
 
 class ImagingConfig(StrictConfig):
-    """What the lens and the sensor of a camera can do, and their faults."""
+    """Capabilities and imperfections of a camera's lens and sensor."""
 
     optical_zoom: Annotated[float, Field(ge=1.0, le=50.0)] = 1.0
     """Largest factor of the lens; 1 for a fixed focal length."""
     digital_zoom: Annotated[float, Field(ge=1.0, le=16.0)] = 4.0
-    """Largest factor by which the middle of the picture is enlarged; 1 for none."""
+    """Largest factor of the digital zoom; 1 for none."""
     exposure_time: tuple[Annotated[float, Field(ge=0.0001)], Annotated[float, Field(le=60.0)]] = (0.001, 0.066)
     """Shortest and longest, in seconds."""
     aperture: tuple[Annotated[float, Field(ge=0.7)], Annotated[float, Field(le=128.0)]] = (2.8, 2.8)
     """Smallest and largest f-number."""
     max_iso: Annotated[int, Field(ge=100, le=3200)] = 3200
     sensor_width: Annotated[float, Field(ge=1.0, le=50.0)] = 6.4
-    """In millimetres; it determines the focal length, and so what is blurred."""
+    """In millimetres; it determines the focal length, and with it the depth of field."""
     nearest_focus: Annotated[float, Field(ge=0.01, le=10.0)] = 0.1
     """In metres."""
     distortion: tuple[Coefficient, Coefficient, Coefficient, Coefficient, Coefficient] = (0.0, 0.0, 0.0, 0.0, 0.0)
@@ -84,20 +84,20 @@ Length: TypeAlias = Annotated[float, Field(ge=-1000.0, le=1000.0)]
 
 
 class OutsideConfig(StrictConfig):
-    """Where a camera outside of the robot is."""
+    """The pose of a camera outside of the robot."""
 
     view: Viewpoint
     """"fixed" at a place of the world, "chase" behind the robot, or "orbit" around it."""
     position: tuple[Length, Length, Length] = (-3.0, -3.0, 2.0)
     """Of a fixed camera, in the world, in metres."""
     target: tuple[Length, Length, Length] | None = None
-    """What a fixed camera looks at; the robot when left out."""
+    """The point at which a fixed camera looks; the robot when left out."""
     distance: Annotated[float, Field(ge=0.5, le=100.0)] = 2.6
     """From the robot, over the ground, in metres."""
     height: Annotated[float, Field(ge=0.0, le=100.0)] = 1.5
     """Above the robot's base."""
     aim: Annotated[float, Field(ge=-10.0, le=10.0)] = 0.35
-    """Height above the base at which it looks."""
+    """Height above the base of the point at which it looks."""
     angle: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
     """Degrees from straight behind the robot, counterclockwise."""
     period: Annotated[float, Field(ge=1.0, le=3600.0)] = 24.0
@@ -117,7 +117,7 @@ class CameraConfig(StrictConfig):
     outside: OutsideConfig | None = None
     """In place of a link."""
     fov: Annotated[float, Field(ge=5.0, le=150.0)] = 80.0
-    """From the left edge of the picture to the right one, in degrees."""
+    """Horizontal field of view, in degrees."""
     size: tuple[int, int] = (640, 480)
     """Width and height of the stream's pictures at first."""
     rate: int = 15
@@ -134,7 +134,7 @@ class CameraConfig(StrictConfig):
     @model_validator(mode="before")
     @classmethod
     def _expand(cls, given: object) -> object:
-        """Read `outside = "chase"` as the table of which that is all."""
+        """Accept `outside = "chase"` as a short form of a table with only that view."""
         if isinstance(given, dict) and isinstance(view := given.get("outside"), str):
             return given | {"outside": {"view": view}}
         return given

@@ -52,7 +52,7 @@ class DriveConfig(StrictConfig):
     sign: Literal[1, -1] = 1
     """-1 if the joint moves backward when the encoder counts up."""
     zero: Annotated[int, Field(ge=-(2**31), lt=2**31)] = 0
-    """What the encoder counts where the joint is at 0."""
+    """Count of the encoder where the joint is at 0."""
     rated_effort: Positive | None = None
     """Newton metres or newtons of the joint at the motor's rated torque; by default the effort in the URDF."""
     acceleration: Positive | None = None
@@ -70,7 +70,7 @@ class DriveConfig(StrictConfig):
     vendor: Code | None = None
     product: Code | None = None
     serial: Code | None = None
-    """What it must report of itself (1018h). With serial numbers, swapped drives are noticed."""
+    """The serial number that it must report (1018h). With serial numbers, swapped drives are noticed."""
     velocity_unit: Literal["counts/s", "rpm"] = "counts/s"
     """The unit of its velocities (606Ch, 60FFh)."""
     temperature: TemperatureObject | None = None
@@ -207,7 +207,7 @@ def _drive(name: str, drive: DriveConfig, moves: str, key: str, temperature: int
 
 
 def identity_of(path: Path) -> tuple[int | None, int | None]:
-    """Vendor and product code of a drive's EDS file (CiA 306); None for what it does not say. Raises `ConfigError`."""
+    """Vendor and product code in a drive's EDS file (CiA 306); None for missing entries. Raises `ConfigError`."""
     parser = configparser.RawConfigParser(strict=False, allow_no_value=True)
     try:
         parser.read_string(read_file(path).decode("utf-8", "replace"))

@@ -41,10 +41,10 @@ CORE: Final = ("Discovery", "Time", "Liveness")
 
 
 class Stoppable(Protocol):
-    """Something that moves."""
+    """A part of the robot that can be stopped."""
 
     def stop(self) -> None:
-        """Stop at once. May be called twice."""
+        """Stop immediately. May be called twice."""
         ...
 
 
@@ -111,7 +111,7 @@ class VisionContext:
     module: ClassVar[str] = "CM-VIS"
     robot: RobotParts
     streams: VideoStreams
-    """Its cameras, by sensor id, and who watches them."""
+    """The streams of its cameras, by sensor id, with their receivers."""
     pan_tilt: manipulator.PanTilt | None
     """The unit that turns the camera."""
 
@@ -129,7 +129,7 @@ class ServoContext:
     robot: RobotParts
     control: cell.ServoControl
     connectors: tuple[VacuumConnector, ...]
-    """Those of its output."""
+    """The connectors of its output."""
     setup: CellSetup
 
     @property
@@ -219,11 +219,11 @@ class ServiceEntry(Generic[C]):
     """A service of one type of module."""
 
     context: type[C]
-    """Says the type of module: `MobilityContext` is a CM-MOB."""
+    """The context of a type of module: `MobilityContext` for a CM-MOB."""
     make: Callable[[C], Service | None]
-    """Makes the service of one module; None if the robot lacks what the service needs."""
+    """Makes the service of one module; returns None if the robot lacks a part that the service needs."""
     needs: str = ""
-    """What a robot must have for it, as the error names it."""
+    """The part that the robot must have, as the error text names it."""
     by_default: bool = True
     """True if modules offer it that list no services. Services of other packages are offered only when listed."""
 
@@ -450,5 +450,5 @@ def make(module: str, names: Iterable[str] | None, context: Context) -> list[Ser
         if service is not None:
             made.append(service)
         elif names is not None:
-            raise ConfigError(f"{name} needs {entry.needs or 'what this robot does not have'}")
+            raise ConfigError(f"{name} needs {entry.needs or 'a part that this robot does not have'}")
     return made

@@ -143,7 +143,7 @@ class PartTypeConfig(StrictConfig):
 
     @property
     def is_module(self) -> bool:
-        """True if it has something to command: a servo or a connector."""
+        """True if it has a servo or a connector, which can be commanded."""
         return self.servo is not None or bool(self.connectors)
 
     def part_type(self, name: str) -> PartType:
@@ -155,7 +155,7 @@ class PartTypeConfig(StrictConfig):
 
 
 class PlacedPartConfig(StrictConfig):
-    """One part, and where it is at the start."""
+    """One part and its initial pose."""
 
     name: Name
     type: Name
@@ -193,7 +193,7 @@ class BinConfig(StrictConfig):
 
 
 class FixtureConfig(StrictConfig):
-    """Something that stands in the cell; see `Fixture`."""
+    """A fixed object in the cell; see `Fixture`."""
 
     name: Name
     solids: Annotated[tuple[SolidConfig, ...], Field(min_length=1)]
@@ -230,7 +230,7 @@ class PartSensorConfig(StrictConfig):
 
 
 class ConnectorLimitsConfig(StrictConfig):
-    """When a vacuum connector attaches, and what it holds."""
+    """Tolerances for the attachment of vacuum connectors, and the loads that they hold."""
 
     max_distance: Positive = ConnectorLimits().max_distance
     max_angle: Annotated[float, Field(gt=0.0, le=math.pi)] = ConnectorLimits().max_angle
@@ -243,7 +243,7 @@ class ConnectorLimitsConfig(StrictConfig):
 
 
 class CellConfig(StrictConfig):
-    """What is in a factory cell beside the robot that the URDF describes; see `CellSetup`."""
+    """A factory cell around the robot that the URDF describes; see `CellSetup`."""
 
     types: Mapping[Name, PartTypeConfig]
     """The types of parts, by name: tables, or the path of a TOML file that has them."""

@@ -55,7 +55,7 @@ class Clouds:
         pairs = [*asked, *((each.source, each.address) for each in config.clouds if each.source not in named)]
         for name, address in pairs:
             if [other for _, other in pairs].count(address) > 1:
-                raise ConfigError(f"--cloud: {address} is there twice; each stream needs an address of its own")
+                raise ConfigError(f"--cloud: {address} is there twice; each stream needs its own address")
             if [other for other, _ in pairs].count(name) > 1:
                 raise ConfigError(f"--cloud: {name or 'the lidars'} would be published twice; one address is enough")
         self._addresses = dict(pairs)

@@ -65,7 +65,7 @@ class TracksConfig(StrictConfig):
     inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 6.0
     """Inertia of rotors and sprockets at the belts of a side, in kilograms."""
     turning_point: Annotated[float, Field(ge=-10.0, le=10.0)] = 0.0
-    """Metres ahead of the base, of the point that does not move sideways in a turn: odometry assumes it."""
+    """Metres from the base forward to the point that does not move sideways in a turn, for odometry."""
 
     def setup(self) -> TrackSetup:
         """Return the setup for the backend."""
@@ -174,7 +174,7 @@ class CloudConfig(StrictConfig):
     source: UrdfName
     """The name of a lidar, or of a camera with `depth`."""
     address: Annotated[str, Field(min_length=1, max_length=200)]
-    """Where it is published, as in tcp://127.0.0.1:5565."""
+    """The address of the publisher, as in tcp://127.0.0.1:5565."""
 
 
 class ForceTorqueConfig(StrictConfig):
@@ -213,7 +213,7 @@ def _check_single_component(text: str) -> str:
     except ConfigError as error:
         raise ValueError(f"announce_to: {error}") from None
     if wildcard:
-        raise ValueError(f"announce_to: {text} stands for many; give the id of one console, as in 42.1.1")
+        raise ValueError(f"announce_to: {text} has wildcards; give the id of one console, as in 42.1.1")
     return text
 
 
@@ -221,7 +221,7 @@ CommandTimeout: TypeAlias = Annotated[float, Field(gt=0.0, le=3600.0)] | Literal
 
 
 def _check_command_timeout(value: object) -> object:
-    """One sentence instead of one for each type that it can have."""
+    """Raise one error instead of one for each permitted type."""
     for each in value.values() if isinstance(value, Mapping) else (value,):
         is_number = isinstance(each, int | float) and not isinstance(each, bool) and 0.0 < each <= 3600.0
         if each != "off" and not is_number:
@@ -249,7 +249,7 @@ class ModuleConfig(StrictConfig):
     """True to offer version 1.0 of the services beside 1.1 and 2.0, for clients of that age."""
     access_control: AccessControlConfig = AccessControlConfig()
     registrants: Registrants = "machine"
-    """Whose registrations the module's Discovery lists: those of components on its machine, or of its subsystem."""
+    """Components that the module's Discovery accepts as registered: those on its machine, or those of its subsystem."""
     command_timeout: Annotated[
         CommandTimeout | Mapping[str, CommandTimeout], BeforeValidator(_check_command_timeout)
     ] = DEFAULT_TIMEOUT
@@ -300,7 +300,7 @@ class ModuleConfig(StrictConfig):
         return None if value == "off" else value
 
     def offers(self, service: str) -> bool:
-        """True if the module has the service, as far as the robot has what it needs."""
+        """True if the module has the service, provided that the robot has the parts for it."""
         return service in (catalogue.defaults(self.type) if self.services is None else self.services)
 
 
@@ -358,7 +358,7 @@ class RobotConfig(StrictConfig):
     origin: OriginConfig | None = None
     """Without an origin there are no services with global poses."""
     operators: Annotated[str, Field(min_length=1)] | None = None
-    """The file that names who may command, and their keys; a relative path starts at the TOML file."""
+    """The operators file: who may command, with keys; a relative path starts at the TOML file."""
     require_operator: bool = True
     """With `operators`: whether commands without the seal of one are refused."""
     audit_log: Annotated[str, Field(min_length=1)] | None = None

@@ -1,4 +1,4 @@
-"""What the tables of a robot's TOML file share."""
+"""Base classes of the tables of a robot's TOML file."""
 
 from __future__ import annotations
 

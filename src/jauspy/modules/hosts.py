@@ -218,7 +218,7 @@ def module_host(
 
 
 def _older(context: Context, services: Sequence[Service]) -> Iterator[Service]:
-    """Services that answer what version 1.0 of these has, and the newer versions have elsewhere or not at all."""
+    """Services for the messages of version 1.0 that the newer versions of these services lack."""
     for service in services:
         if isinstance(service, DigitalVideo) and isinstance(context, catalogue.VisionContext):
             yield DigitalVideoCapabilities(context.streams.cameras)
@@ -258,9 +258,9 @@ def _context(
 
 
 def vehicle_of(config: RobotConfig, model: RobotModel, robot: RobotParts) -> Vehicle:
-    """The robot's chassis as it is described, and where its world lies on the globe, as its services share them.
+    """The chassis and reference frames that the services of a CM-MOB share.
 
-    Its services see the pose that the robot estimates, unless it is exact.
+    They use the pose that the robot estimates, unless it is exact.
     """
     origin = None
     if (given := config.origin) is not None:
@@ -323,7 +323,7 @@ class Announcement:
         self._host = host
         self._console = console
         self._last_heard: float | None = None
-        """When the console was heard last, once it has answered."""
+        """Time of the last packet from the console, once it has answered."""
         self._query()
 
     def intercept(self, packet: Packet) -> bool:
@@ -411,7 +411,7 @@ def car_of(robot: RobotParts) -> Car:
 
 
 def car_chassis(cell: CellSetup) -> Chassis:
-    """The car as guidance sees it: its size, and what its wheels and the fastest servo modules can do."""
+    """The car's chassis for guidance: its size, and the limits of its wheels and fastest servo modules."""
     base = cell.type_of(cell.car)
     wheels = [each.solids[0] for each in cell.types.values() if each.kind is PartKind.WHEEL]
     radius = max((each.size[0] for each in wheels if each.shape is Shape.CYLINDER), default=0.0)

@@ -1,7 +1,7 @@
-"""What is watched for each module, ten times a second.
+"""Monitors of each module, run ten times a second.
 
-Faults of the backend put the modules that they concern in Failure, which they leave by Reset. Loads that joints cannot
-carry are logged once, counted by the module, and shown by `jauspy up`.
+A fault of the backend puts the modules that it concerns in Failure, which they leave by Reset. Loads that joints cannot
+carry are logged once, counted, and shown by `jauspy up`.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from jauspy.services.host import Host
 _LOG: Final = get_logger("jauspy.robot")
 
 MONITOR_PERIOD: Final = 0.1
-"""Seconds between two looks at the faults of the backend, and at the loads of joints."""
+"""Seconds between two checks of the backend's faults and the loads of joints."""
 
 
 def uses(module: ModuleConfig, part: PartId) -> bool:
@@ -39,17 +39,20 @@ def uses(module: ModuleConfig, part: PartId) -> bool:
 
 
 def faults_of(module: ModuleConfig, faults: Mapping[PartId, str]) -> dict[PartId, str]:
-    """Those that concern the module."""
+    """The faults that concern the module."""
     return {each: why for each, why in faults.items() if each == WHOLE_ROBOT or uses(module, each)}
 
 
 def reason(module: ModuleConfig, faults: Mapping[PartId, str]) -> str:
-    """What has failed that the module uses, in words; empty if nothing has."""
+    """A description of the failed parts that the module uses; empty if there are none."""
     return "; ".join(f"{described(part)}: {why}" for part, why in faults_of(module, faults).items())
 
 
 class FaultMonitor:
-    """Puts a component in Failure while `robot` reports a fault that concerns its module. Reset uses the part again."""
+    """Puts a component in Failure while `robot` reports a fault that concerns its module.
+
+    After Reset the part is used again.
+    """
 
     def __init__(self, host: Host, recovery: FailureRecovery, module: ModuleConfig, robot: RealTime) -> None:
         self._host = host
@@ -75,7 +78,10 @@ class FaultMonitor:
 
 
 def overloads(module: ModuleConfig, joints: Mapping[str, tuple[Joint, ...]], snapshot: Snapshot) -> dict[str, str]:
-    """What the joints of the module cannot carry now, in words, by the name of the joint. `joints`: by group."""
+    """Descriptions of loads that the module's joints cannot carry now, by the name of the joint.
+
+    `joints`: states by group.
+    """
     if module.moves is None or module.moves not in joints:
         return {}
     known = {joint.name: joint for joint in joints[module.moves]}
@@ -84,7 +90,7 @@ def overloads(module: ModuleConfig, joints: Mapping[str, tuple[Joint, ...]], sna
 
 
 def overload_text(joint: Joint, load: float) -> str:
-    """The load of a joint in words."""
+    """A description of a joint's load."""
     unit = "N m" if joint.turns else "N"
     return (
         f"joint {joint.name} cannot carry its load ({load:.0f} {unit} of {joint.effort:.0f} {unit}): its brake holds; "
@@ -93,7 +99,7 @@ def overload_text(joint: Joint, load: float) -> str:
 
 
 class LoadMonitor:
-    """Looks at the loads of a module's joints: each that is too heavy is logged and counted once, as is its end."""
+    """Monitors the loads of a module's joints: the start and the end of each overload is logged and counted once."""
 
     def __init__(self, host: Host, module: ModuleConfig, robot: RealTime) -> None:
         self._host, self._module, self._robot = host, module, robot

@@ -35,7 +35,7 @@ class _OperatorsConfig(BaseModel):
 
 
 def load(path: str | Path) -> list[Operator]:
-    """The operators of a file; `ConfigError` names what is wrong in it."""
+    """The operators of a file; raises `ConfigError` that names the mistake."""
     path = Path(path)
     try:
         if path.stat().st_mode & stat.S_IWOTH:
@@ -56,7 +56,9 @@ def load(path: str | Path) -> list[Operator]:
         except ConfigError as error:
             raise ConfigError(f"{path}: operators.{name}.key: {error}") from error
         if key.id in found:
-            raise ConfigError(f"{path}: operators.{name}.key: is also the key of {found[key.id].name}; each has an own")
+            raise ConfigError(
+                f"{path}: operators.{name}.key: is also that of {found[key.id].name}; give each operator another key"
+            )
         found[key.id] = Operator(name, each.role, roles[each.role], key)
     return list(found.values())
 

@@ -152,7 +152,7 @@ WARNING_INTERVAL: Final = 10.0
 """Seconds between two warnings."""
 
 WHOLE_ROBOT: Final = PartId(Robot)
-"""Stands for all parts where `RealTime.faults` says that the robot itself has failed."""
+"""The key in `RealTime.faults` for a failure of the robot as a whole."""
 
 
 class StepTimer:
@@ -290,13 +290,13 @@ class RealTime:
         return self._ended
 
     def submit(self, command: Command) -> None:
-        """Have a command applied before the next step; it is merged with one to the same part that is pending."""
+        """Queue a command for the next step; it is merged with a pending one to the same part."""
         with self._lock:
             pending = self._pending.pop(command.part, None)  # the order of application is that of the last commands
             self._pending[command.part] = command if pending is None else command.merged(pending)
 
     def alive(self) -> None:
-        """The heartbeat: to be called while the program that commands the robot runs."""
+        """The heartbeat: to be called regularly by the program that commands the robot."""
         self._alive = self._clock()
 
     def open(self) -> None:
@@ -400,7 +400,7 @@ class RealTime:
 
 
 def described(part: PartId) -> str:
-    """The part in words, as in `the chassis` or `the joints 'arm'`."""
+    """A description of the part, as in `the chassis` or `the joints 'arm'`."""
     if part == WHOLE_ROBOT:
         return "the robot"
     kind = {CHASSIS.kind: "chassis", JointGroup: "joints"}.get(part.kind, part.kind.__name__)

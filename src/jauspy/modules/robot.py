@@ -41,7 +41,7 @@ from jauspy.video.camera_process import CameraProcess
 _LOG: Final = get_logger("jauspy.robot")
 
 CHECK_PERIOD: Final = 0.05
-"""Seconds between two checks which modules have power."""
+"""Seconds between two checks of the modules' power."""
 
 RETRY_DELAY: Final = 1.0
 """Seconds until a component that could not be opened is tried again."""
@@ -186,7 +186,7 @@ class RobotRunner:
     def running(self) -> tuple[tuple[Component, ModuleConfig], ...]:
         """The components and their modules, in the order of the configuration; empty when not open.
 
-        Those of a factory cell's parts are there while they have power.
+        A component of a factory cell's part exists while the part has power.
         """
         return self._modules.open if self._modules else ()
 
@@ -217,7 +217,7 @@ class RobotRunner:
 
     @property
     def faults(self) -> Mapping[str, str]:
-        """What has failed and why, by the id of the component that is in Failure for it."""
+        """Descriptions of faults, by the id of the component that is in Failure because of it."""
         if self._realtime is None or not self._realtime.faults:
             return {}
         found = {str(each.id): reason(module, self._realtime.faults) for each, module in self.running}
@@ -225,7 +225,7 @@ class RobotRunner:
 
     @property
     def overloads(self) -> Mapping[str, str]:
-        """What joints cannot carry, in words, by the id of the component that moves them and the joint's name."""
+        """Descriptions of loads that joints cannot carry, by the id of the component and the joint's name."""
         if self._realtime is None:
             return {}
         joints = {name: group.joints for name, group in self._realtime.groups.items()}

@@ -29,7 +29,7 @@ from jauspy.user_files import read_file, read_toml
 
 SUFFIX: Final = ".toml"
 PARTS: Final = "_parts.toml"
-"""End of the names of files with types of parts, which are no robots."""
+"""Suffix of files with types of parts, which do not describe robots."""
 _FOLDER: Final = files("jauspy") / "robots"
 
 FILES: Final = ("urdf", "operators", "audit_log")
@@ -97,7 +97,7 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
 
 
 def _read_part_types(cell: object, folder: Path) -> None:
-    """Replace the path of a file with types of parts by what it has."""
+    """Replace the path of a file with types of parts by its content."""
     if isinstance(cell, dict) and isinstance(path := cell.get("types"), str):
         cell["types"] = read_toml(folder / path).get("types", {})
 
@@ -115,7 +115,9 @@ def _find(name_or_path: str | Path, folder: Path) -> Traversable:
     if isinstance(name_or_path, Path) or text.endswith(SUFFIX) or "/" in text:
         return folder / name_or_path
     if text not in known():
-        raise ConfigError(f"no robot {text!r}; known are: {', '.join(known())}; or give the path of a .toml file")
+        raise ConfigError(
+            f"there is no robot {text!r}; the robots are: {', '.join(known())}; or give the path of a .toml file"
+        )
     return _FOLDER / f"{text}{SUFFIX}"
 
 
@@ -212,7 +214,7 @@ def _with_limits(description: RobotDescription, limits: Mapping[str, JointLimits
 def _can_setup(
     config: CanConfig, description: RobotDescription, tracks: TrackSetup | None, groups: Mapping[str, GroupSetup]
 ) -> CanSetup | str:
-    """The drives, or why they do not match the robot: a file that extends another one may have no use for them."""
+    """The drives, or a text why they do not match the robot: a file may inherit drives that it does not use."""
     try:
         return can_setup(config, description, tracks, groups)
     except ConfigError as error:

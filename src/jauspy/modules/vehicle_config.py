@@ -61,7 +61,7 @@ class LightConfig(StrictConfig):
     switch: Switch
     """The light of JAUS's IlluminationService that switches it."""
     cone: Annotated[float, Field(ge=5.0, le=150.0)] = 60.0
-    """From one side of the cone to the other, in degrees."""
+    """Full opening angle of the cone, in degrees."""
     brightness: Annotated[float, Field(gt=0.0, le=1e6)] = 2000.0
     """In lumens."""
     position: tuple[Coordinate, Coordinate, Coordinate] = (0.0, 0.0, 0.0)
@@ -96,9 +96,9 @@ class OdometryConfig(StrictConfig):
     """Encoders of tracks or wheels, in a simulation."""
 
     scale_error: Fraction = _ODOMETRY.scale_error
-    """Standard deviation of the calibration, as a part of the way."""
+    """Standard deviation of the calibration, as a fraction of the distance."""
     noise: Deviation = _ODOMETRY.noise
-    """Standard deviation of the way after one metre, in metres; it grows with the square root of the way."""
+    """Standard deviation of the distance after one metre, in metres; it grows with the square root of the distance."""
     resolution: Annotated[float, Field(gt=0.0, le=0.1)] = _ODOMETRY.resolution
     """Metres of one count."""
 
@@ -119,7 +119,7 @@ class ImuConfig(StrictConfig):
     gyro_bias_walk: Deviation = math.degrees(_IMU.gyro_bias_walk)
     """Random walk of that bias, in degrees/s/sqrt(s)."""
     gyro_scale_error: Fraction = _IMU.gyro_scale_error
-    """Standard deviation of the calibration, as a part of the rates."""
+    """Standard deviation of the calibration, as a fraction of the rates."""
     acceleration_noise: Annotated[float, Field(ge=0.0, le=1e5)] = round(_IMU.acceleration_noise / MICRO_G, 6)
     """Noise density of the accelerations, in micro-g/sqrt(Hz)."""
     acceleration_bias: Annotated[float, Field(ge=0.0, le=1e5)] = round(_IMU.acceleration_bias / MICRO_G, 6)
@@ -142,7 +142,10 @@ class ImuConfig(StrictConfig):
 
 
 class GnssConfig(StrictConfig):
-    """A receiver of satellite navigation in a simulation. What is left out is as the kind of receiver has it."""
+    """A receiver of satellite navigation in a simulation.
+
+    Values that are left out have defaults by the kind of receiver.
+    """
 
     receiver: Literal["standalone", "rtk"] = "standalone"
     """`standalone`: half of the fixes within 1.5 m, as of u-blox M9 and F9. `rtk`: within 1 cm, as of ZED-F9P."""
@@ -153,7 +156,7 @@ class GnssConfig(StrictConfig):
     drift: Deviation | None = None
     """Standard deviation of the slow error, along each horizontal axis, in metres."""
     drift_time: Annotated[float, Field(gt=0.0, le=1e5)] | None = None
-    """Seconds in which the slow error is forgotten to a part of 1/e."""
+    """Correlation time of the slow error, in seconds."""
     vertical: Annotated[float, Field(ge=0.0, le=10.0)] | None = None
     """Errors of the height, as a multiple of the horizontal ones."""
     heading_error: Annotated[float, Field(ge=0.0, le=180.0)] | None = None
@@ -174,7 +177,7 @@ class GnssConfig(StrictConfig):
 
 
 class LocalizationConfig(StrictConfig):
-    """How the robot measures where it is: by sensors with errors, or exactly."""
+    """How the robot measures its pose: by sensors with errors, or exactly."""
 
     source: Literal["sensors", "exact"] | None = None
     """By default `sensors` on the backend `sim`, `exact` on `kinematic`; on a bus of servo drives their encoders."""

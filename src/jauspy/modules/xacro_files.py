@@ -1,7 +1,7 @@
 """Expands xacro files as data: expressions are evaluated here, on numbers, texts and lists, never by Python.
 
-xacro evaluates `${...}` with Python's `eval`, and what it excludes is easily reached all the same. So this module has a
-copy of xacro of its own whose evaluation is replaced; in any version of xacro, an `eval` that is left there fails.
+xacro evaluates `${...}` with Python's `eval`, and what it excludes is easily reached all the same. So this module runs
+its own copy of the module `xacro` with another evaluation; in any version of xacro, a remaining `eval` fails.
 """
 
 from __future__ import annotations
@@ -79,7 +79,7 @@ def _rounded(value: float, digits: int | None = None) -> float:
 
 
 def _sum(values: Any) -> Any:
-    """Of numbers: Python's also joins lists, each time into a new one."""
+    """The sum of numbers only; Python's `sum` also joins lists, which takes quadratic time."""
     if not all(isinstance(each, int | float) for each in _sequence(values)):
         raise ExpressionError("sum is not evaluated for texts and lists")
     return sum(values)

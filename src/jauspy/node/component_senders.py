@@ -1,4 +1,4 @@
-"""Sending to components: a socket and a bounded queue for each, so that a slow one delays no other."""
+"""Sends to components: a socket and a bounded queue for each, so that a slow one does not delay others."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ _NOT_LISTENING: Final = (errno.ECONNREFUSED, errno.ENOENT, errno.ENOTCONN)
 
 
 def not_writable(path: Path) -> str:
-    """The sentence for a component whose socket does not let this user write to it."""
+    """An error text for a component whose socket this user may not write to."""
     name = JausID.from_int(int(path.name)) if path.name.isdecimal() and int(path.name) <= MAX_ID else path
     me = local.user_name(os.geteuid())
     try:

@@ -230,7 +230,7 @@ class SerialConfig(NodeSettings):
 
     @property
     def line(self) -> SerialLine:
-        """The settings as the transport takes them."""
+        """The settings for the transport."""
         return SerialLine(**self.model_dump())
 
 
@@ -261,16 +261,16 @@ class NodeConfig(NetworkConfig):
     """Messages per second that each source id may send; 0 is no limit. Safety-critical messages have a separate budget
     of the same size."""
     rate_burst: float = Field(default=1000.0, ge=1)
-    """Messages that a source may send at once under `rate_limit`."""
+    """Messages that a source may send in a burst under `rate_limit`."""
     max_message_age: float = Field(default=MAX_AGE, ge=0)
     """Seconds for which a command may wait in a socket or queue of the node manager. An older one is dropped, unless it
-    is acknowledged: a command of an operator who may be gone. 0 is no limit."""
+    is acknowledged: it may be from an operator who has left. 0 is no limit."""
     local_udp: bool = True
     """Allow components of this machine to connect by UDP, as those of ROS/IOP do, if their user may use the local
     socket."""
     own_ids: tuple[IdPattern, ...] = Field(default=(), examples=[("101.1.*",)])
     """Ids of this machine's components: packets from networks that have them are dropped, also while no component is
-    connected with them. Other ids belong to who is heard first, until it is silent for 30 s."""
+    connected with them. Any other id belongs to the host that uses it first, until that host is silent for 30 s."""
     header_compression: Literal["off", "accept", "propose"] = "accept"
     """Header compression on UDP. accept: accept proposals, and compress for peers that propose. propose: probe all
     peers with an empty packet, which peers without compression drop as malformed. off: ignore proposals."""

@@ -1,4 +1,4 @@
-"""Ingress: datagrams of networks are read faster than they are routed, so that urgent ones overtake a flood."""
+"""Reads UDP datagrams faster than they are routed, and queues them by priority: urgent ones overtake a flood."""
 
 from __future__ import annotations
 
@@ -35,7 +35,8 @@ FILTER_ABOVE: Final = 1024
 UNFILTER_BELOW: Final = 256
 """With no more queued datagrams, the kernel filter is detached."""
 SAMPLING_STEP: Final = 4
-"""By how much fewer safety-critical packets are accepted each time when most of a flood are such packets."""
+"""Factor by which the accepted share of safety-critical packets shrinks each time that most of a flood are such
+packets."""
 MIN_SAMPLING: Final = 1 / 64
 _PRIORITIES: Final = 4
 _PLAIN: Final = bytes((header.VERSION, 0))
@@ -45,20 +46,20 @@ _Queue = deque[tuple[bytes, UdpPort, float]]
 
 
 class _Filter(NamedTuple):
-    """What a socket's filter drops: packets of these hosts, or of all if there are none."""
+    """The state of a socket's filter: it drops packets of these hosts, or of all hosts if empty."""
 
     share: float
-    """Of safety-critical packets, those that are accepted."""
+    """The share of safety-critical packets that are accepted."""
     hosts: frozenset[str]
 
 
 class Ingress:
     """Calls `receive(datagram, port)` for the datagrams of all attached sockets, by priority, in order within each.
 
-    In a flood the kernel drops packets of the few hosts that send most of it, if it is few: the priorities that most of
-    it has, and of safety-critical packets some at random when most are such. What exceeds the rate of its source by
-    `sources` is not even queued. What has waited for more than `max_age` seconds, in a socket or here, is dropped
-    unless it is acknowledged.
+    In a flood a kernel filter drops packets of the priorities that most of the flood has. If few hosts send most of it,
+    only their packets are dropped. If most packets are safety-critical, the filter drops a random share of them.
+    Packets above the rate limit of their source (`sources`) are not queued. A datagram that has waited for more than
+    `max_age` seconds, in a socket or here, is dropped unless it is acknowledged.
     """
 
     def __init__(
@@ -187,7 +188,7 @@ class Ingress:
             self._counters["kernel_filter.attached"] += 1
 
     def _flooding_hosts(self) -> frozenset[str]:
-        """The fewest hosts that have more than half of what is queued; none if these are too many for a filter."""
+        """The smallest set of hosts that sent more than half of the queue; empty if they are too many for a filter."""
         counts = Counter(port.host for queue in self._queues for _, port, _ in queue)
         found, sum_ = [], 0
         for host, count in counts.most_common(kernel_filter.MAX_HOSTS):
@@ -208,7 +209,7 @@ class Ingress:
                 self._drop_oldest(queue, len(queue) - share)
 
     def _drop_oldest(self, queue: _Queue, most: int) -> None:
-        """Drop up to so many of the oldest of the host that has most of a queue: a flood displaces itself."""
+        """Drop up to `most` of the oldest datagrams of the host that has most in a queue."""
         host = Counter(port.host for _, port, _ in queue).most_common(1)[0][0]
         kept: _Queue = deque()
         while queue and most and (self._queued > MAX_QUEUED or self._bytes > MAX_QUEUED_BYTES):
@@ -223,7 +224,7 @@ class Ingress:
         queue.extendleft(reversed(kept))
 
     def _route_all(self) -> None:
-        """Route what was just read, when nothing else is queued: as usual, and therefore with the least work."""
+        """Route the datagrams just read when nothing else is queued: the fast path of usual traffic."""
         receive = self._receive
         for queue in reversed(self._queues):
             while queue:

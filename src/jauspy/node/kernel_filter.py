@@ -50,7 +50,7 @@ def attach_sampling(
 def _attach(
     sock: socket.socket, skip: int, hosts: Collection[str], decision: Sequence[tuple[int, int, int, int]]
 ) -> bool:
-    """`decision` has the priority, goes on to accept the packet, and one further to drop it."""
+    """`decision` compares the priority; it falls through to accept the packet, and jumps one further to drop it."""
     at, end = _UDP_HEADER + skip, len(decision)
     code = (
         *_only_from(hosts, 6 if sock.family == socket.AF_INET6 else 4),
@@ -69,7 +69,7 @@ def _attach(
 
 
 def _only_from(hosts: Collection[str], version: int) -> list[tuple[int, int, int, int]]:
-    """Accepts packets of others, and goes on for those of these hosts; of any host if there are none."""
+    """Accepts packets of other hosts, and falls through for those of these hosts; for all if there are none."""
     if not hosts:
         return []
     addresses = [ipaddress.ip_address(host.partition("%")[0]) for host in hosts]

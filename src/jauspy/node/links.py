@@ -28,7 +28,7 @@ MAX_CONNECTIONS: Final = 64
 MAX_CONNECTIONS_PER_HOST: Final = 16
 """Of these, from one host; for IPv6, from one network of 64 bits, because a host there may have any address."""
 BUSY_INTERVAL: Final = 5.0
-"""Seconds after a packet in which a connection is not closed for another one of a host that has no fewer."""
+"""Seconds after a packet in which a connection is not closed in favour of one from a host with as many."""
 IDLE_LIMIT: Final = ADDRESS_LIFETIME
 """Seconds without a packet after which a connection is closed: the addresses learned from it have expired."""
 IDLE_CHECK_INTERVAL: Final = 10.0
@@ -184,7 +184,7 @@ class TcpPeers:
 
 
 def _host(link: StreamLink) -> str:
-    """What counts as one host."""
+    """The identity of a host for limits: an IPv4 address, or an IPv6 network of 64 bits."""
     host, _, _ = link.peer[0].partition("%")
     return str(ipaddress.IPv6Network((host, 64), strict=False)) if ":" in host else host
 

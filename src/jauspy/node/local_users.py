@@ -1,4 +1,4 @@
-"""Which users of this machine may have components: those who may use the local socket, also when they connect by UDP.
+"""Decides which users may have components, also by UDP: those who may use the local socket.
 
 Datagrams of UDP carry no credentials, but the kernel lists the user of each UDP port of this machine.
 """
@@ -23,7 +23,8 @@ from jauspy.transport import multicast
 PORT_LISTS: Final = (Path("/proc/net/udp"), Path("/proc/net/udp6"))
 """Lists of the network namespace of this process; see proc_net(5)."""
 READ_RATE: Final = 100.0
-"""Readings of them per second, each of about 0.1 ms; without a reading nobody is permitted, and nobody is gone."""
+"""Reads of the lists per second, each of about 0.1 ms. Without a read, no user is permitted, and none counts as
+gone."""
 LIST_LIFETIME: Final = 0.5
 """Seconds for which a liveness check may use the same reading."""
 _ROOT: Final = 0
@@ -48,14 +49,14 @@ class LocalUsers:
         return owners is not None and self._is_permitted(port, owners)
 
     def is_abandoned(self, port: NetworkPort) -> bool:
-        """True for a port of this machine that nobody has any more who may use the local socket."""
+        """True for a port of this machine that no permitted user has open any more."""
         if not isinstance(port, UdpPort) or not self._is_own_address(port.host):
             return False
         owners = self._read()
         return owners is not None and not self._is_permitted(port, owners)
 
     def has_left(self, port: UdpPort) -> bool:
-        """As `is_abandoned` for a port that is known to be of this machine; may be a moment late."""
+        """As `is_abandoned` for a port that is known to be of this machine; uses a cached list."""
         if self._last is None or self._time() - self._last[0] > LIST_LIFETIME:
             self._read()
         return self._last is not None and not self._is_permitted(port, self._last[1])

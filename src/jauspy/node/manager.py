@@ -45,7 +45,7 @@ MAX_SENDERS: Final = 4096
 RELOADABLE: Final = ("gateway", "source_check", "rate_limit", "rate_burst", "addresses", "address_books")
 """Settings that `NodeManager.reload` applies."""
 CACHE_LIFETIME: Final = 0.5
-"""Seconds after which the cache is cleared, so that what the router learns from packets is at most this much late."""
+"""Seconds after which the cache is cleared, so that the router learns from packets at most this late."""
 MAX_ROUTES: Final = 1024
 
 _BROADCAST: Final = 0x0C
@@ -200,7 +200,7 @@ class NodeManager:
         self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)
 
     def _take_up_components(self, may_use: Callable[[int], bool]) -> None:
-        """Register the components of an earlier node manager here: some never send by themselves."""
+        """Register the components of an earlier node manager: some send only when queried."""
         ids = []
         for id, path in self._component_sockets.find_live(may_use):
             if not self._router.components.register(id, LocalPort(path)):
@@ -309,7 +309,7 @@ class NodeManager:
         self._router.counters.drop("socket_error", error)
 
     def _udp_error(self, error: OSError) -> None:
-        """A wake-up without a datagram, too, signals that ports are unreachable."""
+        """Handle a socket error; a wake-up without a datagram also signals that ports are unreachable."""
         if not isinstance(error, BlockingIOError):
             self._router.counters.drop("udp_unreachable", error)
         for network in self._networks.values():
@@ -336,7 +336,7 @@ class NodeManager:
         self._arm()
 
     def _sender_for(self, port: LocalPort | UdpPort) -> Send | None:
-        """The sender of a cached route; None with a mirror, which needs to see each datagram."""
+        """The sender of a cached route; None with a mirror, which must record each datagram."""
         if self._mirror is not None:
             return None
         if isinstance(port, LocalPort):

@@ -1,4 +1,4 @@
-"""Mirror: a copy of all routed packets as pcapng, for Wireshark. It may lose packets; routing never waits for it.
+"""Copies all routed packets as pcapng, for Wireshark. The copy may lose packets; routing never waits for it.
 
 Components of this machine appear as 127.S.N.C: the low byte of their subsystem, their node and their component.
 """
@@ -36,7 +36,7 @@ STOP_TIMEOUT: Final = 1.0
 
 
 class Mirror:
-    """Writes in a thread of its own. `group(network)` returns the multicast address and port of a network."""
+    """Writes in its own thread. `group(network)` returns the multicast address and port of a network."""
 
     def __init__(self, target: str, limit: int, counters: Counters, group: Callable[[str], writer.Endpoint]) -> None:
         self._counters = counters
@@ -70,7 +70,7 @@ class Mirror:
             self._chunks.put_nowait(None)
         self._thread.join(STOP_TIMEOUT)
         if self._thread.is_alive():
-            _LOGGER.warning("the mirror was not read to its end")
+            _LOGGER.warning("the mirror's reader was too slow: its last packets are lost")
 
     def add(self, source: Port, destination: Port, datagram: bytes) -> None:
         """Add a routed packet."""

@@ -287,7 +287,9 @@ def bind_udp(address: str, port: int, receive_buffer: int) -> socket.socket:
                 f"UDP port {port} is used by {udp_port_owner(port)}; stop it, or choose another port with --port"
             ) from None
         if error.errno == errno.EADDRNOTAVAIL:
-            raise TransportError(f"{address} is no address of this machine; choose another with --address") from None
+            raise TransportError(
+                f"{address} is not an address of this machine; choose another with --address"
+            ) from None
         raise TransportError(f"cannot bind UDP {address}:{port}: {error.strerror}") from error
     return sock
 

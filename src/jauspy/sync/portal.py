@@ -77,7 +77,7 @@ class Portal:
                 call.schedule(self._usable())
             return call.ended.result()
         except asyncio.CancelledError:
-            raise TransportError("this was closed while it waited") from None
+            raise TransportError("the portal was closed during this call") from None
         except BaseException:
             call.interrupt()
             raise
@@ -115,7 +115,7 @@ class Portal:
 
     def _usable(self) -> asyncio.AbstractEventLoop:
         if self._loop is None or not self.is_open:
-            raise TransportError("this is not open; use it inside `with`, and in the process that opened it")
+            raise TransportError("it is not open; use it inside `with`, and in the process that opened it")
         if threading.current_thread() is self._thread:
             raise TransportError("called from its own event loop, which would wait for itself; use `await` there")
         return self._loop

@@ -29,7 +29,7 @@ def _named(condition: Callable[[], object]) -> str:
 
 @asynccontextmanager
 async def no_leftovers() -> AsyncIterator[None]:
-    """Raise `AssertionError` when the body leaves a task running, or an error that only the event loop has seen."""
+    """Raise `AssertionError` when the body leaves a task running, or an error that only the event loop has reported."""
     loop, before = asyncio.get_running_loop(), asyncio.all_tasks()
     errors: list[dict[str, Any]] = []
     handler = loop.get_exception_handler()

@@ -1,4 +1,4 @@
-"""The age of what is received: commands that waited while this process did not run are dropped (ADR 84)."""
+"""Drops received commands that waited while this process did not run (ADR 84)."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from jauspy.protocol.counters import Counters
 MAX_AGE: Final = 0.5
 """Seconds for which a command may wait in a socket or queue, unless it requests an ACK."""
 UNCHECKED_TIME: Final = 0.05
-"""Seconds after a socket was empty in which the age of what it has is not checked: it is no older than that."""
+"""Seconds after a socket was empty in which ages are not checked, since its datagrams are no older than that."""
 MAX_DATAGRAM: Final = 65536
 _SO_TIMESTAMPNS: Final = 35
 """From asm-generic/socket.h."""
@@ -28,9 +28,9 @@ Receive: TypeAlias = Callable[[int], tuple[bytes, Any]]
 class DatagramReader:
     """Reads a non-blocking socket, UDP or Unix; commands older than `max_age` seconds are dropped and counted.
 
-    Linux stamps each datagram when it arrives, from a moment after the first socket asked for stamps. The stamp is read
-    only if the socket was not seen empty for a while, so that reading costs the same as without. On other systems
-    nothing is dropped. `skip` bytes precede the version byte.
+    Linux time-stamps each datagram on arrival, soon after a first socket has requested it. The stamp is read only if
+    the socket was not empty for a while, so that usual reading costs nothing extra. On other systems nothing is
+    dropped. `skip` bytes precede the version byte.
     """
 
     def __init__(self, sock: socket.socket, counters: Counters, max_age: float = MAX_AGE, *, skip: int = 0) -> None:
@@ -69,9 +69,9 @@ class DatagramReader:
 
 
 class StallDetector:
-    """Tells that the event loop was blocked for longer than `max_age` seconds, from when it runs until `close`.
+    """Detects that the event loop was blocked for longer than `max_age` seconds.
 
-    A stream has no stamps: after a stall, all that it has in the kernel may be old.
+    A stream has no time stamps: after a stall, all of its data in the kernel may be old.
     """
 
     def __init__(self, max_age: float) -> None:
@@ -97,7 +97,7 @@ class StallDetector:
 
 
 def _age(control: list[tuple[int, int, bytes]]) -> float:
-    """Seconds since a datagram has arrived; 0 when the kernel does not say."""
+    """Seconds since a datagram arrived; 0 without a time stamp of the kernel."""
     for level, kind, data in control:
         if level == socket.SOL_SOCKET and kind == _SO_TIMESTAMPNS and len(data) == _TIMESTAMP.size:
             seconds: int

@@ -20,8 +20,8 @@ DATAGRAMS_PER_WAKEUP: Final = 64
 class Transport(Protocol):
     """Carries JUDP datagrams of one component, one packet each.
 
-    The owner sets `received` before `open`; it is called in the event loop with each received datagram. Those that
-    waited longer than `max_age` seconds, while nobody read, are dropped unless they are acknowledged.
+    The owner sets `received` before `open`; it is called in the event loop with each received datagram. Datagrams that
+    waited longer than `max_age` seconds to be read are dropped unless they are acknowledged.
     """
 
     id: JausID

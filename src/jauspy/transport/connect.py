@@ -49,7 +49,7 @@ async def udp_address(connect: str) -> tuple[str, int]:
 def _directory(connect: str) -> Path:
     name = connect.removeprefix("local:")
     if not name:
-        raise ConfigError(f"connect={connect!r} names no directory; use {FORMS}")
+        raise ConfigError(f"connect={connect!r} has no directory; use {FORMS}")
     return Path(name)
 
 
@@ -60,7 +60,7 @@ def _address(connect: str) -> tuple[str, int]:
     except ValueError:
         host, port = None, 0
     if not host or parts.path or parts.query or parts.username is not None:
-        raise ConfigError(f"connect={connect!r} is no address; use {FORMS}")
+        raise ConfigError(f"connect={connect!r} is not an address; use {FORMS}")
     return host, port
 
 
@@ -68,6 +68,6 @@ async def _resolve(host: str, port: int) -> tuple[str, int]:
     try:
         found = await asyncio.get_running_loop().getaddrinfo(host, port, family=socket.AF_INET, type=socket.SOCK_DGRAM)
     except OSError as error:
-        raise TransportError(f"the host {host!r} of the node manager is not known: {error.strerror}") from error
+        raise TransportError(f"the host {host!r} of the node manager is unknown: {error.strerror}") from error
     address = found[0][4]
     return str(address[0]), port

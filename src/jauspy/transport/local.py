@@ -34,13 +34,13 @@ CONNECT_INTERVAL: Final = 0.025
 RECONNECT_INTERVAL: Final = 0.25
 """Seconds between Connects when the node manager has not answered for a while."""
 KEEP_ALIVE_INTERVAL: Final = 1.0
-"""Seconds between Connects while connected; node managers answer each, so that a missing answer shows a dead one."""
+"""Seconds between Connects while connected; node managers answer each, so that a dead one is detected."""
 MAX_UNANSWERED: Final = 2
 """Unanswered keep-alives after which the node manager is regarded as dead."""
 REFUSED_AFTER: Final = 5.0
 """Seconds without an Accept of a node manager that is alive, after which the log gives possible reasons."""
 SEND_RETRY_INTERVAL: Final = 0.002
-"""Seconds until a full socket is tried again; a datagram socket does not signal when its peer has room."""
+"""Seconds until sending to a full socket is retried; a datagram socket does not signal when its peer has room."""
 MAX_PATH: Final = 107
 """Longest path of a Unix socket on Linux, in bytes."""
 OTHER_DIRECTORY: Final = "choose another directory for the local sockets"
@@ -139,11 +139,11 @@ class LocalTransport:
         self._sender.send(self._node, datagram)
 
     def locate(self, id: JausID, found: Callable[[Location], None]) -> None:
-        """Call `found`, now or later, with the machine of a component, as far as the node manager says it."""
+        """Call `found`, now or later, with the machine of a component, from the node manager's status."""
         self._locator.locate(id, found, is_here=is_alive(self._path(id)))
 
     async def id_clash(self) -> str | None:
-        """The address of another machine that uses this id, as the node manager has noted it."""
+        """The address of another machine that uses this id, from the node manager's status."""
         try:
             status = await node_status.read(self._root)
         except TransportError:  # a node manager of others, or none
@@ -362,7 +362,7 @@ def _refusal(path: Path, error: int) -> str | None:
 def bind(path: Path, *, owner: str, advice: str = OTHER_DIRECTORY, mode: int | None = None) -> socket.socket:
     """A non-blocking socket bound to `path`; raises `TransportError`.
 
-    `owner` names the program that may already listen there, `advice` says what to do if it is to keep running.
+    `owner` names the program that may already listen there, `advice` is what to do to keep that program running.
     """
     if len(str(path).encode()) > MAX_PATH:
         raise TransportError(

@@ -1,4 +1,4 @@
-"""Multicast: socket options, and memberships of a group on interfaces that come and go."""
+"""Multicast: socket options, and memberships of a group on interfaces that appear and disappear."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def prepare_sender(sock: socket.socket, interface: str, ttl: int) -> None:
 
 
 def set_receive_buffer(sock: socket.socket) -> None:
-    """Enlarge the receive buffer, as far as the kernel allows."""
+    """Enlarge the receive buffer, up to the kernel's limit."""
     sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, RECEIVE_BUFFER)
 
 

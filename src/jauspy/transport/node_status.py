@@ -21,11 +21,11 @@ READ_TIMEOUT: Final = 2.0
 SHORT_READ_TIMEOUT: Final = 0.25
 """Seconds between two parts of a status that is only a hint."""
 READ_INTERVAL: Final = 0.5
-"""Seconds from one read to the next one of a component: whoever sends requests must not keep a node manager busy."""
+"""Seconds between two reads for one component, so that many requests do not keep the node manager busy."""
 MAX_STATUS: Final = 8 << 20
 """Bytes."""
 MAX_LOOKUPS: Final = 64
-"""Components that are looked up at once; of more, the location is unknown."""
+"""Concurrent lookups; the location of further components is unknown."""
 
 
 async def read(root: Path) -> dict[str, Any]:
@@ -71,7 +71,10 @@ def _decoded(text: bytes | bytearray) -> Any:
 
 
 def _parsed(text: bytes | bytearray) -> dict[str, Any]:
-    """The status; `TypeError` or `ValueError` for anything that is none, which whoever may write to the root serves."""
+    """The parsed status.
+
+    Raises `TypeError` or `ValueError` for other content, which any program that may write to the root can serve.
+    """
     if len(text) > MAX_STATUS:
         raise ValueError(f"longer than {MAX_STATUS} bytes")
     status = _decoded(text)
@@ -98,7 +101,7 @@ class Locator:
     def locate(self, id: JausID, found: Callable[[Location], None], *, is_here: bool = False) -> None:
         """Call `found` with the location, in a later turn of the event loop unless there are too many requests.
 
-        `is_here`: it is known to be on this machine, whatever the status says.
+        `is_here`: the component is known to be on this machine, regardless of the status.
         """
         if len(self._requests) >= MAX_LOOKUPS:
             found(this_machine() if is_here else UNKNOWN_LOCATION)
@@ -108,7 +111,7 @@ class Locator:
             self._task = asyncio.get_running_loop().create_task(self._answer(), name="locate")
 
     def close(self) -> None:
-        """End; requests that are under way are not answered."""
+        """Stop; pending requests are not answered."""
         self._requests.clear()
         if self._task is not None:
             self._task.cancel()

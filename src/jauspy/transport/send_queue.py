@@ -55,7 +55,7 @@ class QueueMemory:
             self._queues.discard(queue)
 
     def trim(self, queue: SendQueue) -> None:
-        """Drop what is too much, after this queue has grown."""
+        """Drop the excess, after this queue has grown."""
         while self.bytes > self._limit:
             average = self.bytes / len(self._queues)
             largest = queue if queue.bytes >= average else max(self._queues, key=lambda each: each.bytes)
@@ -71,9 +71,9 @@ class _Flow:
     def __init__(self) -> None:
         self.entries: deque[_Entry] = deque()
         self._counts: dict[bytes, int] | None = None
-        """How many there are for each destination, since the first one that was too much."""
+        """The number for each destination, counted from the first excess datagram."""
         self._most = b""
-        """The destination that has, or lately had, most."""
+        """The destination that has most, or had most recently."""
 
     def append(self, datagram: bytes, since: float) -> None:
         self.entries.append((datagram, since))
@@ -120,7 +120,7 @@ class _Flows:
         self.length = 0
         self._flows: OrderedDict[bytes, _Flow] = OrderedDict()
         self._longest = b""
-        """The sender that has, or lately had, most."""
+        """The sender that has most, or had most recently."""
 
     def append(self, datagram: bytes, now: float) -> None:
         """Append a datagram, with the time."""
@@ -153,7 +153,7 @@ class _Flows:
         return self._removed(source, flow, flow.pop_excess())
 
     def pop_stale(self, oldest: float) -> list[bytes]:
-        """Remove commands from before `oldest` that may not be late."""
+        """Remove datagrams from before `oldest`, except those that may be late."""
         found: list[bytes] = []
         for source, flow in [*self._flows.items()]:
             if flow.entries[0][1] >= oldest:
@@ -218,8 +218,9 @@ class SendQueue:
     def drop_one(self) -> None:
         """Remove a datagram of the lowest priority that has more than its share, or of the lowest.
 
-        It is of the sender that has most of them, and of these the oldest for the destination that has most: who floods
-        the queue loses his own, and so does who asks a component for more answers than it can send.
+        It is one of the sender with most datagrams, the oldest one for that sender's busiest destination. A sender that
+        floods the queue therefore loses its own datagrams, and a client that requests too many answers loses its own
+        answers.
         """
         filled = (each for each in self._priorities if each.length > PRIORITY_SHARE * self._limit)
         flows = next(filled, None) or next(each for each in self._priorities if each.length)

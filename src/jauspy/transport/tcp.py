@@ -89,7 +89,7 @@ class StreamLink(asyncio.BufferedProtocol):
         return False
 
     def close(self) -> None:
-        """Close at once; queued datagrams are lost."""
+        """Close immediately; queued datagrams are lost."""
         if self._transport is not None:
             self._transport.abort()
 
@@ -157,7 +157,7 @@ class StreamLink(asyncio.BufferedProtocol):
 
 
 def _detect_dead_peer(sock: socket.socket) -> None:
-    """Let the kernel close the connection when the peer's host is gone."""
+    """Let the kernel close the connection when the peer's host does not answer."""
     sock.setsockopt(socket.SOL_SOCKET, socket.SO_KEEPALIVE, 1)
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPIDLE, KEEP_ALIVE_IDLE)
     sock.setsockopt(socket.IPPROTO_TCP, socket.TCP_KEEPINTVL, KEEP_ALIVE_INTERVAL)
@@ -297,8 +297,7 @@ class TcpTransport:
                 raise
             host, port = self._peer
             raise TransportError(
-                f"no JTCP connection to {host}:{port}: {dialer.problem}; "
-                "start a node manager there, with TCP switched on"
+                f"no JTCP connection to {host}:{port}: {dialer.problem}; start a node manager there, with `tcp = true`"
             ) from None
 
     async def close(self) -> None:
