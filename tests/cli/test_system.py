@@ -280,7 +280,9 @@ def test_up_without_a_node_manager_says_what_to_do(local_root):
 
 
 def test_unknown_robot_error_lists_the_known_ones(local_root):
-    assert "the robots are: cell, igvc, inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
+    assert (
+        "the robots are: cell, igvc, inc1" in jauspy("up", "nobody", "--local-root", str(local_root), status=1).stderr
+    )
 
 
 @pytest.mark.slow

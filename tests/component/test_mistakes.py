@@ -36,7 +36,7 @@ OF_A_WRONG_TYPE = {
     "name": (lambda: jauspy.Component("1.1.1", [], name=5), r"^a component's name is text, not the int 5$"),
     "definitions": (
         lambda: type("Lamp", (jauspy.Service,), {}, urn="urn:example:Lamp", definitions="lamp.xml"),
-        r"^definitions are what `jauspy.load` gives, not the str 'lamp.xml'$",
+        r"^definitions must be a result of `jauspy.load`, not the str 'lamp.xml'$",
     ),
     "run": (lambda: jauspy.run(Liveness()), r"^run\(\) takes components, as in jauspy\.Component\("),
     "seconds": (lambda: AccessControl(timeout=2.5), r"^access control: timeout is a whole number, not the float 2\.5$"),

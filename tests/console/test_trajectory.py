@@ -125,5 +125,5 @@ def test_names_that_could_be_other_files_are_refused(name: str, tmp_path: Path) 
 def test_a_damaged_file_of_poses_is_reported(tmp_path: Path) -> None:
     (tmp_path / "101-inc1").mkdir()
     (tmp_path / "101-inc1" / "poses.json").write_text('{"poses": {"101.1.104": {"stow": {"elbow": "x"}}}}')
-    with pytest.raises(ConfigError, match=r"poses\.json: poses.101.1.104.stow.elbow: .*mend or delete"):
+    with pytest.raises(ConfigError, match=r"poses\.json: poses.101.1.104.stow.elbow: .*correct or delete"):
         SavedFiles(101, "inc1", tmp_path).poses("101.1.104")

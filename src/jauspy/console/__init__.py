@@ -1,1 +1,1 @@
-"""The operator's console: a web page that finds robots, drives them and shows what they see. An OCU like any other."""
+"""The operator's console: a web page that finds robots, drives them and shows their sensor data; an ordinary OCU."""

@@ -17,10 +17,10 @@ from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.25
-"""Seconds between two looks at the joints."""
+"""Seconds between two updates of the joints."""
 VIEWS: Final = ("joints", "tool", "poses")
 AXES: Final = (("x", "I", "K"), ("y", "J", "L"), ("z", "U", "O"))
-"""Each with the keys that move along it, and, with Shift, turn about it."""
+"""Axes with the keys that move along them, and, with Shift, turn about them."""
 TURNS: Final = ("roll", "pitch", "yaw")
 NEAR: Final = 0.005
 """Radians or metres by which a measured position may differ before the wanted one follows it."""
@@ -69,7 +69,7 @@ class ArmPanel:
         self._take(manipulators(robot) if robot is not None else {})
 
     def close(self) -> None:
-        """The page has gone."""
+        """Handle the end of the page."""
         self._motion.stop()
         self._gripper.close()
         self._robot = None
@@ -99,7 +99,7 @@ class ArmPanel:
         self._show_poses()
 
     def _look_for_changes(self) -> None:
-        """Arms of a robot may come and go."""
+        """Rebuild the panel when arms have appeared or disappeared."""
         found = self._console.fleet.robots.get(self._robot.id) if self._robot is not None else None
         if found is not None and found is not self._robot:
             arms = manipulators(found)
@@ -149,7 +149,7 @@ class ArmPanel:
             row.touched = False
 
     def _follow_reached(self, wanted: dict[str, float]) -> None:
-        """The motion is over; what was entered meanwhile stays."""
+        """Set the wanted positions to the measured ones after a motion, unless the user has changed them."""
         for name, value in wanted.items():
             if name in self._rows and self._rows[name].wanted == value:
                 self._rows[name].touched = False
@@ -299,7 +299,7 @@ class _JointRow:
         return float(self._number.value if self._number.value is not None else self._slider.value)
 
     def measured(self, position: float) -> None:
-        """Show where the joint is; the wanted position follows unless the user has set it."""
+        """Show the measured position; the wanted one follows unless the user has set it."""
         if abs(position - self._at) <= 5e-4:
             if self.touched or abs(self.wanted - position) <= NEAR:
                 return
@@ -337,7 +337,7 @@ class _JointRow:
 
 
 def _slider(name: str, span: tuple[float, float, float], value: float, unit: str) -> ui.slider:
-    """A slider with its value in words; `span` is the least and greatest value and the step."""
+    """A slider with its value as text; `span` is the least value, the greatest value and the step."""
     low, high, step = span
     with ui.element("div").classes("setting"):
         label = ui.label().classes("hint")

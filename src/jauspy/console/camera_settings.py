@@ -1,4 +1,4 @@
-"""Settings of a camera and of the robot's lights, as the robot's capabilities have them: read, described, set."""
+"""Reads, describes and sets the settings of a camera and of the robot's lights, by the reported capabilities."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ LENS: Final = "VisualSensor"
 LIGHTS: Final = "IlluminationService"
 LIGHT_CHECKS: Final = 5
 LIGHT_CHECK_INTERVAL: Final = 0.1
-"""Seconds between two looks whether a light has been switched: JAUS has no answer to a command that is ignored."""
+"""Seconds between two queries whether a light was switched: JAUS has no answer to a command that is ignored."""
 VARIABLE_LEVELS: Final = 15
 """Highest level of a light that has levels."""
 
@@ -87,7 +87,7 @@ async def _tried(reading: Awaitable[list[Setting]]) -> tuple[list[Setting], str]
 
 
 async def sensor_name(component: ComponentClient, sensor: int = 1) -> str:
-    """What the robot calls the sensor; that of the component when it does not report it."""
+    """The reported name of the sensor; the component's name if there is none."""
     if component.info.find(LENS):
         record = QueryVisualSensorCapabilities.QueryVisualSensorCapabilitiesRec(sensor, 0)
         report = await component.service(LENS).query(QueryVisualSensorCapabilities([record]))
@@ -100,7 +100,10 @@ async def sensor_name(component: ComponentClient, sensor: int = 1) -> str:
 async def write_setting(
     component: ComponentClient, setting: Setting, value: float, sensor: int = 1, authority: int = DEFAULT_AUTHORITY
 ) -> None:
-    """Set it; control of the component is taken for that, unless it is held. Raises `JausError`, which says why not."""
+    """Write a setting; control of the component is taken for this, unless it is held.
+
+    Raises `JausError` with the reason.
+    """
     service = component.service(setting.service)
     control: AbstractAsyncContextManager[Any] = nullcontext()
     if not component.is_controlled:

@@ -1,4 +1,4 @@
-"""A certificate for the console that it signs itself, for those who have no authority that gives them one."""
+"""Makes a self-signed certificate for the console, for users without a certificate authority."""
 
 from __future__ import annotations
 

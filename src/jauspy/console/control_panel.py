@@ -54,7 +54,7 @@ class ControlPanel:
         self._update()
 
     def close(self) -> None:
-        """The page has gone."""
+        """Handle the end of the page."""
         self._robot = None
 
     @property

@@ -53,7 +53,7 @@ class DriveModes:
         self._update()
 
     def limit_text(self, limit: float) -> str:
-        """What the limit of the speed means in the present mode."""
+        """The speed limit as text, with the unit of the present mode."""
         operation = self._console.operation(self._robot.id) if self._robot is not None else None
         if operation is not None and operation.mode == EFFORT:
             return f"limit {min(1.0, limit):.0%} of the effort"
@@ -87,9 +87,9 @@ class DriveModes:
 POSE_INTERVAL: Final = 0.2
 """Seconds between two queries of the pose."""
 DRIVERS: Final = ("PrimitiveDriver", "VelocityStateDriver")
-"""Services by which a robot is driven by hand."""
+"""Services with which a robot is driven manually."""
 MAX_SPEED: Final = 1.5
-"""m/s that can be chosen as limit; the robot has limits of its own."""
+"""m/s; greatest speed limit that can be chosen. The robot also has its own limits."""
 
 
 class DrivePanel:
@@ -131,7 +131,7 @@ class DrivePanel:
         self._modes.show(robot)
 
     def close(self) -> None:
-        """The page has gone."""
+        """Handle the end of the page."""
         self._robot = None
 
     def _show_limit(self) -> None:

@@ -1,4 +1,4 @@
-"""What the console knows of robots: subsystems as they appear, and who controls which component in which state."""
+"""Follows the robots on the network: subsystems, and the state and controller of each component."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from jauspy.printable import printable
 _LOG: Final = get_logger("jauspy.console")
 
 DISCOVERY_INTERVAL: Final = 2.0
-"""Seconds between two looks for subsystems."""
+"""Seconds between two discoveries."""
 STATUS_INTERVAL: Final = 0.5
 """Seconds between two queries of each component's state."""
 LOST_AFTER: Final = 3.0
@@ -31,7 +31,7 @@ MAX_COMPONENTS: Final = 256
 
 @dataclass(frozen=True, slots=True)
 class ComponentState:
-    """What a component answered last; `heard` in seconds of the event loop's clock."""
+    """The last answer of a component; `heard` is its time in seconds of the event loop's clock."""
 
     status: str = ""
     controller: str = ""
@@ -58,14 +58,14 @@ class Fleet:
         self._tasks: list[asyncio.Task[None]] = []
 
     def start(self) -> None:
-        """Start to look for robots."""
+        """Start discovery."""
         self._tasks = [
             asyncio.create_task(self._discover(), name="console: discovery"),
             asyncio.create_task(self._query_states(), name="console: states"),
         ]
 
     async def close(self) -> None:
-        """Stop looking. May be called twice."""
+        """Stop discovery. May be called twice."""
         for task in self._tasks:
             task.cancel()
         if self._tasks:

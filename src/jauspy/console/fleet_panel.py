@@ -20,9 +20,9 @@ from jauspy.ocu.subsystems import ComponentInfo
 from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.4
-"""Seconds between two looks at the fleet."""
+"""Seconds between two updates of the panel."""
 OLD: Final = 1.5
-"""Seconds without an answer from which on a component shows how many they are."""
+"""Seconds without an answer after which the panel shows their number."""
 MAX_REFUSALS: Final = 3
 COLOURS: Final = {"READY": "ready", "STANDBY": "standby", "EMERGENCY": "emergency", "FAILURE": "failure"}
 """Classes of console.css; each state has a sign beside its colour, too."""
@@ -141,7 +141,7 @@ class _Row:
         return "this console" if controller == str(self._console.ocu.id) else controller
 
     def _refusals(self) -> list[str]:
-        """What the component refused, the newest first, and why."""
+        """Commands that the component refused, with reasons, the newest first."""
         id = str(self._component.id)
         lines = [each for each in self._console.traffic.lines(id, "refused") if each.source == id]
         return [self._refusal(each) for each in lines[:MAX_REFUSALS]]

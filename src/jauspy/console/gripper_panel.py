@@ -19,9 +19,9 @@ from jauspy.ocu.service import ServiceClient
 from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.4
-"""Seconds between two looks at the fingers."""
+"""Seconds between two queries of the fingers."""
 DEFAULT_SHARE: Final = 0.5
-"""Of the greatest force."""
+"""The initial force, as a share of the greatest one."""
 ALL_FIELDS: Final = 0xFFFF_FFFF
 
 
@@ -74,7 +74,7 @@ class GripperPanel:
         self._close.set_text("close" if self._connector is None else "attach")
 
     def close(self) -> None:
-        """The page has gone."""
+        """Handle the end of the page."""
         self._motion.stop()
         self._robot = None
 
@@ -142,12 +142,12 @@ class GripperPanel:
 
 
 async def switch(connector: ServiceClient, *, on: bool) -> None:
-    """Run the pump of a vacuum connector, or let air in."""
+    """Switch a vacuum connector on (pump) or off (vent)."""
     await connector.send(SetConnector(1, SetConnector.Enabled(on)), ack=True)
 
 
 async def connector_state(connector: ServiceClient) -> str:
-    """What a vacuum connector holds, in words."""
+    """A text with the state of a vacuum connector and its load."""
     report = await connector.query(QueryConnectorState(ALL_FIELDS, 1))
     if not isinstance(report, ReportConnectorState):
         raise ConfigError(f"{connector.id} does not report its state")

@@ -39,7 +39,7 @@ class LogPanel:
         self._shown: tuple[object, ...] = ()
         self._paused = False
         self.visible = False
-        """Set by the page; a list that nobody sees is not sent."""
+        """Set by the page; the list is sent only while it is shown."""
         with ui.element("div").classes("choice"):
             self._words = ui.input("filter", placeholder="words; -word leaves out").props("dense outlined clearable")
             self._words.classes("wide")

@@ -24,11 +24,11 @@ COOKIE: Final = "__Host-jauspy"
 MAX_FORM: Final = 4096
 """Bytes of a login."""
 MAX_LOGINS: Final = 8
-"""Logins whose passwords wait to be verified; each needs 64 MiB while it is, so it is one at a time."""
+"""Logins that wait for verification. They are verified one at a time, since each needs 64 MiB."""
 MAX_SOCKETS: Final = 64
 """Sockets of one session."""
 _OPEN_PATHS: Final = ("/static/theme.css",)
-"""What the login shows."""
+"""Paths that need no session: files of the login page."""
 _FOREIGN: Final = "this page of another site may not use the console"
 HEADERS: Final = [
     (b"x-frame-options", b"DENY"),
@@ -55,7 +55,7 @@ class LoginMiddleware:
         self._local = local_session()
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """ASGI."""
+        """Handle one connection, as ASGI defines."""
         if scope["type"] not in ("http", "websocket"):
             await self._app(scope, receive, send)
             return
@@ -80,7 +80,7 @@ class LoginMiddleware:
             await self._app(scope, receive, _with_headers(send))
 
     def _foreign(self, scope: Scope, headers: dict[str, str]) -> str:
-        """Why a request is not of a page of this console; empty if it is."""
+        """Why a request does not come from a page of this console; empty if it does."""
         host = headers.get("host", "")
         if self._users is None and urlsplit(f"//{host}").hostname not in LOCAL_HOSTS:
             return f"the console serves this machine only, by the name localhost, not {host[:100]!r}"
@@ -104,7 +104,7 @@ class LoginMiddleware:
         return None if cookie is None else self._sessions.find(cookie.value, _now())
 
     async def _unknown(self, scope: Scope, receive: Receive, send: Send) -> None:
-        """Who has no session gets the login."""
+        """Send the login page to a browser without a session."""
         if scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 4401})
         elif scope["path"] in _OPEN_PATHS:

@@ -1,4 +1,4 @@
-"""The arms of a robot as the console moves them: those of AS6057, and the modular arm of a factory cell."""
+"""One interface for arms with the services of AS6057 and for the modular arm of a factory cell."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ from jauspy.services.cell import motion_command
 MODULAR_ARM: Final = "cell:ModularArm"
 CONNECTOR: Final = "cell:VacuumConnector"
 GRACE_TIME: Final = 10.0
-"""Seconds that a motion of a modular arm may take beside its duration."""
+"""Seconds that a motion of a modular arm may take in addition to its duration."""
 EASING: Final = 2.0
 """Greatest speed of a modular arm's motion as a multiple of the mean one, rounded up."""
 
 Row: TypeAlias = tuple[float, Mapping[str, float]]
-"""Seconds of a way, and the positions at its end by joint."""
+"""The duration of a motion in seconds, and the positions at its end by joint."""
 
 
 def joint_label(name: str) -> str:
@@ -51,7 +51,7 @@ class JointInfo:
 
     @property
     def unit(self) -> str:
-        """Of its positions."""
+        """The unit of its positions."""
         return "rad" if self.is_revolute else "m"
 
     def shown_range(self, position: float) -> tuple[float, float]:
@@ -86,15 +86,15 @@ class Manipulator(ABC):
 
     @abstractmethod
     async def joints(self) -> tuple[JointInfo, ...]:
-        """Base to tip; joints of a modular arm come and go."""
+        """The joints, base to tip; those of a modular arm change with its modules."""
 
     @abstractmethod
     async def positions(self) -> dict[str, float]:
-        """Measured, by joint."""
+        """The measured positions by joint."""
 
     @abstractmethod
     async def tool(self) -> str:
-        """Where the tool is, in words; empty if the arm does not report it."""
+        """The pose of the tool as text; empty if the arm does not report it."""
 
     @abstractmethod
     async def move(self, positions: Mapping[str, float], share: float) -> None:
@@ -118,7 +118,7 @@ class StandardArm(Manipulator):
 
     @property
     def has_tool(self) -> bool:
-        """True if it takes velocities or poses of its tool and tells where that is."""
+        """True if it takes velocities or poses of its tool and reports the tool's pose."""
         find = self.info.find
         moves = find(VELOCITY_DRIVER) or find(POSE_DRIVER)
         return bool(moves and find(POSE_SENSOR) and find(SPECIFICATION))
@@ -129,7 +129,7 @@ class StandardArm(Manipulator):
         return self.info.find(PROFILE) is not None
 
     async def joints(self) -> tuple[JointInfo, ...]:
-        """As the robot describes them."""
+        """The joints of the robot's description."""
         table, limits = await self.arm.description(), await self.arm.motion_limits()
         return tuple(
             JointInfo(joint.name, joint.is_revolute, joint.lower, joint.upper, limits[joint.name])
@@ -137,7 +137,7 @@ class StandardArm(Manipulator):
         )
 
     async def positions(self) -> dict[str, float]:
-        """Measured, by joint."""
+        """The measured positions by joint."""
         return dict((await self.arm.joints()).positions)
 
     async def tool(self) -> str:
@@ -157,7 +157,7 @@ class StandardArm(Manipulator):
         await self.arm.move(positions, speed=speeds or None)
 
     async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
-        """As a list, if the component takes one."""
+        """Move through rows, as a list if the component supports lists."""
         await self.arm.follow(rows, progress=progress)
 
     async def stop(self) -> None:
@@ -174,7 +174,7 @@ class ModularArm(Manipulator):
         self._speeds: dict[str, float] = {}
 
     async def joints(self) -> tuple[JointInfo, ...]:
-        """Those that are attached now; they turn without end."""
+        """The joints that are attached now; they are continuous."""
         names = [each.name for each in (await self._state()).joint_list]
         if not self._speeds.keys() >= set(names):
             report = await self._service.query(QueryModularArmSpecification())
@@ -186,7 +186,7 @@ class ModularArm(Manipulator):
         )
 
     async def positions(self) -> dict[str, float]:
-        """Measured, by joint."""
+        """The measured positions by joint."""
         return {each.name: each.position for each in (await self._state()).joint_list}
 
     async def tool(self) -> str:
@@ -202,7 +202,7 @@ class ModularArm(Manipulator):
         await self._move(positions, EASING * max(ways) / share if share < 1.0 else 0.0)
 
     async def follow(self, rows: Sequence[Row], progress: Callable[[int], None]) -> None:
-        """One motion after another."""
+        """Move through rows, one motion after another."""
         known = {each.name for each in await self.joints()}
         for number, (_, positions) in enumerate(rows, 1):
             if missing := positions.keys() - known:

@@ -1,6 +1,6 @@
-"""What a page has moving: motions that end by themselves, and the tool of an arm while a button or key is held.
+"""The motions that a page has started: motions to a target, and jogging of an arm's tool while a button or key is held.
 
-Both end when that page does not operate the robot any more.
+Both stop when the page no longer operates the robot.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from jauspy.console.server import Console
 
 MAX_SPEED: Final = 0.25
-"""m/s that a browser may ask for: that of robots near people (ISO 10218-1)."""
+"""m/s; greatest speed from a browser: the limit for robots near people (ISO 10218-1)."""
 MAX_TURN: Final = 1.0
 """rad/s."""
 FRAMES: Final = ("robot", "tool")
@@ -32,7 +32,7 @@ STILL: Final[Velocity] = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), "robot")
 
 
 def velocity(text: str) -> Velocity:
-    """What a browser sends, `[x, y, z, roll, pitch, yaw, frame]`, limited; still for anything else."""
+    """Parse a browser's `[x, y, z, roll, pitch, yaw, frame]`, limited; zero for anything else."""
     try:
         *values, frame = json.loads(text)
         x, y, z, roll, pitch, yaw = map(float, values)
@@ -44,16 +44,16 @@ def velocity(text: str) -> Velocity:
 
 
 class Jogging:
-    """Moves the tool of one arm as the operator's browser says, for as long as it goes on saying so."""
+    """Moves the tool of one arm at velocities from the operator's browser, while the browser repeats them."""
 
     def __init__(self, operation: Operation, id: JausID, on_event: Callable[[str], None]) -> None:
         self.operation = operation
         self.problem = ""
-        """Why the last command had no effect, in words."""
+        """Why the last command had no effect."""
         self._id = id
         self._on_event = on_event
         self._mover = ""
-        """The token whose commands move the tool now; empty while it stands."""
+        """The token of the page that moves the tool; empty while the tool stands."""
         self._watchdog: asyncio.TimerHandle | None = None
         self._wanted: Velocity | None = None
         self._sending: asyncio.Task[None] | None = None
@@ -73,7 +73,7 @@ class Jogging:
         return self.problem
 
     def leave(self, token: str) -> None:
-        """The browser's socket is closed: stop what it moves."""
+        """Stop the motion of a browser whose socket has closed."""
         if token == self._mover:
             self._cancel_watchdog()
             self._stop()
@@ -93,7 +93,7 @@ class Jogging:
             self._sending = asyncio.create_task(self._send(), name=f"console: jog {self._id}")
 
     async def _send(self) -> None:
-        """Send the newest command; those that came meanwhile are left out."""
+        """Send the newest command; older ones that were not sent are dropped."""
         while (wanted := self._wanted) is not None:
             self._wanted = None
             linear, angular, frame = wanted
@@ -117,7 +117,7 @@ def _limited(vector: Vector, most: float) -> Vector:
 
 
 CHECK_INTERVAL: Final = 0.1
-"""Seconds between two looks at who operates the robot."""
+"""Seconds between two checks that the page still operates the robot."""
 
 
 class Motion:
@@ -125,14 +125,14 @@ class Motion:
 
     def __init__(self, console: Console, token: str) -> None:
         self.problem = ""
-        """Why the last motion was refused or has failed, in words."""
+        """Why the last motion was refused or has failed."""
         self._console = console
         self._token = token
         self._task: asyncio.Task[None] | None = None
 
     @property
     def is_running(self) -> bool:
-        """True while one is carried out."""
+        """True while a motion is carried out."""
         return self._task is not None and not self._task.done()
 
     def refusal(self, subsystem: int) -> str:

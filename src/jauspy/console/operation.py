@@ -1,4 +1,8 @@
-"""Operating one robot: who of the browsers operates it, control over JAUS, and driving with a dead-man's switch."""
+"""The operation of one robot: the browser that may operate it, control over JAUS, driving with a dead-man's switch.
+
+When that browser falls silent, the robot stops; when its page closes, the robot goes to Standby and is released. No
+emergency is set. `watchdog` does the latter when the console itself is killed.
+"""
 
 from __future__ import annotations
 
@@ -44,14 +48,14 @@ class Operation:
         self.operator = ""
         """Token of the browser that operates; empty while the robot is not controlled."""
         self.user = LOCAL
-        """Whose browser operates, or did last."""
+        """The user of the browser that operates, or operated last."""
         self.authority = 0
-        """With which the robot is controlled."""
+        """The authority with which the robot is controlled."""
         self.speed_limit = 0.5
         """m/s at full deflection; in the mode EFFORT the share of the full effort, at most 1."""
         self.mode = next(iter(modes_of(robot)), VELOCITY_MODE)
         self.problem = ""
-        """Why the last command had no effect, in words."""
+        """Why the last command had no effect."""
         self.commanded = (0.0, 0.0)
         """m/s and rad/s of the present drive command, or shares of the full effort."""
         self._sent_mode = self.mode
@@ -78,7 +82,7 @@ class Operation:
 
     @property
     def request(self) -> ControlRequest | None:
-        """Who asks for control, while the operator may still answer."""
+        """The pending request for control, while the operator may still answer."""
         if self._request is not None and asyncio.get_running_loop().time() - self._request.time > REQUEST_TIME:
             self._request = None
         return self._request if self.operator else None
@@ -110,7 +114,10 @@ class Operation:
             self._on_event(f"{user.name} asks {self.user.name} for control of robot {self.robot.id}")
 
     async def answer(self, token: str, *, grant: bool) -> str:
-        """The operator's answer to who asks for control; returns why it could not be handed over, or nothing."""
+        """Handle the operator's answer to a request for control.
+
+        Returns why control could not be handed over, or an empty string.
+        """
         async with self._busy:
             request, self._request = self.request, None
             if request is None or token != self.operator:
@@ -151,9 +158,9 @@ class Operation:
                 self._watchdog.hold(self.robot.id, ())
 
     def follow(self, robot: Robot) -> None:
-        """The robot as it was discovered now: what has appeared is controlled too, and what has gone is not any more.
+        """Apply a new discovery of the robot: take control of new components, and drop those that have vanished.
 
-        A component has gone when two discoveries have not found it: one alone may have lost a packet.
+        A component counts as vanished when two discoveries have not found it: one alone may have lost a packet.
         """
         if robot is self._seen:
             return
@@ -224,7 +231,7 @@ class Operation:
         return ""
 
     def set_mode(self, token: str, mode: str) -> str:
-        """Drive by velocities or efforts from now on; the robot stops first. Returns why not, or an empty string."""
+        """Switch between velocities and efforts; the robot stops first. Returns why not, or an empty string."""
         if token != self.operator or self._control is None:
             return "take control first"
         if mode not in modes_of(self.robot):
@@ -251,7 +258,7 @@ class Operation:
             self._sending = asyncio.create_task(self._send(), name=f"console: drive {self.robot.id}")
 
     async def _send(self) -> None:
-        """Send the newest command; those that came meanwhile are left out."""
+        """Send the newest command; older ones that were not sent are dropped."""
         while (wanted := self._wanted) is not None:
             self._wanted = None
             try:
@@ -294,7 +301,7 @@ class Operation:
 
 
 def modes_of(robot: Robot) -> list[str]:
-    """The modes in which a robot can be driven by hand, as it offers; the usual one first."""
+    """The modes in which this robot can be driven manually; the usual one first."""
 
     def offers(*names: str) -> bool:
         return all(any(each.find(name) for each in robot.components) for name in names)

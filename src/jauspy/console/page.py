@@ -27,24 +27,24 @@ from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 
 REFRESH_INTERVAL: Final = 0.4
-"""Seconds between two looks at the fleet."""
+"""Seconds between two updates of the page."""
 TABS: Final = ("Video", "World", "Trajectory", "Plots", "Log")
 OFFERED: Final = {
     "Video": (VIDEO,),
     "World": ("LocalPoseSensor", "RangeSensor", POSITION_SENSOR, PAN_TILT_SENSOR, MODULAR_ARM),
     "Trajectory": (POSITION_DRIVER, MODULAR_ARM),
 }
-"""Views that only a robot with one of these services has something for."""
+"""Views that are useful only for a robot with one of these services."""
 SCRIPTS: Final = ("console", "video", "plots", "world", "map", "arm")
 STYLES: Final = ("theme", "console", "video", "world", "arm")
 SCHEMES: Final = {"system": None, "light": False, "dark": True}
-"""Of colours, as the switch goes through them."""
+"""Colour schemes, in the order of the switch."""
 BUTTONS: Final = (
     '<button id="scheme" class="quiet" onclick="jauspy.nextScheme()">\u25d0 system</button>',
     '<button class="quiet" onclick="jauspy.clear(\'all\')">clear emergency</button>',
     '<button id="stop" onclick="jauspy.stop(\'all\')">STOP ALL <kbd>Esc</kbd></button>',
 )
-"""They need console.js only, and work when the rest of the page hangs."""
+"""Buttons that need console.js only, so that they work when the rest of the page hangs."""
 NO_ROBOTS: Final = """
 <h2>Looking for robots \u2026</h2>
 <p>No robot has answered yet. The console asks all the time, and shows each one as it appears.</p>
@@ -83,7 +83,7 @@ class _Page:
         self._console = console
         self._robot: Robot | None = None
         self._wanted_tab = ""
-        """That was clicked last; until then a robot is shown on the first tab that it has something for."""
+        """The tab that was clicked last; until then, the first tab that is useful for the robot is shown."""
         self._logged = 0
         ui.colors(primary="#1a63d6")
         ui.add_head_html("".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in STYLES))
@@ -114,7 +114,7 @@ class _Page:
         ui.timer(REFRESH_INTERVAL, self._refresh)
 
     def close(self) -> None:
-        """The page has gone."""
+        """Handle the end of the page."""
         for each in (self._control, self._drive, self._arm, self._videos, self._world, self._trajectory, self._plots):
             each.close()
 
@@ -193,7 +193,7 @@ class _Page:
             self._log.push(f"{event.time:%H:%M:%S}  {event.text}")
 
     def _follow_changes(self, robot: Robot) -> None:
-        """Cameras and what drives may come and go; the panel Arm follows its arms by itself."""
+        """Update panels when cameras or drivers have appeared or disappeared; the panel Arm follows its arms itself."""
         before, self._robot = self._robot, robot
         assert before is not None
         for panel, names in ((self._videos, (VIDEO,)), (self._drive, DRIVERS)):

@@ -1,4 +1,4 @@
-"""The tab Plots: any numeric field of any report over time; what is recorded, how long it is kept, and as CSV."""
+"""The tab Plots: records any numeric field of any report over time, draws it, and exports CSV."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ MAX_SAMPLES: Final = 6000
 MAX_RATE: Final = 50.0
 """Hz."""
 RETRY_INTERVAL: Final = 1.0
-"""Seconds until a component is asked again that did not answer."""
+"""Seconds until a component that did not answer is queried again."""
 
 
 @dataclass(slots=True)
@@ -47,9 +47,9 @@ class Trace:
     samples: deque[tuple[float, float]] = field(default_factory=lambda: deque(maxlen=MAX_SAMPLES))
     """Seconds since 1970 (when it was received here) and value."""
     total: int = 0
-    """Values so far, those that were dropped too."""
+    """The number of values so far, including dropped ones."""
     problem: str = ""
-    """Why no values come, in words."""
+    """Why no values arrive."""
 
     @property
     def name(self) -> str:
@@ -84,7 +84,7 @@ class Recorder:
         source = (component.id, query.NAME)
         same = next((each for each in self._of(source) if each.path == path), None)
         if same is None and len(self.traces) >= MAX_TRACES:
-            raise ConfigError(f"{MAX_TRACES} traces are shown, and not more; remove one first")
+            raise ConfigError(f"at most {MAX_TRACES} traces are shown; remove one first")
         trace = same or Trace(self._next, component.id, query, path, unit)
         self._next += same is None
         self.traces[trace.number] = trace
@@ -102,7 +102,7 @@ class Recorder:
             self._end(source)
 
     def clear(self) -> None:
-        """Forget all values, and go on recording."""
+        """Delete all values, and continue recording."""
         for trace in self.traces.values():
             trace.samples.clear()
 
@@ -155,10 +155,10 @@ class Recorder:
 
 
 UPDATE_INTERVAL: Final = 0.25
-"""Seconds between two pictures of the chart."""
+"""Seconds between two updates of the chart."""
 DEFAULT_RATE: Final = 10.0
 SPANS: Final = {30: "30 s", 120: "2 min", 0: "all"}
-"""Seconds that the chart shows; 0 is everything that is kept."""
+"""Seconds that the chart shows; 0 is all recorded values."""
 
 
 class PlotsPanel:
@@ -202,7 +202,7 @@ class PlotsPanel:
         )
 
     def close(self) -> None:
-        """The page has gone."""
+        """Handle the end of the page."""
         self.recorder.close()
 
     # --- choosing ---------------------------------------------------------------------------------------------------
@@ -287,7 +287,7 @@ class PlotsPanel:
     # --- buttons ----------------------------------------------------------------------------------------------------
 
     def _toggle(self) -> None:
-        """Hold the chart still; values are recorded on."""
+        """Freeze the chart; recording continues."""
         self._paused = not self._paused
         self._pause.set_text("resume" if self._paused else "pause")
 

@@ -55,7 +55,7 @@ def numbers_of(message: Message) -> dict[str, float]:
 
 
 def queries_of(component: ComponentInfo, registry: Registry) -> dict[str, Message]:
-    """The queries that a component answers by its services, by name: those that ask for everything by default."""
+    """The queries that a component answers by its services, by name; by default each requests all fields."""
     found: dict[str, Message] = {}
     for service in sorted(component.services, key=lambda each: each.version, reverse=True):
         for each in _queries(registry, service.urn, service.version):

@@ -1,6 +1,6 @@
-"""What a robot looks like, for the browser: links, joints and shapes of its description, or what its services report.
+"""Geometry of a robot for the browser: links, joints and shapes of its description, or of its services' reports.
 
-In a factory cell, also what stands around it, and the parts that its sensor sees.
+In a factory cell also the equipment, and the parts that its sensor observes.
 
 Poses are `[x, y, z, qx, qy, qz, qw]`; metres, radians, axes of REP-103.
 """
@@ -22,7 +22,7 @@ from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, Shape, 
 from jauspy.printable import printable
 
 MESH_FORMATS: Final = (".obj", ".stl", ".glb", ".gltf")
-"""Ends of the names of mesh files that browsers here read."""
+"""Suffixes of mesh files that the page can read."""
 PLAIN: Final = (0.6, 0.62, 0.65, 1.0)
 """Red, green, blue and opacity of a shape without a material."""
 BASE: Final = "base"
@@ -55,7 +55,7 @@ class RobotGeometry:
     """One robot; `joints` are parents first."""
 
     source: str
-    """Where it is from, in words."""
+    """The origin of the geometry, as text."""
     root: str
     joints: list[dict[str, Any]] = field(default_factory=list)
     shapes: list[dict[str, Any]] = field(default_factory=list)
@@ -190,7 +190,7 @@ def _add_arm(found: RobotGeometry, id: JausID, report: ReportManipulatorSpecific
 
 
 def add_surroundings(found: RobotGeometry, cell: CellSetup) -> None:
-    """Add what stands in a cell, and no sensor sees, in the frame of its world, which is that of the root."""
+    """Add the equipment of a cell that no sensor observes, in the frame of its world, which is that of the root."""
     seen = {each["name"] for each in found.joints}
     for bin in cell.bins:
         _add_solids(found, found.root, bin.solids(), BIN, Transform.from_pose(bin.pose))
@@ -219,7 +219,7 @@ def output_joint(name: str) -> str:
 
 
 def add_part(found: RobotGeometry, name: str, type_name: str, kind: PartType | None) -> None:
-    """Add a part that a sensor sees; one whose type is not known is a box or a cylinder with its name."""
+    """Add a part that a sensor observes; one of unknown type is drawn as a box or a cylinder with its name."""
     shown = printable(name)
     link = shown if shown not in found.links else part_joint(shown)
     found.joints.append(

@@ -21,11 +21,11 @@ from jauspy.ocu.state import RobotPose
 
 LIST_DRIVER: Final = "mobility:LocalWaypointListDriver"
 LOOK_INTERVAL: Final = 0.5
-"""Seconds between two looks at the active element and the numbers of the elements."""
+"""Seconds between two queries of the active element and the elements' numbers."""
 READ_INTERVAL: Final = 5.0
 """Seconds after which all elements are read again: another client may have changed one in place."""
 MAX_WAYPOINTS: Final = 100
-"""Of a list that is shown and edited."""
+"""Waypoints of a list that can be shown and edited."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,12 +35,12 @@ class Waypoint:
     x: float
     y: float
     element: Element | None = None
-    """As the robot has it; None for one that was not sent."""
+    """The robot's element; None for a waypoint that was not sent."""
     is_point: bool = True
     """False for an element of another kind, which is kept as it is."""
 
     def moved(self, x: float, y: float) -> Waypoint:
-        """The same waypoint elsewhere; tolerance and heading are kept."""
+        """A copy at another point, with the same tolerance and heading."""
         return replace(self, x=x, y=y) if self.is_point else self
 
     def message(self) -> Element:
@@ -61,26 +61,26 @@ def waypoint_of(element: Element) -> Waypoint:
 
 
 class Route:
-    """The list of one robot; `robot` returns it as it was discovered last, `pose` where it is.
+    """The list of one robot; `robot` returns its last discovery, `pose` its pose.
 
-    `look` reads, the other verbs command.
+    `look` reads, the other methods command.
     """
 
     def __init__(
         self, ocu: OCU, robot: Callable[[], Robot | None], pose: Callable[[], RobotPose | None] = lambda: None
     ) -> None:
         self.waypoints: tuple[Waypoint, ...] = ()
-        """What the robot holds."""
+        """The waypoints that the robot holds."""
         self.active: int | None = None
-        """The index of the waypoint that it drives to."""
+        """The index of the active waypoint."""
         self.began_at: tuple[float, float] | None = None
-        """Where the robot was when the active waypoint became active."""
+        """The robot's position when the active waypoint became active."""
         self.ended_at = -1
         """The index of the waypoint that was active when the execution ended; -1 before that, and after a change."""
         self.speed: float | None = None
-        """m/s at which it drives; 0 while it waits, None when it does not say."""
+        """m/s at which it drives; 0 while it waits, None when it does not report the speed."""
         self.problem = ""
-        """Why the list is not known, in words."""
+        """Why the list is unknown."""
         self._ocu = ocu
         self._robot = robot
         self._pose = pose
@@ -101,7 +101,7 @@ class Route:
         return self.active is not None and self.speed == 0.0
 
     async def look(self) -> None:
-        """Read what has changed; several browsers share one look in `LOOK_INTERVAL`. Never raises a `JausError`."""
+        """Read changes; several browsers share one query in `LOOK_INTERVAL`. Never raises a `JausError`."""
         clock = asyncio.get_running_loop().time
         async with self._looking:
             if clock() - self._looked_at < LOOK_INTERVAL or not self.is_offered:
@@ -163,7 +163,7 @@ class Route:
         await self._changed()
 
     async def set_speed(self, speed: float) -> None:
-        """Drive on at another speed, m/s; 0 waits."""
+        """Change the speed, m/s; 0 waits."""
         await self._service().waypoints.set_speed(speed)
         await self._changed()
 

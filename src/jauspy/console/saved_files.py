@@ -33,7 +33,7 @@ def state_directory() -> Path:
 
 
 def checked_name(name: str) -> str:
-    """A name that may be that of a file; raises `ConfigError`."""
+    """The name without surrounding spaces; raises `ConfigError` unless it can be a file's name."""
     name = name.strip()
     if not _NAME.fullmatch(name) or len(name) > MAX_NAME:
         raise ConfigError(
@@ -48,7 +48,7 @@ _ROBOT_POSES: Final = TypeAdapter(dict[str, dict[str, dict[str, _Position]]])
 
 
 def read_poses(path: Path) -> RobotPoses:
-    """A file of named poses, a table `[robot.name]` for each; raises `ConfigError` that names what is wrong in it."""
+    """A file of named poses, a table `[robot.name]` for each; raises `ConfigError` that names the mistake."""
     try:
         poses = _ROBOT_POSES.validate_python(read_toml(path))
     except ValidationError as error:
@@ -85,7 +85,7 @@ class SavedFiles:
         self._write("poses.json", poses.model_dump_json(indent=2))
 
     def delete_pose(self, component: str, name: str) -> None:
-        """Forget a pose."""
+        """Delete a pose; unknown names are ignored."""
         poses = self._poses()
         poses.poses.get(component, {}).pop(name, None)
         self._write("poses.json", poses.model_dump_json(indent=2))
@@ -95,19 +95,19 @@ class SavedFiles:
         return sorted(path.stem for path in (self._folder / "trajectories").glob("*.json"))[:MAX_SAVED]
 
     def save_trajectory(self, name: str, text: str) -> None:
-        """Keep a trajectory; one of the same name is replaced."""
+        """Save a trajectory; replaces the one of this name."""
         name, known = checked_name(name), self.trajectories()
         if name not in known and len(known) >= MAX_SAVED:
             raise ConfigError(f"a robot has at most {MAX_SAVED} trajectories; delete one first")
         self._write(f"trajectories/{name}.json", text)
 
     def trajectory(self, name: str) -> Trajectory:
-        """One that was kept; raises `ConfigError`."""
+        """Load a trajectory; raises `ConfigError`."""
         path = self._folder / "trajectories" / f"{checked_name(name)}.json"
         return Trajectory.from_json(read_file(path, MAX_FILE), str(path))
 
     def delete_trajectory(self, name: str) -> None:
-        """Forget one."""
+        """Delete a trajectory; unknown names are ignored."""
         (self._folder / "trajectories" / f"{checked_name(name)}.json").unlink(missing_ok=True)
 
     def _poses(self) -> _Poses:
@@ -119,10 +119,10 @@ class SavedFiles:
         except ValidationError as error:
             first = error.errors()[0]
             where = ".".join(map(str, first["loc"])) or "the whole"
-            raise ConfigError(f"{path}: {where}: {first['msg']}; mend or delete the file") from None
+            raise ConfigError(f"{path}: {where}: {first['msg']}; correct or delete the file") from None
 
     def _write(self, name: str, text: str) -> None:
-        """Replace the file at once, so that it is whole whatever happens."""
+        """Replace the file atomically."""
         path = self._folder / name
         try:
             path.parent.mkdir(parents=True, exist_ok=True)

@@ -52,7 +52,7 @@ MAX_FRAME: Final = 1 << 16
 MAX_CONNECTIONS: Final = 400
 """Of all browsers; each page has up to 16."""
 BY_ITSELF: Final = "(console)"
-"""In the audit log the operator of commands that no user gave; no user has such a name."""
+"""The operator of commands without a user, in the audit log; no user has this name."""
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
 RECORDINGS: Final = Path.home() / "jauspy-recordings"
@@ -84,7 +84,7 @@ class Console:
         self.recordings = recordings
         """The folder of recorded video."""
         self.poses: RobotPoses = {}
-        """Named poses that the console was started with."""
+        """Named poses from the file given at start."""
         self.fleet = Fleet(ocu)
         self.fleet.on_event = self.note
         self.fleet.on_robots = self._follow
@@ -101,7 +101,7 @@ class Console:
         self.worlds = Worlds(ocu, lambda: self.fleet.robots)
         self._attitudes: dict[int, AttitudeFeed] = {}
         self._browsers: dict[str, User] = {}
-        """Whose page has this token; sockets without one are refused."""
+        """The user of each page, by the page's token; sockets without a token are refused."""
         self._leaving: set[asyncio.Task[None]] = set()
 
     def note(self, text: str) -> None:
@@ -111,7 +111,7 @@ class Console:
         self.total_events += 1
 
     def new_browser(self) -> tuple[str, User] | None:
-        """A token for one page, and whose it is; None when there are too many."""
+        """A token for one page, and its user; None when there are too many pages."""
         if len(self._browsers) >= MAX_BROWSERS:
             return None
         token, user = secrets.token_urlsafe(16), current_user() or LOCAL
@@ -123,7 +123,7 @@ class Console:
         return user is not None and self._browsers.get(token) == user
 
     def forget(self, token: str) -> None:
-        """The page has gone: robots that it operated are released soon."""
+        """Handle the end of a page: robots that it operated are released soon."""
         self._browsers.pop(token, None)
         task = asyncio.create_task(self._release_all_of(token), name="console: a browser has left")
         self._leaving.add(task)
@@ -137,7 +137,7 @@ class Console:
         await self.worlds.forget(token)
 
     def _trace(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
-        """Keep a message for the log; a command that was sent goes into the audit log, with the user who gave it."""
+        """Record a message for the log; a sent command also goes into the audit log, with its user."""
         self.traffic.note(source, destination, payload, sent=sent)
         if self._audit is None or not sent or not _is_command(payload):
             return
@@ -156,7 +156,7 @@ class Console:
         )
 
     def _follow(self, robots: Mapping[int, Robot]) -> None:
-        """Robots as they were discovered now."""
+        """Apply a new discovery to the operations."""
         for id, operation in self._operations.items():
             if id in robots:
                 operation.follow(robots[id])
@@ -169,7 +169,7 @@ class Console:
         return self._operations.setdefault(subsystem, Operation(robot, self.note, self._watchdog))
 
     def jogging(self, component: str) -> Jogging | None:
-        """What moves the tool of this arm; None when there is no such arm."""
+        """The `Jogging` of this arm; None when there is no such arm."""
         try:
             id = JausID.parse(component)
         except ConfigError:
@@ -199,7 +199,7 @@ class Console:
         return self._cameras[id]
 
     async def stop(self, target: str, *, release: bool = False) -> str:
-        """Set the emergency of a robot or of all, or clear it; returns who obeyed, in words."""
+        """Set or clear the emergency of a robot or of all; returns a text with the components that obeyed."""
         to = JausID(int(target), 255, 255) if target.isdecimal() else JausID(65535, 255, 255)
         for operation in self._operations.values():
             if to.subsystem in (65535, operation.robot.id) and operation.operator and not release:
@@ -234,7 +234,7 @@ def make_app(console: Console) -> FastAPI:
 
     @app.websocket("/ws/drive/{subsystem}/{token}")
     async def drive(page: WebSocket, subsystem: int, token: str) -> None:
-        """Deflections of the stick as [forward, left]; the answer is why there is no effect, if so."""
+        """Receive deflections of the stick as [forward, left]; the answer is why a command had no effect, or empty."""
         if not await _accepted(page, console, token):
             return
         said = ""
@@ -263,9 +263,9 @@ def make_app(console: Console) -> FastAPI:
 
     @app.websocket("/ws/stop/{token}")
     async def stop(page: WebSocket, token: str) -> None:
-        """`stop 101`, `stop all`, `release 101`: a connection of its own, which nothing else waits for.
+        """Receive `stop 101`, `stop all`, `release 101`, on a separate connection that nothing can block.
 
-        `leave` tells that the page is closed or loaded again; one that only falls silent may reconnect.
+        `leave` means that the page was closed or reloaded; a page that only falls silent may reconnect.
         """
         if not await _accepted(page, console, token):
             return
@@ -299,7 +299,7 @@ def make_app(console: Console) -> FastAPI:
 def _add_jog(app: FastAPI, console: Console) -> None:
     @app.websocket("/ws/jog/{component}/{token}")
     async def jog(page: WebSocket, component: str, token: str) -> None:
-        """Velocities of a tool as `jogging.velocity` reads them; the answer is why there is no effect, if so."""
+        """Receive velocities of a tool, see `motion.velocity`; the answer is why a command had no effect, or empty."""
         if not await _accepted(page, console, token):
             return
         said = ""
@@ -348,7 +348,7 @@ def _pair(text: str) -> tuple[float, float]:
 
 
 class _Server(uvicorn.Server):
-    """Leaves signals to the program."""
+    """A uvicorn server that leaves signals to the program."""
 
     def capture_signals(self) -> Any:  # uvicorn's own handlers would end the program
         return nullcontext()
@@ -356,7 +356,7 @@ class _Server(uvicorn.Server):
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """What a console needs that serves other machines than its own."""
+    """Settings of a console that serves other machines."""
 
     users: Path | None = None
     certificate: Path | None = None

@@ -27,12 +27,12 @@ ROUTINE: Final = frozenset(
     for verb in ("Query", "Report")
     for what in ("Status", "Control", "LocalPose", "Identification", "Configuration", "Services", "HeartbeatPulse")
 )
-"""What the console itself asks all the time."""
+"""Periodic queries of the console."""
 OTHER: Final = -1
 EVENT: Final = -2
 _ACCEPTED: Final = 0
 _REPORT_AT: Final = 8
-"""Where the report begins in an Event: after its id, the event's id, the sequence number and a length of 4 bytes."""
+"""Offset of the report in an Event: after its id, the event's id, the sequence number and a length of 4 bytes."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -53,7 +53,7 @@ class Line:
 
     @property
     def text(self) -> str:
-        """What the filter looks at."""
+        """The text that the filter searches."""
         return f"{self.time:%H:%M:%S} {self.kind} {self.source} {self.destination} {self.name}"
 
 
@@ -62,7 +62,7 @@ class Traffic:
 
     def __init__(self, registry: Registry, now: Callable[[], datetime] = lambda: datetime.now().astimezone()) -> None:
         self.total = 0
-        """Lines so far, those that were dropped too."""
+        """The number of lines so far, including dropped ones."""
         self._registry = registry
         self._now = now
         self._kept: dict[int, deque[Line]] = {}

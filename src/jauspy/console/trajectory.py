@@ -1,4 +1,4 @@
-"""A joint trajectory: rows of positions with the seconds of their ways; as a JSON file, and as a Python program."""
+"""A joint trajectory: rows of positions with durations in seconds; saved as JSON, exported as a Python program."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from jauspy.printable import printable
 MAX_ROWS: Final = 200
 MAX_JOINTS: Final = 64
 MAX_SECONDS: Final = 3600.0
-"""Of one row."""
+"""Greatest duration of one row."""
 MAX_FILE: Final = 1 << 20
 """Bytes of a file that is loaded."""
 DEFAULT_SECONDS: Final = 2.0
@@ -40,7 +40,7 @@ class _FileModel(BaseModel):
 
 @dataclass
 class TrajectoryRow:
-    """Seconds of the way to these positions; 0 is as fast as the limits allow."""
+    """Duration in seconds of the motion to these positions; 0 is as fast as the limits allow."""
 
     seconds: float
     positions: list[float]
@@ -48,7 +48,7 @@ class TrajectoryRow:
 
 @dataclass
 class Trajectory:
-    """What the editor shows; positions are in the order of `joints`, radians or metres."""
+    """The trajectory in the editor; positions are in the order of `joints`, radians or metres."""
 
     joints: tuple[str, ...] = ()
     rows: list[TrajectoryRow] = field(default_factory=list)
@@ -65,7 +65,7 @@ class Trajectory:
             self.rows.insert(index + by, self.rows.pop(index))
 
     def named(self) -> list[Row]:
-        """The rows as an arm takes them."""
+        """The rows with positions by joint, for `Manipulator.follow`."""
         return [(row.seconds, dict(zip(self.joints, row.positions, strict=True))) for row in self.rows]
 
     def problem(self, joints: Sequence[JointInfo], now: dict[str, float], first: int = 1) -> str:
@@ -92,14 +92,14 @@ class Trajectory:
         return ""
 
     def to_json(self, robot: str) -> str:
-        """As a file."""
+        """The content of a file."""
         rows = [{"seconds": row.seconds, "positions": row.positions} for row in self.rows]
         head = f'{{\n  "robot": {json.dumps(robot)},\n  "joints": {json.dumps(self.joints)},\n  "rows": [\n'
         return head + ",\n".join(f"    {json.dumps(row)}" for row in rows) + "\n  ]\n}\n"
 
     @classmethod
     def from_json(cls, text: str | bytes, name: str = "the file") -> Trajectory:
-        """Read a file; raises `ConfigError` with what is wrong where."""
+        """Read a file; raises `ConfigError` with place and reason."""
         if len(text) > MAX_FILE:
             raise ConfigError(f"{name}: has more than {MAX_FILE >> 20} MiB")
         try:

@@ -20,7 +20,7 @@ from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.25
-"""Seconds between two looks at the motion."""
+"""Seconds between two updates of the motion."""
 DEFAULT_NAME: Final = "trajectory"
 
 
@@ -75,7 +75,7 @@ class TrajectoryPanel:
         self._show_saved()
 
     def close(self) -> None:
-        """The page has gone."""
+        """Handle the end of the page."""
         self._motion.stop()
         self._robot = None
 
@@ -84,7 +84,7 @@ class TrajectoryPanel:
         return self._arms.get(str(self._choice.value))
 
     async def _choose(self) -> None:
-        """Another arm: rows of other joints are of no use for it."""
+        """Handle the choice of another arm: rows of other joints are dropped."""
         self._motion.stop()
         arm, self._problem_here = self._arm, ""
         try:

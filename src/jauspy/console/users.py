@@ -46,7 +46,7 @@ HEADING: Final = "# Users of the console in the browser; `jauspy console user` e
 
 @dataclass(frozen=True, slots=True)
 class User:
-    """Who may use the console, and the highest authority of JAUS that his role gives; 0 may only look and stop."""
+    """A user of the console; `authority` is the highest of the role, 0 may only observe and stop."""
 
     name: str
     role: str
@@ -54,12 +54,12 @@ class User:
 
     @property
     def may_operate(self) -> bool:
-        """False for those who may only look, and stop robots."""
+        """False for users who may only observe and stop robots."""
         return self.authority > 0
 
 
 LOCAL: Final = User("local", "supervisor", 255)
-"""Everybody at a console without a login, which serves its own machine only."""
+"""The user of a console without a login, which serves its own machine only."""
 
 
 class _UserConfig(BaseModel):
@@ -77,7 +77,7 @@ class _UsersConfig(BaseModel):
 
 
 class Users:
-    """The users of a file; raises `ConfigError` that names what is wrong in it."""
+    """The users of a file; raises `ConfigError` that names the mistake."""
 
     def __init__(self, path: Path) -> None:
         try:
@@ -106,7 +106,7 @@ class Users:
         return (user for user, _ in self._found.values())
 
     def verified(self, name: str, password: str) -> User | None:
-        """The user if the password is his. It takes 0.1 to 0.5 s and 64 MiB, for names that do not exist, too."""
+        """The user, if the password is correct. It takes 0.1 to 0.5 s and 64 MiB, for names that do not exist, too."""
         user, expected = self._found.get(name, (None, self._nobody))
         try:
             Argon2id.verify_phc_encoded(password[:MAX_PASSWORD].encode("utf-8", "replace"), expected)
@@ -123,7 +123,7 @@ def hashed(password: str) -> str:
 
 
 def add_user(path: Path, name: str, role: str, password: str) -> bool:
-    """Write a user to the file, which is made if it does not exist; true if he replaces one of that name."""
+    """Write a user to the file, which is made if it does not exist; true if it replaces one of that name."""
     if not NAME.fullmatch(name):
         raise ConfigError(f"{name!r} is not a name of a user: 1 to 32 letters, digits, _ and -")
     if not MIN_PASSWORD <= len(password) <= MAX_PASSWORD:
@@ -138,7 +138,7 @@ def add_user(path: Path, name: str, role: str, password: str) -> bool:
 
 
 def remove_user(path: Path, name: str) -> None:
-    """Remove a user from the file; raises `ConfigError` if he is not in it."""
+    """Remove a user from the file; raises `ConfigError` if there is none of this name."""
     text = read_file(path).decode("utf-8", "replace")
     rest = _without(text, name)
     if rest == text:
@@ -214,11 +214,11 @@ class Session:
 
 
 current: ContextVar[Session | None] = ContextVar("jauspy console session", default=None)
-"""Of the request or socket on whose behalf something is done, in all tasks that come of it."""
+"""The session of the present request or socket, in all tasks that it starts."""
 
 
 def current_user() -> User | None:
-    """On whose behalf something is done; None for what the console does by itself."""
+    """The user on whose behalf the present task runs; None for tasks of the console itself."""
     session = current.get()
     return None if session is None else session.user
 
@@ -289,7 +289,7 @@ class LoginLimit:
         return max(0.0, *waits) if waits else 0.0
 
     def failed(self, address: str, now: float) -> None:
-        """A login failed."""
+        """Count a failed login."""
         times = self._failures.setdefault(_network(address), deque(maxlen=MAX_FAILURES))
         self._failures.move_to_end(_network(address))
         if len(self._failures) > MAX_ADDRESSES:
@@ -298,7 +298,7 @@ class LoginLimit:
         self._all.append(now)
 
     def succeeded(self, address: str) -> None:
-        """A login of this address succeeded: its failures are forgotten."""
+        """Clear the failures of an address after a successful login."""
         self._failures.pop(_network(address), None)
 
 

@@ -1,4 +1,4 @@
-"""Video for browsers: each camera is received once, and its encoded pictures go to all who watch, with the attitude."""
+"""Video for browsers: receives each camera once, and sends encoded pictures and the attitude to all watchers."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ ATTITUDE_SOURCES: Final = (
     ("GlobalPoseSensor", QueryGlobalPose(), ("heading", "pitch", "roll")),
     ("VelocityStateSensor", QueryVelocityState(), ("speed",)),
 )
-"""Services with the query and what its report tells; of two that tell the same, the first is asked."""
+"""Services with their query and the values in its report; of two with the same values, the first is used."""
 ATTITUDE_FIELDS: Final = {"heading": "yaw", "pitch": "pitch", "roll": "roll", "speed": "velocity_x"}
 
 
@@ -54,7 +54,7 @@ class Attitude:
 
 
 class AttitudeFeed:
-    """Follows the attitude of one robot while somebody looks."""
+    """Follows the attitude of one robot while a browser watches."""
 
     def __init__(self, ocu: OCU, robot: Robot) -> None:
         self.attitude = Attitude()
@@ -71,7 +71,7 @@ class AttitudeFeed:
             self._start()
 
     def remove(self, watcher: Callable[[Attitude], None]) -> None:
-        """Call it no more; without effect for one that is not called."""
+        """Stop calling this function; without effect if it was not added."""
         if watcher in self._watchers:
             self._watchers.remove(watcher)
         if not self._watchers:
@@ -108,7 +108,7 @@ class AttitudeFeed:
 
 
 def _shown(name: str, value: float | None) -> float | None:
-    """In degrees with a decimal, or m/s with two; what does not change on the screen is not sent again."""
+    """Degrees with one decimal, or m/s with two, so that only visible changes are sent."""
     if value is None:
         return None
     if name == "speed":
@@ -124,18 +124,18 @@ MAX_BYTES: Final = 4 << 20
 RETRY_INTERVAL: Final = 2.0
 """Seconds until a camera is queried again after its stream has ended, or a component that reports no attitude."""
 QUIET_TIME: Final = 2.0
-"""Seconds without a picture after which the browsers learn why."""
+"""Seconds without a picture after which the browsers are sent the reason."""
 KEY_INTERVAL: Final = 2.0
-"""Seconds after which the robot is asked for a key picture while a browser gets those alone: slow cameras make few."""
+"""Seconds after which a key picture is requested while a browser receives only those: slow cameras make few."""
 CHOICES: Final = ("all", "keys", "nothing")
-"""Which pictures a browser may ask for: `keys` are those that can be decoded without others."""
+"""The pictures that a browser may request: `keys` are those that can be decoded without others."""
 _HEADER: Final = struct.Struct("<?xxxxxxxdd")
 """Whether it is a key picture, its time stamp in microseconds, and when it was taken, in milliseconds since 1970 by the
 robot's clock (NaN when unknown)."""
 
 
 class Watcher:
-    """What waits to be sent to one browser: pictures in order, and the newest of each kind of news."""
+    """The send queue of one browser: pictures in order, and the newest of each kind of news."""
 
     def __init__(self) -> None:
         self.choice = "all"
@@ -204,7 +204,7 @@ class Watcher:
 class SharedCamera:
     """Receives a camera while somebody watches or records.
 
-    `state` tells in words what is the matter with the component, if anything.
+    `state` returns a text if the component cannot send video, else an empty one.
     """
 
     def __init__(
@@ -231,7 +231,7 @@ class SharedCamera:
         self._key_at = -math.inf
 
     async def serve(self, socket: WebSocket) -> None:
-        """Send news as JSON and pictures as bytes to one browser until it leaves, as it asks for."""
+        """Send news as JSON and requested pictures as bytes to one browser until it leaves."""
         watcher = Watcher()
         self._watchers.add(watcher)
         self._start()
@@ -253,7 +253,9 @@ class SharedCamera:
             self._stop_if_unused()
 
     def record(self, folder: Path) -> VideoRecording:
-        """Record what arrives, until `stop_recording`, whoever watches; returns the present recording if there is one.
+        """Record pictures until `stop_recording`, independent of watchers.
+
+        Returns the present recording if there is one.
 
         Raises `ConfigError` when nothing can be written there.
         """
@@ -311,7 +313,7 @@ class SharedCamera:
             await asyncio.sleep(RETRY_INTERVAL)
 
     async def _explain(self) -> None:
-        """Tell the browsers why there is no picture, while there is none; see that key pictures come."""
+        """Send browsers the reason while there is no picture, and request key pictures."""
         while True:
             await asyncio.sleep(0.5)
             reason = self.why_no_picture()
@@ -325,7 +327,7 @@ class SharedCamera:
                 self._stop_if_unused()
 
     def why_no_picture(self) -> str:
-        """In words; empty when pictures arrive."""
+        """A text for users; empty when pictures arrive."""
         if asyncio.get_running_loop().time() - self._picture_at < QUIET_TIME:
             return ""
         state = "" if self._has_begun else self._state()
@@ -346,7 +348,7 @@ class SharedCamera:
             self.recording.add(picture)
 
     async def _listen(self, socket: WebSocket, watcher: Watcher, tell: Callable[[Attitude], None]) -> None:
-        """Take what the browser asks for, as in {"want": "keys", "attitude": true}, until it leaves."""
+        """Handle the browser's requests, as in {"want": "keys", "attitude": true}, until it leaves."""
         try:
             while True:
                 try:
@@ -375,7 +377,7 @@ async def _send(socket: WebSocket, watcher: Watcher) -> None:
 
 
 def camera_state(status: str, *, silent: bool) -> str:
-    """What the state of a camera's component has to do with a missing picture, in words."""
+    """A text that explains a missing picture by the state of the camera's component."""
     if silent:
         return "the camera's component does not answer"
     return f"the camera's component is in {status}" if status not in ("", "READY") else ""

@@ -20,7 +20,7 @@ from jauspy.ocu.subsystems import ComponentInfo
 from jauspy.printable import printable
 
 UPDATE_INTERVAL: Final = 0.5
-"""Seconds between two looks at recordings."""
+"""Seconds between two updates of recordings."""
 HEADINGS: Final = {VIDEO: "Stream", LENS: "Lens", LIGHTS: "Lights"}
 
 
@@ -75,7 +75,7 @@ class VideoPanel:
             self._side.set_visibility(False)
 
     def close(self) -> None:
-        """The page has gone; recordings go on."""
+        """Handle the end of the page; recordings continue."""
 
     # --- cameras ----------------------------------------------------------------------------------------------------
 
@@ -169,7 +169,7 @@ class VideoPanel:
         self._update()
 
     def _update(self) -> None:
-        """What is recorded: all browsers see it, and each can end it."""
+        """Show the recordings, which are common to all browsers; each browser can stop them."""
         camera = self._camera()
         recording = camera.recording if camera is not None else None
         running = recording is not None and not recording.ended
@@ -245,7 +245,7 @@ class VideoPanel:
         operation = self._console.operation(robot.id)
         try:
             if not self._user.may_operate:
-                raise RequestError(f"your role is {self._user.role}: you may look, and save pictures")
+                raise RequestError(f"your role is {self._user.role}: you may watch and save pictures only")
             if operation is not None and operation.operator not in ("", self._token):
                 raise RequestError("another browser operates this robot")
             authority = min(DEFAULT_AUTHORITY, self._user.authority)

@@ -1,4 +1,4 @@
-"""Recording a camera's pictures to a file on the console's machine, as they arrive."""
+"""Records a camera's pictures, as they arrive, to a file on the console's machine."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from jauspy.video.recorder import Recorder
 
 MIN_FREE: Final = 512 << 20
-"""Bytes of the disk that stay free; a recording ends before."""
+"""Bytes of the disk that stay free; a recording ends when fewer are left."""
 MAX_QUEUED: Final = 128
 """Pictures that wait for the disk; with more of them, all until the next IDR picture are left out, and counted."""
 WRITE_INTERVAL: Final = 0.25
@@ -26,7 +26,7 @@ WRITE_INTERVAL: Final = 0.25
 
 
 class VideoRecording:
-    """Writes fragmented MP4 without encoding anything again. A change of the image size begins another file."""
+    """Writes fragmented MP4 without re-encoding. A change of the image size begins another file."""
 
     def __init__(self, folder: Path, name: str, min_free: int = MIN_FREE) -> None:
         need_video()
@@ -48,7 +48,7 @@ class VideoRecording:
         """Bytes of all files so far."""
         self._pictures_before = self._size_before = 0
         self.problem = ""
-        """Why it ended by itself, in words."""
+        """Why it ended without a request; empty otherwise."""
         self.ended = False
         self._ending = False
         self.writing = asyncio.create_task(self._run(), name=f"console: recording {self.path.name}")
@@ -56,12 +56,12 @@ class VideoRecording:
 
     @property
     def seconds(self) -> int:
-        """Since it began."""
+        """Seconds since it began."""
         return int(time.monotonic() - self._began)
 
     @property
     def summary(self) -> str:
-        """What was recorded, and where, in words."""
+        """A text with duration, size and path of the recording."""
         more = f" and {self._files - 1} more" if self._files > 1 else ""
         lost = f", {self.left_out} left out because the disk was too slow" if self.left_out else ""
         said = f"; {self.problem}" if self.problem else ""

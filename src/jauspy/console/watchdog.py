@@ -1,8 +1,9 @@
 """A process that puts the robots of a console in Standby and releases them, as soon as the console is killed.
 
-A console that ends by itself does that itself. One that is killed (SIGKILL, a crash, no memory) cannot, and its robots
-would go on until their `command_timeout`: no JAUS command has a duration, and no client can change that time. The
-process waits for the end of its standard input, and then acts with the id of the console, which controls the robots.
+A console that is stopped in order releases its robots itself. One that is killed (SIGKILL, a crash, no memory) cannot,
+and its robots would continue until their `command_timeout`, since JAUS commands have no duration and clients cannot
+change that time. The process waits for the end of its standard input, and then acts with the id of the console, which
+controls the robots.
 """
 
 from __future__ import annotations
@@ -54,7 +55,7 @@ class Watchdog:
         await self._process.wait()
 
     def hold(self, robot: int, components: Iterable[JausID]) -> None:
-        """These components of a robot are controlled from now on; none after its release."""
+        """Set the components of a robot that are controlled now; empty after its release."""
         self._held[robot] = [str(each) for each in components]
         process = self._process
         if process is None or process.stdin is None:
@@ -81,7 +82,10 @@ async def release(id: str, connect: str | None, operator: str | None, components
 
 
 def main(id: str, connect: str, operator: str) -> None:
-    """Keep the newest line of standard input until it ends; a list of components, empty if the console ended itself."""
+    """Read standard input until it ends, then release the components in its last line.
+
+    It is empty after an orderly end.
+    """
     for each in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
         signal.signal(each, signal.SIG_IGN)
     held: list[str] = []

@@ -1,4 +1,4 @@
-"""What the tab World shows of one robot: pose, joints, track, scans and the map, followed while a browser watches."""
+"""Data of the tab World for one robot: pose, joints, track, scans and map, followed while a browser watches."""
 
 from __future__ import annotations
 
@@ -68,7 +68,7 @@ SCAN_RATE: Final = 4.0
 """Hz of scans: the map needs one each 0.1 m."""
 PART_SENSOR: Final = "cell:PartSensor"
 PART_STEP: Final = (0.003, 0.01)
-"""Metres and radians by which a part has moved when it is drawn elsewhere: less is the noise of the sensor."""
+"""Metres and radians; a smaller motion of a part counts as noise of the sensor and is not drawn."""
 TRACK_STEP: Final = 0.05
 """Metres between points of the track."""
 MAX_TRACK: Final = 5000
@@ -78,9 +78,9 @@ MAX_RAYS: Final = 1500
 MAX_CLOUD: Final = 20_000
 """Points of a cloud that browsers get, evenly spread."""
 RETRY_INTERVAL: Final = 2.0
-"""Seconds until a service is asked again that did not answer."""
+"""Seconds until a service that did not answer is queried again."""
 UNKNOWN: Final = 255
-"""A cell of which nothing is known; others are 0..100, the probability in percent that it is occupied."""
+"""An unknown cell; others are 0..100, the probability in percent that it is occupied."""
 MAP, SCAN, CLOUD = 1, 2, 3
 """The first byte of binary messages to browsers."""
 _MAP_HEADER: Final = struct.Struct("<BxHHxxfff")
@@ -92,12 +92,12 @@ _CLOUD_HEADER: Final = struct.Struct("<BBHI")
 
 
 def is_cell(robot: Robot) -> bool:
-    """True for a robot that stands in a cell with a sensor of parts: one that tells a pose there is a car of parts."""
+    """True for a robot in a cell with a sensor of parts; a robot there that reports a pose is a car made of parts."""
     return any(each.find(PART_SENSOR) for each in robot.components)
 
 
 class World:
-    """One robot; `robot` returns it as it was discovered last, or None. `sources` are addresses of its point clouds."""
+    """One robot; `robot` returns its last discovery, or None. `sources` are addresses of its point clouds."""
 
     def __init__(
         self,
@@ -110,22 +110,22 @@ class World:
         self.pose_time = -math.inf
         """When the pose was received: seconds of the event loop's clock."""
         self.positions: dict[str, float] = {}
-        """Of the joints that are reported."""
+        """The reported positions of joints, radians or metres."""
         self.part_poses: dict[str, list[float]] = {}
-        """Of the parts that a sensor sees, by their joint: x, y, z and quaternion x, y, z, w in the robot's frame."""
+        """The poses of observed parts, by their joint: x, y, z and quaternion x, y, z, w in the robot's frame."""
         self.track: deque[tuple[float, float]] = deque(maxlen=MAX_TRACK)
         self.track_total = 0
-        """Points of the track so far, those that were dropped too."""
+        """The number of points of the track so far, including dropped ones."""
         self.scan = b""
         self.scans = 0
         self.clouds: dict[str, bytes] = {}
-        """The latest cloud of each address, as browsers get it."""
+        """The latest cloud of each address, encoded for browsers."""
         self.clouds_total = 0
         self.mapping: LiveMapping | None = None
         self.route = Route(ocu, robot, lambda: self.pose)
-        """Its waypoints."""
+        """The robot's waypoints."""
         self.problems: dict[str, str] = {}
-        """Why something is not there, by what it is."""
+        """Why data are missing, by their name."""
         self._ocu = ocu
         self._robot = robot
         self._files = tuple(files)
@@ -143,7 +143,7 @@ class World:
     # --- who watches ------------------------------------------------------------------------------------------------
 
     async def watched_by(self, watcher: object) -> RobotGeometry:
-        """Follow the robot; its joints until `unwatched_by`, pose and map until `close`. Returns what it looks like."""
+        """Follow the robot: its joints until `unwatched_by`, pose and map until `close`. Returns its geometry."""
         geometry = await self.geometry()
         self._watchers.add(watcher)
         if not self._following:
@@ -167,7 +167,7 @@ class World:
         return geometry
 
     def unwatched_by(self, watcher: object) -> None:
-        """A browser does not show the tab any more."""
+        """Note that a browser no longer shows the tab."""
         self._watchers.discard(watcher)
         if not self._watchers:
             for task in self._reading_joints:
@@ -201,7 +201,10 @@ class World:
     # --- what it looks like -----------------------------------------------------------------------------------------
 
     async def geometry(self) -> RobotGeometry:
-        """From the description of a robot of this name, if its joints are those that are reported; else as reported."""
+        """The geometry from the description of a robot of this name, if its joints match the reported ones.
+
+        Else from reports.
+        """
         async with self._loading:
             if self._geometry is None:
                 robot = self._found()
@@ -222,7 +225,7 @@ class World:
             return self._geometry
 
     async def _read_parts(self, robot: Robot) -> None:
-        """What a sensor of parts sees now, so that the browser builds it at once."""
+        """Query the observed parts once, so that the browser builds them together."""
         for each in robot.components:
             if each.find(PART_SENSOR):
                 with contextlib.suppress(JausError):  # it is followed later
@@ -237,7 +240,7 @@ class World:
         return found
 
     async def _read_table(self, component: ComponentInfo) -> JointTable | None:
-        """How the component calls and counts its joints; None if it does not report it."""
+        """The names and signs of the component's joints; None if it does not report them."""
         if not component.find(DESCRIPTION):
             return None
         report = await self._ocu.query(component.id, QueryJointDescription(), expects=ReportJointDescription)
@@ -314,7 +317,7 @@ class World:
             self.positions.update(table.from_reported(values))
 
     def _take_parts(self, report: Message) -> None:
-        """Parts that nobody has seen before change what the robot looks like."""
+        """Take observations of parts; new parts change the geometry."""
         assert isinstance(report, ReportPartObservations)
         assert self._geometry is not None
         known = {each["name"] for each in self._geometry.joints}
@@ -388,7 +391,7 @@ class World:
     # --- for browsers -----------------------------------------------------------------------------------------------
 
     def state(self, sent_track: int) -> dict[str, Any]:
-        """What has changed all the time; of the track, the points after the first `sent_track`."""
+        """The values that change continuously; of the track, the points after the first `sent_track`."""
         assert self._geometry is not None
         new = min(len(self.track), self.track_total - sent_track)
         pose = self.pose
@@ -407,7 +410,7 @@ class World:
         return state
 
     def notes(self) -> list[str]:
-        """What is not there and why, and which scans are not in the map."""
+        """Texts about missing data, and about scans that are not in the map."""
         counted = Counter(self.mapping.counters) if self.mapping is not None else Counter[str]()
         counted.pop("scans", None)
         left_out = ", ".join(f"{count} {reason}" for reason, count in counted.items())
@@ -419,7 +422,7 @@ class World:
         return len(self.mapping.mapper.path) if self.mapping is not None else 0
 
     async def map_message(self) -> bytes:
-        """The known part of the map, as browsers get it; made once for all of them."""
+        """The known part of the map, encoded once for all browsers."""
         version = self.map_version
         if self.mapping is not None and self._map[0] != version:
             data = await asyncio.to_thread(_map_bytes, self.mapping)
@@ -434,15 +437,15 @@ class _Known:
     description: RobotDescription
     source: str
     start: dict[str, float]
-    """Where joints are that no service reports."""
+    """Positions of joints that no service reports."""
     clouds: list[str]
     """Addresses."""
     cell: CellSetup | None
-    """What stands around it, and types of parts."""
+    """The equipment around it, and the types of parts."""
 
 
 def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
-    """The robot of this name, if it has these joints; None for one that is not known here."""
+    """The robot of this name, if it has these joints; None for an unknown robot."""
     from jauspy.modules import robot_files  # noqa: PLC0415 - it takes a second
 
     for each in (*files, *(known for known in robot_files.known() if known == name)):

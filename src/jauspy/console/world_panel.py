@@ -23,15 +23,15 @@ UPDATE_INTERVAL: Final = 0.5
 MAX_DISTANCE: Final = 10_000.0
 """Metres from the origin within which a browser may set a waypoint."""
 MAX_SPEED: Final = 5.0
-"""m/s that can be chosen; the robot has limits of its own."""
+"""m/s; greatest speed that can be chosen. The robot also has its own limits."""
 
 
 class MapPanel:
-    """The map and the list, for one page with this token. Edits are this page's own until they are sent."""
+    """The map and the list, for one page with this token. Edits stay in this page until they are sent."""
 
     def __init__(self, console: Console, token: str) -> None:
         self.visible = False
-        """Set by the page; a robot is asked for its list only while somebody sees it."""
+        """Set by the page; the robot's list is queried only while it is shown."""
         self._console = console
         self._token = token
         self._robot: Robot | None = None
@@ -76,7 +76,7 @@ class MapPanel:
         return None if self._robot is None else self._console.worlds.opened(self._robot.id, self._token)
 
     def _edit(self, event: Any) -> None:
-        """A click or a drag in the browser, whose words are checked."""
+        """Handle a click or a drag in the browser, after checking its values."""
         world, asked = self._world(), event.args
         if world is None or not isinstance(asked, dict) or not world.route.is_offered:
             return
@@ -210,7 +210,7 @@ class MapPanel:
             await self._command("wait on the way through the waypoints", world.route.set_speed(0.0))
 
     async def _on_speed(self) -> None:
-        """A robot that drives through its list takes the new speed at once."""
+        """Change the speed of a robot that drives through its list immediately."""
         world, speed = self._world(), float(self._speed.value or 0.0)
         if world is None or not 0.0 < speed <= MAX_SPEED:
             return
@@ -236,7 +236,7 @@ class MapPanel:
 
 
 def state_of(index: int, route: Route, *, is_draft: bool) -> str:
-    """The state of one waypoint, in words; the browser colours it by them."""
+    """The state of one waypoint as text, which selects its colour in the browser."""
     if is_draft:
         return "not sent"
     if route.active is None:
@@ -247,7 +247,7 @@ def state_of(index: int, route: Route, *, is_draft: bool) -> str:
 
 
 def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
-    """How far the robot is in its list: in words, and from 0 to 1."""
+    """The robot's progress in its list: as text, and from 0 to 1."""
     many = len(route.waypoints)
     if route.active is None:
         if route.ended_at < 0:
@@ -266,13 +266,13 @@ def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
 
 VIEWS: Final = {"both": "both", "three": "3-D", "map": "map"}
 ON_MAP: Final = ("LocalPoseSensor", "RangeSensor")
-"""Services of which the map shows something."""
+"""Services whose data the map shows."""
 _THREE_JS: Final = ui.scene
 """Naming it puts three.js, which static/world.js draws with, among the page's modules; no scene of NiceGUI is made."""
 
 
 class WorldPanel:
-    """The views and their switches, for one page; what moves comes by a socket of its own (`world_socket`)."""
+    """The views and their switches, for one page; changing data arrive by a separate socket (`world_socket`)."""
 
     def __init__(self, console: Console, token: str) -> None:
         with ui.element("div").props("id=world").classes("world"):
@@ -314,7 +314,7 @@ class WorldPanel:
         self.map.visible = value
 
     def show(self, robot: Robot | None) -> None:
-        """Show another robot; one that tells neither pose nor ranges, or stands in a cell, has no map."""
+        """Show another robot; one that reports neither pose nor ranges, or stands in a cell, has no map."""
         tells = robot is None or any(each.find(name) for each in robot.components for name in ON_MAP)
         has_map = tells and (robot is None or not is_cell(robot))
         self._view.set_value("both" if has_map else "three")
@@ -323,11 +323,11 @@ class WorldPanel:
         self.map.show(robot)
 
     def close(self) -> None:
-        """The page has gone. The socket ends with it, and `Console.forget` ends what it followed."""
+        """Handle the end of the page, which also ends the socket; `Console.forget` ends what it followed."""
         self.map.visible = False
 
     def _followed(self, event: Any) -> None:
-        """The map was dragged away from the robot."""
+        """Handle a drag of the map away from the robot."""
         self._follow.set_value(bool(event.args))
 
 

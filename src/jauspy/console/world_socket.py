@@ -1,4 +1,4 @@
-"""The connections of browsers to what the tab World shows: geometry, state, map, scans and clouds of each robot."""
+"""The connections that send the data of the tab World to browsers: geometry, state, map, scans and clouds."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ MAP_INTERVAL: Final = 1.0
 CLOUD_INTERVAL: Final = 0.5
 
 Accept = Callable[[WebSocket, str], Awaitable[bool]]
-"""Accepts the socket of a page with this token; False for a stranger, whose socket is closed."""
+"""Accepts the socket of a page with this token; False for an unknown token, whose socket is closed."""
 
 
 class Worlds:
-    """The worlds of all robots, each made when a browser first looks at it and closed with the last page that did."""
+    """The worlds of all robots. Each is made when a browser first opens it, and closed with the last page that did."""
 
     def __init__(self, ocu: OCU, robots: Callable[[], Mapping[int, Robot]]) -> None:
         self.files: tuple[str, ...] = ()
@@ -38,7 +38,7 @@ class Worlds:
         self._pages: dict[int, set[str]] = {}
 
     def get(self, subsystem: int) -> World | None:
-        """The world of a robot that somebody has looked at."""
+        """The world of a robot that a browser has opened."""
         return self._worlds.get(subsystem)
 
     def opened(self, subsystem: int, token: str) -> World | None:
@@ -52,7 +52,7 @@ class Worlds:
         return self._worlds[subsystem]
 
     async def forget(self, token: str) -> None:
-        """The page has gone; what nobody has open any more ends."""
+        """Handle the end of a page; worlds that no page has open are closed."""
         for subsystem, pages in list(self._pages.items()):
             pages.discard(token)
             if not pages:

@@ -1,4 +1,4 @@
-"""Where JAUS ids are reached: the components of this machine, and addresses on networks.
+"""The addresses of JAUS ids: the components of this machine, and addresses on networks.
 
 Addresses are static ones of the configuration, and those learned from received packets.
 """

@@ -40,7 +40,7 @@ REUSE_DELAY: Final = 30.0
 
 
 class Templates:
-    """Templates that peers have proposed; the least recently used is forgotten first."""
+    """Templates that peers have proposed; the least recently used is dropped first."""
 
     def __init__(self) -> None:
         self._known: OrderedDict[tuple[UdpPort, int], tuple[bytes, float]] = OrderedDict()

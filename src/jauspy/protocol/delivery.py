@@ -21,7 +21,7 @@ MAX_MESSAGE_SIZE: Final = 64 << 20
 """Bytes: a quarter of all sequence numbers."""
 MAX_TRANSFERS: Final = 256
 FRAGMENTS_PER_BURST: Final = 16
-"""Fragments of an unacknowledged large message that are sent at once."""
+"""Fragments of an unacknowledged large message that are sent in one burst."""
 BURST_INTERVAL: Final = 0.005
 """Seconds between bursts: about 13 MB/s, which a local socket with a queue of ten datagrams can take."""
 
@@ -60,7 +60,7 @@ class Delivery:
 
 
 class DeliveryOutcome(NamedTuple):
-    """How a message that requested an ACK ended; `ticket` is what `Endpoint.send` returned."""
+    """The outcome of a message that requested an ACK; `ticket` is what `Endpoint.send` returned."""
 
     ticket: int
     delivered: bool
@@ -189,7 +189,7 @@ class Transfers:
         return True
 
     def reject(self, source: int, sequence: int, now: float) -> bool:
-        """Handle a NAK by resending the packet at once; false when no packet awaits it."""
+        """Handle a NAK by resending the packet immediately; false when no packet awaits it."""
         pending = self._pending.get((source, sequence))
         if pending is not None:
             self._resend(pending, now)
@@ -208,7 +208,7 @@ class Transfers:
         self._large.clear()
 
     def next_outcome(self) -> DeliveryOutcome | None:
-        """How the next message ended, or None."""
+        """The next outcome, or None."""
         return self._outcomes.popleft() if self._outcomes else None
 
     def next_timeout(self) -> float | None:

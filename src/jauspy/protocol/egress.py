@@ -1,4 +1,4 @@
-"""What a node manager sends: to components, to addresses on networks, and by multicast."""
+"""Datagrams that a node manager sends: to components, to addresses on networks, and by multicast."""
 
 from __future__ import annotations
 

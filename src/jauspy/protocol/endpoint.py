@@ -98,7 +98,7 @@ class Endpoint:
         return self._input.popleft() if self._input else None
 
     def next_outcome(self) -> DeliveryOutcome | None:
-        """How the next message that requested an ACK ended, or None."""
+        """The next outcome of a message that requested an ACK, or None."""
         return self._transfers.next_outcome()
 
     def next_timeout(self) -> float | None:

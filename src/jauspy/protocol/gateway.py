@@ -1,8 +1,8 @@
 """Gateway: which packets cross from one network to another, and the rules that filter them.
 
 A gateway stands between the networks inside a subsystem (its capability modules) and those outside (operator control
-units, other robots). Only what concerns ids of its subsystem crosses, and nothing goes back to where it came from.
-The components of its own machine count as inside.
+units, other robots). Only packets from or to ids of its subsystem cross, and none is sent back to its own network. The
+components of its own machine count as inside.
 """
 
 from __future__ import annotations

@@ -51,7 +51,7 @@ class PendingDestinations:
         return sum(len(pending.messages) for pending in self._pending.values())
 
     def add(self, destination: int, datagram: bytes, now: float, *, relayed: bool = False) -> bytes | None:
-        """Take a message for an unknown destination; returned if it is to be multicast at once as a probe.
+        """Take a message for an unknown destination; returned if it is to be multicast immediately as a probe.
 
         `relayed`: it came from a network.
         """

@@ -1,6 +1,6 @@
 """Reassembly of large messages from fragments that arrive in any order, with bounds of memory and time.
 
-A fragment that is not kept must not be acknowledged, so that its sender learns that it is lost. For the same reason a
+A fragment that is not kept must not be acknowledged, so that its sender notices the loss. For the same reason a
 fragment whose sender resends it is never dropped to make room for another; it only expires.
 """
 

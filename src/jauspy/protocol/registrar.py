@@ -81,7 +81,7 @@ class Registrar:
         """Remove the components of a port where nobody listens any more."""
         for id in self._components.remove_port(port):
             self._counters["components.lost"] += 1
-            _LOGGER.info("component %s is gone", JausID.from_int(id))
+            _LOGGER.info("component %s has ended without Cancel", JausID.from_int(id))
 
     def register(self, id: int, port: ComponentPort, now: float, reply: bytes | None = None) -> bool:
         """Register a component and send it `reply`; false, and counted, when it is not accepted.
@@ -149,7 +149,7 @@ class DuplicateIdLog:
             )
 
     def warn_taken(self, id: int, port: Port, holder: Port) -> None:
-        """A program of this machine wants to be a component with the id of one on a network."""
+        """A program of this machine tries to register an id that a component on a network uses."""
         if self._is_new(id, port):
             self._logger.warning(
                 "id %s is in use at %s; %s is not accepted with it until that is silent for %d s",

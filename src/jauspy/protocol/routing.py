@@ -1,4 +1,4 @@
-"""Routing: who gets a packet that a node manager has received. Sans-I/O.
+"""Decides the destinations of packets that a node manager has received (sans I/O).
 
 Packets are forwarded as the bytes they came in, with three exceptions: the ACK bit of a multicast for an unknown
 destination is set, packets that shared a datagram are sent one by one, and legacy headers are converted (see
@@ -35,7 +35,7 @@ from jauspy.protocol.sources import SourceChecks, TokenBuckets
 _LOGGER = get_logger(__name__)
 
 VAGUE_RATE: Final = 100.0
-"""Messages per second, and at once, that are multicast for ids with zeros: no address can be learned for them."""
+"""Messages per second (and burst) that are multicast for ids with zeros: no address can be learned for them."""
 RECEIVED_COUNTERS: Final[dict[type, str]] = {port: f"received.{kind}" for port, kind in PORT_KINDS.items()}
 
 CompressionUse: TypeAlias = Literal["off", "accept", "propose"]
@@ -48,7 +48,7 @@ class Router:
         local_root: The directory of the components' sockets.
         addresses: Static addresses, which never expire; learned ones expire after `address_lifetime` seconds.
         networks: The names of all networks. Packets cross from one to another only through a `gateway`.
-        gateway, sources: What is accepted; both may be replaced at run time.
+        gateway, sources: Filters of received packets; both may be replaced at run time.
         local_udp: Whether components of this machine may connect by UDP.
         may_connect: True for a UDP port whose user may connect.
         is_abandoned: True for an address of this machine that nobody uses any more who could have connected.
@@ -150,14 +150,14 @@ class Router:
         return len(self._pending)
 
     def remove_dead(self, port: ComponentPort) -> None:
-        """Nobody listens on `port` any more: remove its components, and the addresses learned from it."""
+        """Remove the components and learned addresses of a port where nobody listens any more."""
         self._registrar.remove_dead(port)
         if isinstance(port, UdpPort):
             for id in self.address_book.forget(port):
                 self._changed(id)
 
     def disconnected(self, port: NetworkPort) -> None:
-        """A connection has ended: remove the addresses learned from it."""
+        """Remove the addresses learned from a connection that has ended."""
         self.address_book.forget(port)
         self.sources.forget(port)
 

@@ -1,4 +1,4 @@
-"""The keys of operators (Ed25519), and what a sealed command signs. See docs/security.md.
+"""The keys of operators (Ed25519), and the signed content of a sealed command. See docs/security.md.
 
 The library `cryptography` is imported when a key is used: `pip install 'jauspy[operators]'`.
 """
@@ -101,12 +101,12 @@ class PublicKey:
     def __init__(self, raw: bytes) -> None:
         self.raw: Final = raw
         self.id: Final = int.from_bytes(hashlib.sha256(raw).digest()[:8], "big")
-        """Names the key in sealed commands."""
+        """Identifies the key in sealed commands."""
         self._key = self._loaded(raw)
 
     @classmethod
     def parse(cls, text: str) -> PublicKey:
-        """The key of a text as `str` gives it."""
+        """Parse the text that `str` returns."""
         encoded = text.removeprefix(_PREFIX)
         try:
             if encoded != text:

@@ -200,7 +200,7 @@ class SourceChecks:
     def within_rate(self, id: int, priority: int, now: float) -> bool:
         """False when this source exceeds its rate; call only when `are_limited`.
 
-        Safety-critical messages have a budget of their own.
+        Safety-critical messages have a separate budget.
         """
         return self._buckets.take(id | _URGENT if priority == Priority.SAFETY_CRITICAL else id, now)
 
@@ -216,7 +216,7 @@ class SourceChecks:
         return not self._changes.is_claimed(id)
 
     def forget(self, port: NetworkPort) -> None:
-        """Remove the ids of an address, as when a connection was closed; they may have another from now on."""
+        """Remove the ids of an address, as when a connection was closed; they may then get another one."""
         self._addresses.remove_port(port)
 
     def holder(self, id: int, now: float) -> NetworkPort | None:

@@ -1,6 +1,6 @@
 """Binds the actions, predicates and reports that JSIDL state machines name to methods of services.
 
-This happens once, when a component is made. `required_methods` says which methods a definition needs; `jauspy new`
+This happens once, when a component is made. `required_methods` lists the methods that a definition needs; `jauspy new`
 writes them.
 """
 
@@ -266,7 +266,7 @@ class Binder:
     def _replying(
         self, call: Callable[[Trigger], object], method: Callable[..., object]
     ) -> Callable[[Trigger], object]:
-        """`call`, and a message that it returns, at once or deferred, is sent to the source of the trigger."""
+        """Wrap `call`: a message that it returns, immediately or deferred, is sent to the source of the trigger."""
         reply = self._reply
 
         def run(trigger: Trigger) -> object:
@@ -375,7 +375,7 @@ def _check_report(report: object, name: str, method: Callable[..., object]) -> M
     if isinstance(report, Message) and name == report.NAME:
         return report
     what = report.NAME if isinstance(report, Message) else repr(report)
-    raise TypeError(f"{method.__qualname__} is to return a {name}, a Deferred or None, and returned {what}")
+    raise TypeError(f"{method.__qualname__} must return a {name}, a Deferred or None; it returned {what}")
 
 
 def _described(transition: model.Transition) -> str:
@@ -384,7 +384,7 @@ def _described(transition: model.Transition) -> str:
 
 
 def _missing_method() -> None:
-    """Stands for a missing method until all problems are collected, and for one that a service omits."""
+    """Placeholder for a missing method until all problems are collected, and for one that a service omits."""
 
 
 def bind_services(
@@ -438,7 +438,7 @@ def _by_urn(services: Iterable[Service]) -> dict[str, Service]:
 
 def _default(urn: str) -> Service:
     if urn not in INHERITED_DEFAULTS:
-        raise ConfigError(f"{urn} is inherited from and is not among the component's services; add it")
+        raise ConfigError(f"{urn} is a parent of one of the component's services, but not among them; add it")
     return INHERITED_DEFAULTS[urn]()
 
 

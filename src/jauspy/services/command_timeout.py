@@ -1,4 +1,4 @@
-"""Commands that go on until the next one, such as efforts and velocities: without a next one the motion stops."""
+"""Continuous commands, such as efforts and velocities: the motion stops unless the next command arrives in time."""
 
 from __future__ import annotations
 
@@ -29,13 +29,14 @@ CONTINUOUS_COMMANDS: Final[Mapping[str, Zero]] = {
     **dict.fromkeys(("SetPanTiltJointEffort", "SetPanTiltJointVelocity"), Zero.ALL),
     **dict.fromkeys(("SetActuatorForceTorques", "SetServoTarget"), Zero.NONE),
 }
-"""Names of the commands that a client repeats, lest the motion stop (AS6009, AS6057, AS6091), and how to stop it."""
+"""Names of the commands that a client must repeat to continue a motion (AS6009, AS6057, AS6091), and how each is
+stopped."""
 
 
 class ContinuousCommands(Service):
-    """The base of services whose commands go on until the next one.
+    """The base of services with continuous commands.
 
-    Control alone does not show that somebody is at the controls: it is renewed in the background.
+    Held control does not show that an operator is active, since it is renewed in the background.
     """
 
     command_timeout: float | None = None

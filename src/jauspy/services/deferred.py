@@ -13,7 +13,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.services.state_machine import ActionErrors, Trigger
 
 MAX_DEFERRED_REPLIES: Final = 32
-"""Deferred replies that a component may have pending; one more is given its fallback at once."""
+"""Deferred replies that a component may have pending; one more gets its fallback immediately."""
 
 REPLY_TIMEOUT: Final = 10.0
 """Seconds after which a deferred reply is given its fallback."""
@@ -51,7 +51,7 @@ class Deferred:
             on_result(self)
 
     def add_done_callback(self, callback: ReplyCallback) -> None:
-        """Have `callback` called with the report, from within the host."""
+        """Register `callback`, which the host calls with the report."""
         if self._is_done:
             callback(self.report)
         else:
@@ -81,12 +81,12 @@ class PendingReply:
     encode: Callable[[Message | None], bytes | None]
 
     def add_done_callback(self, callback: Callable[[bytes | None], None]) -> None:
-        """Have `callback` called with the reply, from within the host."""
+        """Register `callback`, which the host calls with the reply."""
         self.deferred.add_done_callback(lambda report: callback(self.encode(report)))
 
 
 class TimerHost(Protocol):
-    """What `DeferredReplies` needs of a host."""
+    """The part of a host that `DeferredReplies` uses."""
 
     now: float
     counters: Counters
@@ -100,7 +100,7 @@ class TimerHost(Protocol):
 class DeferredReplies:
     """The deferred replies of one component.
 
-    Results are set outside of the host's calls, so a timer that is due at once passes them on.
+    Results are set outside of the host's calls, so a timer that is due immediately passes them on.
 
     Counters: `deferred_overdue` had no result in time, `deferred_refused` were too many, `repeated_query` was not
     answered twice.

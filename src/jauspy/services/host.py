@@ -21,13 +21,13 @@ from jauspy.services.service import Service, ServiceHost, Timers
 from jauspy.services.state_machine import Trigger, TriggerOutcome
 
 MAX_BACKGROUND_TIMERS: Final = 8
-"""Timers that may wait, such as events of clients without control, of which so many are run in one turn."""
+"""Background timers, such as events of clients without control, that are run in one turn."""
 BACKGROUND_RATE: Final = 1000.0
-"""Such timers a second, at most."""
+"""Maximum background timers per second."""
 BACKGROUND_BURST: Final = 128
-"""Such timers that may be due at the same time without waiting for that."""
+"""Background timers that may be run in a burst above that rate."""
 BACKLOG_INTERVAL: Final = 0.005
-"""Seconds until they are tried again when the transport is full of what they sent."""
+"""Seconds until background timers are retried when the transport's queue is full."""
 
 
 class Host(ServiceHost):
@@ -150,12 +150,12 @@ class Host(ServiceHost):
         self.take_id(self.id, now)
 
     def leave(self, now: float) -> None:
-        """Tell the services that the id is given up; they send clients what ends under it."""
+        """Notify the services that the id is given up; they notify clients of events and control that end."""
         self.now = now
         self._call_each(Trigger("leaving"), lambda service: service.leaving())
 
     def take_id(self, id: JausID, now: float) -> None:
-        """Have this id from now on."""
+        """Change to this id."""
         self.now = now
         self.id, self.requested_id = id, None
         self._call_each(Trigger("joined"), lambda service: service.joined())

@@ -64,7 +64,7 @@ class InputDecoder:
             return None
 
     def _decode_lenient(self, kind: type[Message], payload: bytes, detail: str) -> Message | None:
-        """Accept values that are merely outside of their value sets: an emergency counts whatever its code."""
+        """Accept values that are merely outside of their value sets: an emergency is accepted with any code."""
         message, deviations = self._registry.decode_as(kind, payload, strict=False)
         if any(deviation.lost for deviation in deviations):
             self._count(f"malformed_{kind.NAME}", detail)
@@ -134,7 +134,7 @@ class MessageSender:
             self._dispatch(Trigger(_SEND_EVENTS[broadcast], outgoing))
 
     def ask(self, machine: MachineInstance, trigger: Trigger) -> tuple[TriggerOutcome, Reply]:
-        """What a query leads to, and the first message that its source would be sent for it; nothing is sent."""
+        """The outcome of a query and the first message that would be sent to its source; nothing is sent."""
         outer, self._captured = self._captured, []
         try:
             action = machine.sole_action(trigger.key)

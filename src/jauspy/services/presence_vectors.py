@@ -46,7 +46,10 @@ def apply_presence_vectors(report: Message, query: Message) -> Message:
 
 
 def _requested_in(whole: S, part: str, requested: int) -> S | None:
-    """`whole` with the vector applied to its first record with optional fields in `part`; None: there is no such."""
+    """`whole` with the vector applied to its first record with optional fields in `part`.
+
+    None if there is no such record.
+    """
     for slot in _slots(type(whole)):
         member = getattr(whole, slot.name)
         if part in slot.name and isinstance(member, Struct):

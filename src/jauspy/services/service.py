@@ -1,4 +1,4 @@
-"""Services of a component: `Service` is what their authors subclass, `ServiceHost` what they call as `self.host`."""
+"""`Service`, which authors of services subclass, and `ServiceHost`, which they use as `self.host`."""
 
 from __future__ import annotations
 
@@ -146,7 +146,7 @@ class Service:
     ) -> None:
         super().__init_subclass__()
         if definitions is not None and not isinstance(definitions, Registry):
-            raise TypeError(f"definitions are what `jauspy.load` gives, not {described(definitions)}")
+            raise TypeError(f"definitions must be a result of `jauspy.load`, not {described(definitions)}")
         cls.urn = urn or cls.urn
         cls.version = version or cls.version
         cls.definitions = definitions or cls.definitions
@@ -155,7 +155,7 @@ class Service:
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> object:
-            """Explains the most frequent mistake: `host` is used in `__init__`."""
+            """Explain the most frequent mistake: use of `host` in `__init__`."""
             if name == "host":
                 hint = "it is there from `attached()` on, so set timers up there"
                 text = f"{type(self).__name__!r} object has no attribute {name!r}; {hint}"
@@ -169,7 +169,7 @@ class Service:
         """
         check_number(seconds, "the seconds of every()")
         if not 0 < seconds < math.inf:
-            raise ConfigError(f"every() is given {seconds} s; it must be above 0")
+            raise ConfigError(f"every(): the period {seconds} s must be above 0")
         due = self.host.now + seconds
 
         def tick() -> None:
@@ -222,11 +222,11 @@ class Admission(Protocol):
         """The message to be handled, this one or one inside it; None when it is refused."""
 
     def handled(self, outcome: TriggerOutcome) -> None:
-        """Called with what became of the message that `admit` has returned last."""
+        """Called with the outcome of the message that `admit` returned last."""
 
 
 class ServiceHost:
-    """What the services of a component use of it, as `self.host`. `Host` binds and runs them.
+    """The interface of a component for its services, as `self.host`. `Host` binds and runs them.
 
     `utc_now` is the wall clock; every other time is `now`, in seconds of one monotonic clock.
     """
@@ -247,7 +247,7 @@ class ServiceHost:
         self.admission: Admission | None = None
         """Decides what is handled; None: everything."""
         self.operator: Operator | None = None
-        """Who has sealed the message that is handled now; set by the admission, for that message."""
+        """The operator who sealed the message that is being handled; set by the admission."""
         self.clock_offset = timedelta()
         """Difference of the component's clock to the wall clock; set by Time."""
         self.on_timer_change: Callable[[], None] = lambda: None
@@ -331,7 +331,7 @@ class ServiceHost:
         self._output.put(outgoing)
 
     def ask(self, query: Message, source: JausID) -> tuple[TriggerOutcome, Reply]:
-        """What the component would answer `source` now; nothing is sent, and the state cannot change."""
+        """The answer that the component would send to `source` now; nothing is sent, and the state cannot change."""
         return self._sender.ask(self._bound.machines["ReceiveFSM"], Trigger(query.CODE, query, source))
 
     def defer(self, fallback: Callable[[], Message | None]) -> Deferred:
@@ -406,7 +406,7 @@ class ServiceHost:
         self._call_each(Trigger("control_lost"), lambda service: service.control_lost())
 
     def count(self, reason: str, detail: str) -> None:
-        """Count something that was dropped; logged at DEBUG the first time."""
+        """Count a dropped message or another event under this name; logged at DEBUG the first time."""
         self.counters.count(reason, f"{detail} ({self.id})")
 
     def _call_each(self, trigger: Trigger, call: Callable[[Service], None]) -> None:

@@ -25,7 +25,7 @@ MAX_PUSHED: Final = 32
 MAX_QUEUED_TRIGGERS: Final = 256
 """Triggers that may be queued at once, and that may follow from one message; more is a bug of a service."""
 TriggerKey: TypeAlias = int | str
-"""What a transition waits for: the code of a received message, or the name of an internal event."""
+"""The trigger of a transition: the code of a received message, or the name of an internal event."""
 
 ANY_MESSAGE: Final = "Receive"
 """The key of transitions that take every received message (JSIDL: `Receive` without parameters)."""
@@ -41,7 +41,7 @@ class Trigger(NamedTuple):
     msg: Any = None
     """The received message; for an internal event whatever the service that fired it passed on."""
     source: JausID | None = None
-    """Who sent the message; for an internal event whom it is about, None for nobody."""
+    """The sender of the message; for an internal event the client concerned, None for no client."""
 
     @property
     def is_message(self) -> bool:
@@ -50,7 +50,7 @@ class Trigger(NamedTuple):
 
 
 class ActionResult(Enum):
-    """What an action may return to steer the transition it belongs to."""
+    """Values that an action may return to control its transition."""
 
     STAY = "stay"
 
@@ -62,7 +62,7 @@ STAY: Final = ActionResult.STAY
 class ActionErrors:
     """Records the exceptions that actions, guards and timers of one component raise; `on_error` is called after each.
 
-    Whatever calls the code of a service catches every `Exception` and records it here.
+    All callers of a service's code catch every `Exception` and record it here.
     """
 
     def __init__(self, counters: Counters, on_error: Callable[[], None] = lambda: None) -> None:
@@ -123,7 +123,7 @@ class BoundState:
 
 
 class TriggerOutcome(Enum):
-    """What a state machine did with a trigger."""
+    """The outcome of a trigger."""
 
     TAKEN = "taken"
     IGNORED = "ignored"
@@ -288,7 +288,7 @@ class CommandCompletion:
 
 
 class TriggerQueue:
-    """Handles triggers one after the other; what arises while one is handled is queued (first in, first out).
+    """Handles triggers one after the other; triggers that arise while one is handled are queued (first in, first out).
 
     Nothing is handled before `start`, when all services are bound. A trigger that exceeds `MAX_QUEUED_TRIGGERS` is
     passed to `on_dropped`.

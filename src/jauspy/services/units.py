@@ -1,4 +1,4 @@
-"""Conversions to what messages carry: efforts in percent, time stamps in UTC, texts in Latin-1."""
+"""Conversions to values of messages: efforts in percent, time stamps in UTC, texts in Latin-1."""
 
 from __future__ import annotations
 

@@ -18,7 +18,7 @@ class ConveyorService(Service, urn="urn:jauspy:cell:Conveyor"):
         self._commanded = 0.0
 
     def set_conveyor_speed(self, msg: SetConveyorSpeed) -> None:
-        """Run at a speed, limited to the largest one; one that is not a finite number is ignored and counted."""
+        """Run at a speed in m/s, limited to `max_speed`; infinite and NaN speeds are ignored and counted."""
         if not math.isfinite(msg.speed):
             self.host.count("invalid_speed", f"{msg}")
             return

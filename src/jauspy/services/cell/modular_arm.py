@@ -67,7 +67,10 @@ class ArmMotionControl:
 
 
 class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
-    """An arm of servo modules. What is wrong with a command is in the report of the state; the joints then hold."""
+    """An arm of servo modules.
+
+    After a wrong command the joints hold, and the report of the state contains the reason.
+    """
 
     def __init__(self, control: ArmMotionControl, cell: CellSetup) -> None:
         self._control = control
@@ -89,12 +92,12 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         self._control.stop()
 
     def set_modular_arm_controller(self, msg: SetModularArmController) -> None:
-        """Choose how the joints follow."""
+        """Select the controller of the joints."""
         if (controller := _CONTROLLERS.get(msg.controller)) is not None:
             self._arm.set_controller(controller)
 
     def set_modular_arm_order(self, msg: SetModularArmOrder) -> None:
-        """Fix the order of the joints, or have it found."""
+        """Set the order of the joints, or determine it from the assembly."""
         self._arm.set_order([each.name for each in msg.joint_list])
 
     def control_lost(self) -> None:
@@ -118,7 +121,7 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         return _Reported(motion, [_Reported.ModularJointRec(sent_text(name), *values) for name, *values in rows])
 
     def report_modular_arm_specification(self) -> ReportModularArmSpecification:
-        """What the arm is made of, and the limits of its joints."""
+        """The modules of the arm, and the limits of its joints."""
         report, state = ReportModularArmSpecification, self._arm.state()
         types = {part.name: self._cell.types[part.type] for part in self._cell.parts}
         limits = [

@@ -1,4 +1,4 @@
-"""PartSensor and ModulePower: which parts are where, and which modules are switched on. The world's z axis is up."""
+"""PartSensor and ModulePower: the poses of parts, and the power switches of modules. The world's z axis is up."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class PartSensorService(Service, urn="urn:jauspy:cell:PartSensor"):
         self._sensor = sensor
 
     def report_part_observations(self) -> ReportPartObservations:
-        """What it saw last."""
+        """The last observations: poses of parts in metres and radians."""
         seen = self._sensor.state()
         time = ReportPartObservations.ObservationTimeRec(seen.time)
         return ReportPartObservations(time, [_observed(part) for part in seen.parts])
@@ -50,7 +50,7 @@ class ModulePowerService(Service, urn="urn:jauspy:cell:ModulePower"):
                 self._power.switch(each.name, each.power == ReportModulePower.Power.SWITCHED_ON)
 
     def report_module_power(self) -> ReportModulePower:
-        """Which modules are switched on."""
+        """The modules that are switched on."""
         return ReportModulePower(
             [_Record(sent_text(name), ReportModulePower.Power(on)) for name, on in self._power.state().items()]
         )

@@ -41,14 +41,14 @@ class ServoControl:
         self.servo.command(target, feed_forward)
 
     def stop(self) -> None:
-        """Hold, unless it already does: repeated holds would follow a joint that sags."""
+        """Hold, unless it already does: each new hold would take the position of a sagging joint."""
         if not self._holding:
             self._holding = True
             self.servo.hold()
 
 
 class ServoModuleService(ContinuousCommands, urn="urn:jauspy:cell:ServoModule"):
-    """A servo module, unless a modular arm moves it: then targets are ignored and counted, and the state says so.
+    """A servo module. While a modular arm moves it, targets are ignored and counted, and the reported state shows this.
 
     Velocities and torques end without a further target, positions do not.
     """

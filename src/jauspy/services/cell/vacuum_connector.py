@@ -30,7 +30,7 @@ _ERRORS: Final = {
 
 
 class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
-    """The connectors of a part. What they hold they keep, whatever becomes of the component and its client."""
+    """The connectors of a part. They keep holding their load when the component ends or its client is lost."""
 
     def __init__(self, part: str, type: str, connectors: Sequence[VacuumConnector], limits: ConnectorLimits) -> None:
         self._part = part
@@ -39,7 +39,7 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
         self._limits = limits
 
     def set_connector(self, msg: SetConnector) -> None:
-        """Start the pump of a connector, or let air in; an unknown number is ignored and counted."""
+        """Switch a connector on (pump) or off (vent); an unknown number is ignored and counted."""
         if (connector := self._connectors.get(msg.connector)) is None:
             self.host.count("unknown_connector", f"{msg}")
         else:

@@ -57,24 +57,24 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         return self.host.controller
 
     def attached(self) -> None:
-        """The event of a time-out is `Timedout`; in 1.0 it was `Timeout`, which in 1.1 ends a subscription."""
+        """Select the name of the time-out event: `Timedout`, in 1.0 `Timeout`, which in 1.1 ends a subscription."""
         if self.host.definitions[self.urn].version == "1.0":
             self._timeout_event = "Timeout"
 
     # --- actions
 
     def init(self) -> None:
-        """Nobody is in control."""
+        """Clear the controller."""
         self.authority = self.default_authority
         self.host.cancel_timer(_TIMER)
         self._set_controller(None)
 
     def store_address(self, source: JausID) -> None:
-        """`source` is in control from now on."""
+        """Give control to `source`."""
         self._set_controller(source)
 
     def set_authority(self, msg: RequestControl | SetAuthority) -> None:
-        """The controlling client's authority."""
+        """Set the authority of the controlling client."""
         self.authority = self._asked(msg)
 
     def reset_timer(self) -> None:
@@ -103,7 +103,7 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
             self.host.control_lost()
 
     def _asked(self, msg: RequestControl | SetAuthority) -> int:
-        """The authority that a client asks for, as far as the role of its operator goes."""
+        """The requested authority, limited to that of the operator's role."""
         operator = self.host.operator
         return msg.authority_code if operator is None else min(msg.authority_code, operator.authority)
 
@@ -162,5 +162,5 @@ class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):
         return ReportAuthority(authority_code=self.authority)
 
     def report_timeout(self) -> ReportTimeout:
-        """Seconds, 0 when control never times out."""
+        """The time-out in seconds; 0 when control never times out."""
         return ReportTimeout(timeout=self.timeout)

@@ -25,16 +25,16 @@ from jauspy.services.state_machine import TriggerOutcome
 _LOG: Final = get_logger("jauspy.operators")
 
 MAX_AGE: Final = 2.0
-"""Seconds from the sealing of a command to its arrival, with the way of the challenge."""
+"""Seconds from the sealing of a command to its arrival, including the transmission of the challenge."""
 MAX_AHEAD: Final = 0.5
-"""Seconds that the clock of a client may gain on ours during the life of a challenge."""
+"""Seconds by which a client's clock may run ahead of this one within the lifetime of a challenge."""
 CHALLENGE_LIFETIME: Final = 600.0
 """Seconds that a client may use a challenge."""
 MAX_CLIENTS: Final = 256
-"""Clients whose latest counters are known; each is forgotten once whatever it has sealed is stale."""
+"""Clients whose latest counters are stored; each is dropped once all of its seals have expired."""
 MAX_CLIENTS_OF_OPERATOR: Final = 32
 MAX_REJECTS: Final = 10
-"""Replies to refused commands in a second, so that forged senders cannot have us flood others."""
+"""Replies to refused commands in a second, so that forged source ids cannot be used to flood others."""
 MIN_SECRET: Final = 16
 
 Reason = RejectCommand.Reason
@@ -83,9 +83,8 @@ class CommandRecord:
 class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
     """Opens sealed commands before they reach the state machines; with `required`, refuses all others but stops.
 
-    Standby and SetEmergency act without a valid seal, too: whoever could hold them back could keep a robot moving.
-    `secret` is a random number of 16 bytes or more, new with each start. `audit` is called with each command that is
-    received, whatever becomes of it.
+    Standby and SetEmergency act without a valid seal, too, so that nobody can prevent a stop. `secret` is a random
+    number of 16 bytes or more, new with each start. `audit` is called with each received command and its outcome.
     """
 
     def __init__(
@@ -109,13 +108,13 @@ class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
         self._pending: _Received | None = None
 
     def attached(self) -> None:
-        """Every received message passes `admit`."""
+        """Set `admit` as the filter of received messages."""
         self.host.admission = self
 
     # --- challenges
 
     def report_seal_challenge(self, source: JausID) -> ReportSealChallenge:
-        """A challenge for this client. It is not kept: its tag shows that it is ours, and for whom."""
+        """A challenge for this client. It is not stored: its tag identifies it and the client."""
         self._last_challenge = max(self._last_challenge + 1, int(self.host.now * 1e6))
         return ReportSealChallenge(self._last_challenge, self._tag(int(source), self._last_challenge))
 
@@ -155,13 +154,13 @@ class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
         return received.command
 
     def handled(self, outcome: TriggerOutcome) -> None:
-        """Called with what became of the message that `admit` let pass."""
+        """Called with the outcome of the message that `admit` returned."""
         pending, self._pending = self._pending, None
         if pending is not None:
             self._record(pending, outcome.value)
 
     def _check(self, sealed: SealedCommand, payload: bytes, source: JausID) -> Reason | None:
-        """What is wrong with a seal; the signature comes last, since it takes most time."""
+        """The fault of a seal, if any; the signature is checked last, since that takes most time."""
         operator = self._operators.get(sealed.operator_key)
         age = self.host.now - sealed.challenge_time / 1e6
         if sealed.destination != int(self.host.id):
@@ -189,7 +188,7 @@ class CommandSeal(Service, urn="urn:jauspy:operators:CommandSeal"):
         return None
 
     def _has_room(self, operator_key: int) -> bool:
-        """True when one more client may be remembered; those that have nothing left to replay are forgotten."""
+        """True when one more client can be stored; clients whose seals have all expired are dropped."""
         while self._clients:
             key, client = next(iter(self._clients.items()))
             if client.used_at is not None and self.host.now - client.used_at <= MAX_AGE + MAX_AHEAD:
@@ -245,7 +244,7 @@ class _Client:
 
 
 def _is_open(message: Message) -> bool:
-    """True for what anybody may send: queries, reports and `OPEN_COMMANDS`."""
+    """True for messages that any client may send: queries, reports and `OPEN_COMMANDS`."""
     if message.IS_COMMAND:
         return message.CODE in OPEN_COMMANDS
     return message.IS_QUERY or message.CODE in _REPORT_CODES or message.NAME.startswith(_REPORT_NAMES)

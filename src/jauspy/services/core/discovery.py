@@ -40,7 +40,7 @@ MAX_SERVICES: Final = 64
 AddressPattern: TypeAlias = tuple[int, int, int]
 """Subsystem, node and component; each may be a wildcard."""
 SearchFilters: TypeAlias = AbstractSet[str]
-"""Parts of URIs."""
+"""Substrings of URIs."""
 
 
 class OfferedService(NamedTuple):
@@ -180,13 +180,13 @@ DEFAULT_IDENTITIES: Final[Mapping[int, Identity]] = {
 class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
     """Answers for its own component, for those passed to `add_local`, and for those of its subsystem that registered.
 
-    `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; what is not given has a default.
-    Registrations end `REGISTRATION_LIFETIME` seconds after the last message from the component. Reports name as many
-    components as fit one packet, this one first, then those registered first; what is left out is counted.
+    `identities` by level: 1 system, 2 subsystem, 3 node, 4 component; the others have defaults. Registrations end
+    `REGISTRATION_LIFETIME` seconds after the last message from the component. Reports name as many components as fit
+    one packet, this one first, then those registered first; omitted ones are counted.
 
-    `registrants`: whose registrations count, those of components on this machine, or of the whole subsystem, which is
-    whoever uses one of its ids on the network. A registration is for the component that sends it, and for none of this
-    program.
+    `registrants`: components whose registrations are accepted: those on this machine, or those of the whole subsystem,
+    that is, any sender on the network with one of its ids. A registration applies to the component that sends it, and
+    never to one of this program.
 
     `register_with`: the id of a component of the same subsystem whose Discovery is to list this one as long as it
     runs, for clients that ask only there.
@@ -246,7 +246,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
             self.directory.register(other.id, offered_services(other))
 
     def remove_local(self, id: JausID) -> None:
-        """List a component of the same program no more, since it has ended."""
+        """Stop listing a component of the same program that has ended."""
         self.directory.remove(id)
 
     def publish_services(self, msg: RegisterServices, source: JausID) -> None:
@@ -364,7 +364,7 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
         return {where: known for where, known in wanted.items() if known}
 
     def _fitting(self, found: Mapping[JausID, tuple[OfferedService, ...]]) -> dict[JausID, tuple[OfferedService, ...]]:
-        """What fits `MAX_REPORT`: this component as far as possible, others with all of their services."""
+        """The components that fit `MAX_REPORT`: this one with the services that fit, others with all of theirs."""
         left, kept = MAX_REPORT, {}
         for each in sorted(found, key=lambda each: each != self.host.id):
             offers = within(found[each], left - _RECORDS)
@@ -379,7 +379,9 @@ class Discovery(Service, urn="urn:jaus:jss:core:Discovery"):
 def _one_component(id: str | JausID) -> JausID:
     found = component_id(id)
     if not found.subsystem or not found.node:
-        raise ConfigError(f"register_with: {found} is not whole; give the id of one component, as in 101.1.1")
+        raise ConfigError(
+            f"register_with: {found} is incomplete or has wildcards; give the id of one component, as in 101.1.1"
+        )
     return found
 
 

@@ -51,10 +51,10 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     """Subscriptions to every query that the component answers, and command events for every command that it takes.
 
     `min_rate` and `max_rate` (Hz) bound periodic events, `max_change_rate` how often every-change events check for a
-    change; 0 refuses events of that kind. Clients are sent the rate that is applied. Events end
-    `timeout` minutes (1..255, 0: never) after they were last created or updated. `limit` bounds the events of the
-    component, `limit_per_client` those of one client. `more_kinds` also accepts two kinds of event that AS5710 does
-    not number: 2 reports the first change, 3 reports once; both end then.
+    change; 0 refuses events of that kind. The confirmation contains the applied rate. Events end `timeout` minutes
+    (1..255, 0: never) after they were last created or updated. `limit` bounds the events of the component,
+    `limit_per_client` those of one client. `more_kinds` also accepts two kinds of event that AS5710 does not number: 2
+    reports the first change, 3 reports once; both end then.
     """
 
     def __init__(
@@ -93,7 +93,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     # --- actions
 
     def create_event(self, msg: CreateEvent, source: JausID) -> None:
-        """Add a subscription; the first report is sent at once, that of a first-change event on the change."""
+        """Add a subscription. The first report is sent immediately, except for first-change events."""
         subscription = Subscription(
             self.subscriptions.free_id(),
             source,
@@ -109,7 +109,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         self._schedule(subscription)
 
     def update_event(self, msg: EventSetup, source: JausID) -> None:
-        """Change rate, kind or query of an event; an every-change event reports at once."""
+        """Change rate, kind or query of an event; an every-change event reports immediately."""
         subscription = self._find(msg, source)
         if not isinstance(subscription, Subscription):
             return
@@ -144,7 +144,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
             )
 
     def stop_event_timer(self) -> None:
-        """Nothing to do: `cancel_event` has cancelled the timer."""
+        """Do nothing: `cancel_event` has cancelled the timer."""
 
     # --- requests
 
@@ -214,7 +214,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
     # --- events that are due
 
     def send_event(self, msg: Subscription) -> None:
-        """Send what the component would answer the query now; for events on change, only if it changed."""
+        """Send the present answer to the query; for events on change, only if it has changed."""
         if msg.pending_query is msg.query:
             self.host.count("event_skipped", f"{msg.query.NAME}: the reply to the previous query is still pending")
             return
@@ -298,7 +298,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         )
 
     def report_event_timeout(self) -> ReportEventTimeout:
-        """Minutes, 0 when events do not time out."""
+        """The time-out in minutes; 0 when events do not time out."""
         return ReportEventTimeout(timeout=self.timeout)
 
 

@@ -174,7 +174,7 @@ class ListManager(Service, urn="urn:jaus:jss:core:ListManager"):
         self._command(success)
 
     def control_lost(self) -> None:
-        """Stop the execution: what one client started must not continue under another."""
+        """Stop the execution: a motion started by one client must not continue under another."""
         self.stop()
 
     def _begin_next(self) -> None:
@@ -318,9 +318,9 @@ def _content(record: ElementRec) -> bytes:
 class ListDriver(Service):
     """Carries out elements one by one; the component's `ListManager` keeps them and knows which one is active.
 
-    A subclass says which messages its elements hold (`element_types`), starts one in `begin_element`, calls
-    `self.elements.done()` when it has been reached, and stops in `end_elements`. Of several drivers in a component
-    the first that takes an element carries it out.
+    A subclass sets the message classes of its elements (`element_types`), starts one in `begin_element`, calls
+    `self.elements.done()` when it has been reached, and stops in `end_elements`. Of several drivers in a component the
+    first that takes an element carries it out.
     """
 
     element_types: ClassVar[tuple[type[Message], ...]] = ()

@@ -22,7 +22,7 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
 
     An operator's client (see `CommandSeal`) also clears those that were set without a seal, which anybody can. With
     more clients than are remembered, it lasts until an operator's client clears it, or the component is started again:
-    whoever makes up many ids cannot end the emergency of somebody else.
+    a client that invents many ids cannot end another client's emergency.
     """
 
     def __init__(self) -> None:
@@ -37,7 +37,7 @@ class Management(Service, urn="urn:jaus:jss:core:Management"):
         return _status(self.host.path)
 
     def initialize(self) -> None:
-        """Initialization ends at once; a component with hardware overrides this."""
+        """Initialization ends immediately; a component with hardware overrides this."""
         self.host.fire("Initialized")
 
     def store_id(self, source: JausID) -> None:
@@ -94,7 +94,7 @@ def _status(path: tuple[str, ...]) -> ReportStatus.Status:
 class FailureRecovery(Service, urn="urn:jauspy:recovery:FailureRecovery", private=True):
     """Leaves Failure by Reset, which AS5710 does not provide for: the component is in Standby then (ADR 104).
 
-    `recover_by` is called first: what has failed is tried again, and may put the component in Failure again.
+    `recover_by` is called first: it retries what has failed, which may put the component in Failure again.
     """
 
     def __init__(self, recover_by: Callable[[], None] = lambda: None) -> None:

@@ -109,7 +109,7 @@ class VideoStreams:
         if location.has(host) or any(address in each and address != each.broadcast_address for each in self._targets):
             return
         known = f"which is at {', '.join(sorted(location.hosts))}" if location.hosts else "whose machine is not known"
-        raise ConfigError(f"{host} is no address of {client}, {known}; video_targets may allow networks")
+        raise ConfigError(f"{host} is not an address of {client}, {known}; video_targets may allow networks")
 
     def _keep_to_share(self, client: JausID, location: Location) -> None:
         """Remove the client's oldest end point if it has its share, or its machine has."""
@@ -121,7 +121,7 @@ class VideoStreams:
                 self.remove(numbers[0])
 
     def _watch(self, sensor: int, address: Address, replaceable: list[int]) -> None:
-        """Have the camera send there, if need be in place of another end point."""
+        """Make the camera send there, if necessary in place of another end point."""
         source = self.cameras[sensor].source
         try:
             self._check_room()
@@ -196,16 +196,16 @@ def parse_rtp_url(url: str) -> Address:
     if isinstance(address, ipaddress.IPv6Address) and address.ipv4_mapped:
         address = address.ipv4_mapped
     if address.is_multicast or address.is_unspecified or str(address) == "255.255.255.255":
-        raise ConfigError(f"{url!r}: video is sent to one machine, so its address is no group, broadcast or 0")
+        raise ConfigError(f"{url!r}: video is sent to one machine, so its address must not be a group, broadcast or 0")
     return str(address), port
 
 
 class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:DigitalResourceDiscovery"):
     """End points `rtp://ADDRESS:PORT`, registered by clients, to which the cameras' streams are sent.
 
-    ResourceID is the camera's sensor id, 1 by default. The stream starts at once and ends when the client removes the
-    end point, is lost, or has not registered it again for five minutes. A request with another server type or a bad URL
-    is confirmed with the number 0.
+    ResourceID is the camera's sensor id, 1 by default. The stream starts immediately and ends when the client removes
+    the end point, is lost, or has not registered it again for five minutes. A request with another server type or a bad
+    URL is confirmed with the number 0.
     """
 
     def __init__(self, streams: VideoStreams) -> None:
@@ -216,7 +216,7 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
         """Returns the clients that come first when there is no room: those in control."""
 
     def send_report_digital_resource_endpoint(self, source: JausID) -> ReportDigitalResourceEndpoint:
-        """Return the client's end points; where others watch is not for everybody."""
+        """Return the client's own end points only; the addresses of others are private."""
         own = self.host.id
         component = JAUS_ID(own.component, own.node, own.subsystem)
         points = [each for each in self._streams.end_points.values() if each.client == source]
@@ -225,7 +225,7 @@ class DigitalResourceDiscovery(Service, urn="urn:jaus:jss:environmentSensing:Dig
         )
 
     def add_digital_resource_endpoint(self, msg: RegisterDigitalResourceEndpoint, source: JausID) -> None:
-        """Add an end point, or restart the timeout of an existing one, when it is known where the client is."""
+        """Add an end point, or restart the timeout of an existing one, when the client's machine is known."""
         self._confirmed_number, self._reply = 0, None
         server = msg.digital_resource_endpoint_rec.server_type
         if server != RTP_SERVER_TYPE:

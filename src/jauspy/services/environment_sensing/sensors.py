@@ -1,4 +1,4 @@
-"""What all sensor services share: the sensors that a message names, and where sensors are mounted."""
+"""Shared by all sensor services: the sensors that a message names, and the mounting of sensors."""
 
 from __future__ import annotations
 
@@ -63,7 +63,7 @@ class JointMount:
 
 @dataclass(frozen=True, slots=True)
 class MountedSensor:
-    """A sensor of the vehicle, and where it is mounted."""
+    """A sensor of the vehicle with its mounting."""
 
     frame: Callable[[], Transform]
     """Returns the sensor's present frame in the vehicle's frame, both with the axes of REP-103."""

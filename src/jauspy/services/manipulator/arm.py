@@ -1,6 +1,7 @@
 """The arm: joints, geometry, limits and motion profile, which the manipulator services of a component share.
 
-Positions of joints are as AS6057 counts them (`jauspy.geometry.denavit_hartenberg`), radians or metres, base to tip.
+Positions of joints are in the convention of AS6057 (`jauspy.geometry.denavit_hartenberg`), radians or metres, base to
+tip.
 """
 
 from __future__ import annotations
@@ -45,7 +46,7 @@ class Arm:
     def __init__(self, joints: JointGroup) -> None:
         self.joints = joints
         self.is_coupled = any(joint.mimics is not None for joint in joints.chain)
-        """True if joints between base and tip mimic others: `geometry` then only counts positions."""
+        """True if joints between base and tip mimic others; `geometry` then only converts positions."""
         self.geometry = manipulator_geometry([_as_fixed(joint) if joint.mimics else joint for joint in joints.chain])
         self.tool = self.geometry.tool
         """The tool point in the last joint's frame, metres."""

@@ -1,4 +1,4 @@
-"""ManipulatorListDriver: what the list drivers of a manipulator have in common (AS6057)."""
+"""The list drivers of a manipulator and their base, ManipulatorListDriver (AS6057)."""
 
 from __future__ import annotations
 
@@ -112,7 +112,7 @@ class EndEffectorPoseListDriver(
         self.go(goal)
 
     def reached(self, *, exactly: bool) -> None:  # noqa: ARG002 - as near as the arm can
-        """Go on with the next element."""
+        """Continue with the next element."""
         self.elements.done()
 
     def end_elements(self) -> None:

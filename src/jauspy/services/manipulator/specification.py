@@ -1,4 +1,4 @@
-"""What a manipulator is: specification of geometry and limits, motion profile, and tool offset (AS6057)."""
+"""ManipulatorSpecification, JointMotionProfile, ToolOffset (AS6057), and jauspy's JointDescription."""
 
 from __future__ import annotations
 
@@ -165,10 +165,10 @@ _TYPES: Final = {
 
 
 class JointDescription(Service, urn="urn:jauspy:description:JointDescription"):
-    """The joints of the group `name` as the description of the robot (URDF) has them; `arm` counts them in its own way.
+    """The joints of the group `name` as the description of the robot (URDF) has them.
 
-    The standard counts positions from axes of its own, and does not report where the description has its zero; this
-    service of jauspy does, so that clients can use the numbers of the description.
+    `arm` has them in the convention of AS6057. AS6057 measures positions in DH frames, and does not report the zero of
+    the description; this service of jauspy does, so that clients can use the values of the description.
     """
 
     def __init__(self, name: str, group: JointGroup, arm: Arm) -> None:

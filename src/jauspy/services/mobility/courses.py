@@ -1,4 +1,4 @@
-"""Courses: what the pilot follows. At each pose a course gives the velocity that is wanted (docs/adr/0037-guidance.md).
+"""Courses, which the pilot follows: the wanted velocity as a function of the pose (docs/adr/0037-guidance.md).
 
 Poses are in the world, in JAUS axes: metres, and headings in radians, positive to the right.
 """
@@ -38,7 +38,7 @@ PASSING_SPEED: Final = 0.4
 
 
 class Course(Protocol):
-    """What the pilot follows."""
+    """A course for the pilot."""
 
     @property
     def limits(self) -> AccelerationLimits | None:
@@ -52,7 +52,7 @@ class Course(Protocol):
 
 @dataclass(frozen=True, slots=True)
 class Halt:
-    """Slows down, and stands."""
+    """Slows down and stops."""
 
     limits: None = None
 
@@ -147,7 +147,7 @@ def look_ahead(speed: float, path_tolerance: float | None) -> float:
 
 @dataclass(frozen=True, slots=True)
 class Goal:
-    """A waypoint in the world. Metres and radians; None for what is not commanded."""
+    """A waypoint in the world, metres and radians; None for values that were not commanded."""
 
     point: PlanarPoint
     heading: float | None = None

@@ -72,7 +72,7 @@ class Pilot:
         self._host = host
 
     def set_effort(self, driver: DriveOwner, forward: float, right: float, sideways: float = 0.0) -> None:
-        """Open loop: fractions of the full effort, -1..1, at once: forward, turning right, and to the right."""
+        """Open loop: set fractions of the full effort, -1..1, immediately: forward, turning right, and to the right."""
         self._set_driver(driver)
         self._end_course()
         self._set_efforts(forward, right, sideways)
@@ -90,12 +90,12 @@ class Pilot:
             driver.on_endless_motion()
 
     def release(self, driver: DriveOwner) -> None:
-        """Stop at once if this service drives."""
+        """Stop immediately if this service drives."""
         if self.driver is driver:
             self.stop()
 
     def stop(self) -> None:
-        """Stop at once, whichever service drives. May be called twice."""
+        """Stop immediately, whichever service drives. May be called twice."""
         self._end_course()
         self._drive.stop()
         self._set_driver(None)

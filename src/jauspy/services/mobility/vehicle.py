@@ -17,7 +17,8 @@ from jauspy.services.mobility.waypoints import Waypoint
 class Vehicle:
     """One platform. `origin`: global pose of the world's origin; services on the globe need it.
 
-    `localization`: where the platform believes to be, if it does not know exactly; `drive` then has its local pose.
+    `localization`: the estimated pose on the globe, unless the pose is exact; `drive` then has the estimated local
+    pose.
     """
 
     def __init__(
@@ -48,7 +49,7 @@ class Vehicle:
 
     @property
     def pose_on_globe(self) -> Pose:
-        """The pose in the world, in JAUS axes, as far as the platform knows its place on the globe: it may jump."""
+        """The pose in the world, in JAUS axes, from the estimated position on the globe: it may jump."""
         return self.pose if self.localization is None else jaus_pose(self.localization.state().globe.pose)
 
     @property
@@ -63,7 +64,7 @@ class Vehicle:
         return self._global_frame
 
     def point_on_globe(self, latitude: float, longitude: float) -> PlanarPoint:
-        """A point of the globe (degrees) in the frame of `pose`, by what the platform knows now."""
+        """A point of the globe (degrees) in the frame of `pose`, by the present estimate."""
         point = self.global_frame().to_world(latitude, longitude)
         if self.localization is None:
             return point
@@ -73,6 +74,6 @@ class Vehicle:
         return PlanarPoint(here.x + distance * math.cos(direction), here.y + distance * math.sin(direction))
 
     def heading_on_globe(self, heading: float) -> float:
-        """A true heading (rad) in the frame of `pose`, by what the platform knows now."""
+        """A true heading (rad) in the frame of `pose`, by the present estimate."""
         turn = self.pose.yaw - self.pose_on_globe.yaw
         return wrap_angle(self.global_frame().heading_to_world(heading) + turn)

@@ -1,4 +1,4 @@
-"""Where the platform is and how it moves (AS6009).
+"""Sensors of pose and motion (AS6009).
 
 LocalPoseSensor and GlobalPoseSensor report the pose in the local frame and on the globe; VelocityStateSensor and
 AccelerationStateSensor the motion in the frame of the platform.

@@ -22,7 +22,7 @@ class PlanarVelocity:
         return PlanarVelocity(speed, clamp(self.turn_rate, max_turn_rate), sideways)
 
     def feasible(self, chassis: Chassis) -> PlanarVelocity:
-        """What the chassis can do of it: no narrower curve than the narrowest, nothing sideways unless it can."""
+        """The nearest velocity that the chassis can drive: with limited curvature, sideways only if possible."""
         turn_rate = self.turn_rate
         if chassis.min_turn_radius:
             turn_rate = clamp(turn_rate, abs(self.speed) / chassis.min_turn_radius)

@@ -59,7 +59,7 @@ class WaypointFollower(Driver):
 
 
 def goal_of(vehicle: Vehicle, waypoint: Waypoint, *, is_last: bool) -> Goal:
-    """A waypoint in the world, as its frame is set now, and for a global one as far as the platform knows its place."""
+    """A waypoint in the world, by the present setting of its frame, and for a global one by the present estimate."""
     attitude = waypoint.attitude
     point, heading = _point_and_heading(vehicle, waypoint)
     tolerance = DEFAULT_TOLERANCE if attitude.tolerance is None else attitude.tolerance
@@ -97,7 +97,7 @@ class WaypointDriver(WaypointFollower):
         raise NotImplementedError(f"{type(self).__name__}.is_mine")
 
     def set_target(self, waypoint: Waypoint) -> None:
-        """Keep the waypoint; if this driver is driving, drive to it at once."""
+        """Keep the waypoint; if this driver is driving, drive to it immediately."""
         self.vehicle.goal = self.vehicle.waypoint = waypoint
         if self.is_driving:
             self._start(waypoint, self.vehicle.pilot.travel_speed)
@@ -240,12 +240,12 @@ class WaypointListDriver(WaypointFollower, ListDriver):
         self.drive_to(self.waypoint_of(message), self.vehicle.pilot.travel_speed, is_last=is_last)
 
     def end_elements(self) -> None:
-        """Stop, unless the list goes on with an element of another driver."""
+        """Stop, unless the list continues with an element of another driver."""
         if not self.elements.active:
             self.vehicle.pilot.release(self)
 
     def on_arrival(self) -> None:
-        """Go on with the next element."""
+        """Continue with the next element."""
         self.elements.done()
 
     def on_preempted(self) -> None:

@@ -20,13 +20,13 @@ from jauspy.services.units import effort_or_zero
 
 
 class PlatformSpecifications(Service, urn="urn:jaus:jss:ugv:PlatformSpecifications"):
-    """What the chassis is like, in the platform's frame: x forward, y right, z down, from the base's origin."""
+    """Size and limits of the chassis in the platform's frame: x forward, y right, z down, from the base's origin."""
 
     def __init__(self, vehicle: Vehicle) -> None:
         self._vehicle = vehicle
 
     def send_report_platform_specifications(self) -> ReportPlatformSpecifications:
-        """Everything that is known; the roll at which it tips follows from the centre of gravity."""
+        """Report all known values; the roll at which the platform tips follows from the centre of gravity."""
         chassis = self._vehicle.chassis
         return ReportPlatformSpecifications(
             platform_specifics=_specifics(chassis),

@@ -42,12 +42,12 @@ class IlluminationService(Service, urn="urn:jaus:jss:ugv:IlluminationService"):
             lamp.set(level / LEVELS if switch.is_variable else float(level))
 
     def send_report_illumination_state(self) -> ReportIlluminationState:
-        """Return which lights are on; variable ones with their level."""
+        """Return the states of the lights; variable ones with their level."""
         states = dict.fromkeys(_LIGHTS, 0) | {switch.value: self._state(switch) for switch in self._switches}
         return ReportIlluminationState(_State(**states))
 
     def send_report_illumination_configuration(self) -> ReportIlluminationConfiguration:
-        """Return which lights the platform has."""
+        """Return the lights that the platform has."""
         supported = {switch.value for switch in self._switches}
         types = ReportIlluminationConfiguration.Types
         return ReportIlluminationConfiguration(types(**{name: int(name in supported) for name in _LIGHTS}))
