@@ -64,7 +64,7 @@ OUT_OF_RANGE = {
     ),
     "every": (
         lambda: Liveness().every(0.0, print),
-        r"^every\(\) is given 0\.0 s; it must be above 0$",
+        r"^every\(\): the period 0\.0 s must be above 0$",
     ),
     "misspelt": (
         lambda: jauspy.Component("1.1.1", [Misspelt()]),
