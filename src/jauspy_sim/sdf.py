@@ -68,6 +68,8 @@ class _Place:
     frame: Transform = IDENTITY
     prefix: str = ""
     depth: int = 0
+    outer: frozenset[Path] = frozenset()
+    """The files of the models around it."""
 
 
 class _Reader:
@@ -183,6 +185,8 @@ class _Reader:
                 if found is None:
                     continue
                 inner, file = found
+                if file == near or file in place.outer:
+                    raise ConfigError(f"line {line_of(each)}: <include>: {file} includes itself")
                 name = " ".join(words(each.find("name"))) or str(inner.get("name"))
                 if each.find("pose") is None:
                     pose, relative_to = raw_pose(inner)
@@ -194,7 +198,7 @@ class _Reader:
         for inner, file, name in nested:
             before = set(model.links)
             inside = frame @ scope.pose(name, line_of(inner))
-            deeper = _Place(file, inside, f"{prefix}{name}::", place.depth + 1)
+            deeper = _Place(file, inside, f"{prefix}{name}::", place.depth + 1, place.outer | {near})
             collect = partial(self._collect, inner, deeper, model)
             static = located(file, collect) or static
             for added in set(model.links) - before:

@@ -23,6 +23,7 @@ def test_all_robots_match_their_urdf(name: str) -> None:
     ("text", "said"),
     [
         ("urdf = 'none.urdf'", "none.urdf: there is no such file"),
+        ("urdf = '.'", "is a directory; name the URDF or xacro file in it"),
         ("urdf = 'other.xml'", r"urdf: .*other.xml:1: the URDF begins with <html>, not with <robot>"),
         ("urdf = 'bad.xacro'", r"bad.xacro: xacro cannot expand it: .*nobody"),
         (

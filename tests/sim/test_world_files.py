@@ -163,6 +163,18 @@ def test_sdf_includes_models_from_search_paths(tmp_path: Path, monkeypatch: pyte
     assert model.geom_size[model.body("can/l").geomadr[0]][0] == 0.2
 
 
+@pytest.mark.parametrize(("first", "second"), [("a", "a"), ("b", "a")])
+def test_a_model_that_includes_itself_is_named(tmp_path: Path, first: str, second: str) -> None:
+    for name, other in (("a", first), ("b", second)):
+        model = f'<sdf version="1.6"><model name="{name}">\n<include><uri>model://{other}</uri></include></model></sdf>'
+        written(tmp_path, f"models/{name}/model.sdf", model)
+    path = written(tmp_path, "it.sdf", sdf("<include><uri>model://a</uri></include>"))
+    with pytest.raises(
+        ConfigError, match=rf"models/{first}/model\.sdf:2: <include>: .*models/a/model\.sdf includes itself"
+    ):
+        world_spec(str(path))
+
+
 def test_models_are_not_left_by_dots(tmp_path: Path) -> None:
     written(tmp_path, "models/can/model.sdf", "")
     written(tmp_path, "secret.txt", "")

@@ -46,8 +46,8 @@ class PackagePaths:
                 return place / name
         searched = ", ".join(map(str, (*self.given, *self._of_ros()))) or "none"
         raise ConfigError(
-            f"the package {name!r} is not found; package_path in the robot's TOML file, ROS_PACKAGE_PATH and "
-            f"AMENT_PREFIX_PATH name: {searched}; nor is it beside or above {near.parent}"
+            f"the package {name!r} is not found; package_path in the robot's TOML file (--package-path of jauspy new "
+            f"robot), ROS_PACKAGE_PATH and AMENT_PREFIX_PATH name: {searched}; nor is it beside or above {near.parent}"
         )
 
     def file(self, name: str, near: Path) -> Path:

@@ -119,6 +119,8 @@ def expand(
     `packages` finds the directories of `$(find ...)`; `arguments` are those of `$(arg ...)`. `with_places` gives each
     element the attribute `PLACE`.
     """
+    if Path(path).is_dir():
+        raise ConfigError(f"urdf: {path}: is a directory; name the URDF or xacro file in it")
     if not Path(path).is_file():
         raise ConfigError(f"urdf: {path}: there is no such file")
     try:
