@@ -35,10 +35,10 @@ if TYPE_CHECKING:
 logger = logging.getLogger("jauspy_sim.mujoco")
 
 SLEEP: Final = int(mujoco.mjtEnableBit.mjENBL_SLEEP) if hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP") else 0
-"""Things that rest cost no time until something touches them, with MuJoCo 3.4 and later."""
+"""Option of MuJoCo 3.4 and later: bodies at rest are not simulated until something touches them."""
 
 SLEEP_TOLERANCE: Final = 0.002
-"""Metres per second (radians times metres): what is slower than that rests."""
+"""Metres per second (radians times metres): slower bodies count as resting."""
 
 TIMESTEP: Final = 0.002
 """Seconds of one physics step."""
@@ -66,13 +66,13 @@ def prefix(robot: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class DrawnModel:
-    """A robot and its world as cameras see them; it is built where it is drawn, which takes half a second."""
+    """The model of a robot and its world for cameras; the process that draws builds it, in half a second."""
 
     robot: RobotModel
     world: str
 
     def build(self) -> mujoco.MjModel:
-        """The model, whose state is that of the one for physics."""
+        """Build the model, whose state has the layout of the model for physics."""
         spec = world_spec(self.world, self.robot.model_path)
         draw_floors_as_meshes(spec)
         return build_in(spec, self.robot, _what(self.robot, self.world), drawn=True)
@@ -81,8 +81,8 @@ class DrawnModel:
 def build(robot: RobotModel, world: str, *, drawn: bool = True) -> mujoco.MjModel:
     """The compiled model of that robot at the origin of that world; `ConfigError` lists the worlds there are.
 
-    A robot whose base is above the ground, as that of a walking robot, is as high as its lowest part needs.
-    Not to be `drawn`, it lacks visual shapes: physics does not need them, and takes a tenth longer with them.
+    A robot whose base is above the ground, such as a walking robot, is placed so that its lowest part touches the
+    ground. Unless `drawn`, the model has no visual shapes: physics takes a tenth longer with them.
     """
     return build_in(world_spec(world, robot.model_path), robot, _what(robot, world), drawn)
 
@@ -119,7 +119,7 @@ def build_in(spec: mujoco.MjSpec, robot: RobotModel, what: str = "the robot", dr
 
 
 def _make_slippery(model: mujoco.MjModel) -> None:
-    """Belts and wheels have the friction of a ground that has less than they: ice, mud, a smooth wall."""
+    """Give belts and wheels the friction of the ground where that is lower: ice, mud, a smooth wall."""
     belts = model.geom_priority == BELT_PRIORITY
     if belts.any():
         fixed = model.body_weldid[model.geom_bodyid] == 0
@@ -128,7 +128,7 @@ def _make_slippery(model: mujoco.MjModel) -> None:
 
 
 def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:
-    """The model; what MuJoCo does not accept raises `ConfigError`."""
+    """Compile the model; raises `ConfigError` for what MuJoCo does not accept."""
     try:
         return spec.compile()
     except ValueError as error:
@@ -136,7 +136,7 @@ def compiled(spec: mujoco.MjSpec, what: str) -> mujoco.MjModel:
 
 
 def _remove_scenery(spec: mujoco.MjSpec) -> None:
-    """Remove what is only drawn from a world, and weighs nothing."""
+    """Remove geometries of a world that are only drawn and have no mass."""
     for geom in spec.geoms:
         if geom.group == VISUAL and not (geom.contype or geom.conaffinity or geom.mass != 0.0):
             spec.delete(geom)
@@ -290,7 +290,7 @@ def _set_friction(spec: mujoco.MjSpec, link: str, coefficient: float) -> None:
 
 
 def _camera(spec: mujoco.MjSpec, camera: CameraSetup) -> None:
-    """MuJoCo's cameras look along -z with y up; the frame of a link looks along x with z up."""
+    """Add a camera. MuJoCo's look along -z with y up; the frame of a link along x with z up."""
     # one outside of the robot is placed for each picture
     carrier = spec.worldbody if camera.outside else spec.body(body_name(camera.link))
     added = carrier.add_camera(name=camera.name)
@@ -315,5 +315,5 @@ def _warn(text: str) -> None:
 
 
 def view(array: NDArray[np.float64]) -> Numbers:
-    """A memoryview of an array, with which numbers are read and written three times faster."""
+    """A memoryview of an array; access to single numbers is three times as fast."""
     return cast("Numbers", array.data)

@@ -34,9 +34,9 @@ _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0
 """Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""
 
 WALL_MARGIN: Final = 0.15
-"""Metres that an outside camera keeps from what would hide the robot."""
+"""Metres between an outside camera and obstacles that would hide the robot."""
 MIN_AWAY: Final = 0.6
-"""Metres that it keeps from the robot."""
+"""Least distance of an outside camera from the robot, in metres."""
 
 if TYPE_CHECKING:
     from jauspy_sim.lamps import Darkness
@@ -44,7 +44,7 @@ if TYPE_CHECKING:
 
 
 def state_of(data: mujoco.MjData, lamps: Sequence[Lamp] = ()) -> bytes:
-    """What is drawn, as doubles: qpos, mocap_pos, mocap_quat, userdata (how far belts have run), levels of lamps."""
+    """The state for rendering as doubles: qpos, mocap_pos, mocap_quat, userdata (travel of belts), levels of lamps."""
     levels = struct.pack(f"={len(lamps)}d", *(lamp.level for lamp in lamps))
     return b"".join(
         [data.qpos.tobytes(), data.mocap_pos.tobytes(), data.mocap_quat.tobytes(), data.userdata.tobytes(), levels]
@@ -61,7 +61,7 @@ class Renderer(Protocol):
 
     @property
     def description(self) -> str:
-        """How it renders, for the log."""
+        """The way of rendering, for the log."""
         ...
 
     def simplify(self) -> bool:
@@ -73,7 +73,7 @@ class Renderer(Protocol):
         ...
 
     def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
-        """A picture; shape (height, width, 3): red, green, blue. `thoroughly`: may take half a second."""
+        """Render a picture: uint8, shape (height, width, 3), RGB. With `thoroughly` it may take half a second."""
         ...
 
     def measure(
@@ -95,7 +95,9 @@ class Renderer(Protocol):
         *,
         parallel: bool = False,
     ) -> NDArray[np.float32] | None:
-        """What a lamp sees: depths along the x axis of a frame (x ahead, y left, z up), in metres; None if it cannot.
+        """Depths as seen from a lamp, along the x axis of a frame (x ahead, y left, z up), in metres.
+
+        None if not supported.
 
         The picture is square, of at most `size` pixels across; `spread` is half its width at a distance of one, and in
         a `parallel` projection at any. To be called after `measure`.
@@ -210,7 +212,7 @@ class SimulatedCameraSession:
         self._state.close()
 
     def _lighting(self, *, thoroughly: bool) -> Darkness | SunShadow | None:
-        """What lights the picture besides the renderer."""
+        """The lighting that is computed in addition to the renderer's."""
         if self._darkness is not None:
             return self._darkness
         renderer = self._renderer
@@ -240,7 +242,7 @@ class SimulatedCameraSession:
         return taken
 
     def _look_from_outside(self, view: OutsideView, now: float) -> None:
-        """Put the camera in its place, or nearer to the robot if something hides the robot from there."""
+        """Place the outside camera, nearer to the robot if something hides the robot."""
         data = self._data
         x, y, z = data.xpos[self._base].tolist()
         first, second, third = ((a, b, c) for a, b, c in data.xmat[self._base].reshape(3, 3).tolist())
@@ -279,7 +281,7 @@ class SimulatedCameraSession:
 def _in_size(
     image: NDArray[np.uint8], distances: NDArray[np.float32], width: int, height: int
 ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-    """Picture and depths in that size, by repeating pixels; as they are if they have it."""
+    """Picture and depths, scaled to that size by repeating pixels."""
     rows, columns = distances.shape
     if (rows, columns) == (height, width):
         return image, distances
@@ -288,7 +290,7 @@ def _in_size(
 
 
 def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
-    """The best renderer that works here, and the model that it shows."""
+    """The best renderer that works on this machine, and its model."""
     way = choose_gl()
     if way is not None:
         model = _physics(camera) if camera.drawn is None else shared_model(camera.drawing, camera.drawn.build)

@@ -1,4 +1,4 @@
-"""Which shapes of a model a camera, a lamp or the sun can see. MuJoCo's renderer sends all of them to GL.
+"""Hides the shapes that a camera, a lamp or the sun cannot see. MuJoCo's renderer sends all shapes to GL.
 
 Without a GPU the corners of what is outside of a picture take as long as those inside. Of the 60,000 triangles of
 inc1, its own cameras see a third.
@@ -20,12 +20,12 @@ HIDDEN: Final = 5
 SMALLEST: Final = 0.012
 """Metres: the radius below which a shape casts no shadow that shows."""
 FLAT: Final = 0.03
-"""Metres: what is not higher, lies still, and no higher above the ground than `LOW`, is a ground itself."""
+"""Metres: a fixed shape of at most this height, at most `LOW` above the ground, counts as ground."""
 LOW: Final = 0.15
 
 
 class Culling:
-    """The spheres around the shapes of a model, and who sees them."""
+    """Visibility of a model's shapes, by their bounding spheres."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         self._model = model
@@ -67,7 +67,7 @@ class Culling:
         self._model.geom_group[:] = np.where(seen & (ahead > -radii), self._groups, HIDDEN)
 
     def hide_shadowless(self) -> None:
-        """Hide also what casts no shadow."""
+        """Hide also shapes that cast no shadow."""
         self._model.geom_group[~self._casts] = HIDDEN
 
     def show_all(self) -> None:
@@ -76,7 +76,7 @@ class Culling:
 
 
 def _grounds(model: mujoco.MjModel) -> NDArray[np.bool_]:
-    """The shapes that nothing is below, so that nothing is in their shadow."""
+    """The shapes with nothing below them, so that their shadow falls on nothing."""
     data = mujoco.MjData(model)
     mujoco.mj_kinematics(model, data)
     down = data.geom_xmat.reshape(-1, 3, 3)[:, 2]

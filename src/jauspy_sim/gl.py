@@ -18,7 +18,7 @@ MIN_DISTANCE: Final = 0.02
 """Near plane in metres: the gripper is close to the arm's camera."""
 
 LAMP_PLANES: Final = (0.04, 60.0)
-"""Near and far plane of what a lamp sees, in metres."""
+"""Near and far plane of the view from a lamp, in metres."""
 
 QUALITIES: Final = {Quality.LOW: (0, 1), Quality.MEDIUM: (0, 1), Quality.HIGH: (4, 2048)}
 """Samples for each pixel, and pixels across the picture that the sun sees, for MuJoCo's own shadows."""
@@ -29,7 +29,7 @@ SHADOW_AHEAD: Final = 2.2
 """Metres from the camera to that point."""
 
 FILM_SAMPLES: Final = "film_samples"
-"""A world with this number has thorough pictures made with so many samples of a pixel, and with shadows."""
+"""Name of a number in a world: samples per pixel of thorough pictures, which also have shadows."""
 
 MAX_GEOMS: Final = 10_000
 """Maximal number of shapes in a picture."""
@@ -38,7 +38,7 @@ MAX_GEOMS: Final = 10_000
 class GlRenderer:
     """A `Renderer`. Worlds may ask for thorough pictures at a quality of their own.
 
-    Raises when GL does not work after all, and then as any of several exceptions.
+    The constructor raises one of several exceptions when GL does not work.
     """
 
     def __init__(
@@ -67,7 +67,7 @@ class GlRenderer:
         self._other: mujoco.MjrContext | None = None
         self._thorough = False
         self._saw_sky = True
-        """Whether the last picture with depths showed sky: what others do not show takes a seventh of their time."""
+        """Whether the last picture with depths showed sky; drawing the sky takes a seventh of the time."""
         self._cast_shadows(quality is Quality.HIGH)
 
     @property
@@ -155,7 +155,7 @@ class GlRenderer:
         *,
         parallel: bool = False,
     ) -> NDArray[np.float32] | None:
-        """As `Renderer.depths_from`, of what casts shadows."""
+        """As `Renderer.depths_from`, for shapes that cast shadows."""
         size = min(size, self._rect.width, self._rect.height)
         near, far = LAMP_PLANES
         self._culling.hide_unseen(data, position, rotation, (spread, spread), parallel=parallel)
@@ -200,15 +200,15 @@ class GlRenderer:
         mujoco.mjr_render(self._rect, self._scene, self._context)
 
     def _update(self, data: mujoco.MjData, scene: mujoco.MjvScene) -> None:
-        """Fill a scene with what is not hidden now, and hide nothing any more."""
+        """Fill a scene with the shapes that are not hidden, then show all again."""
         every = mujoco.mjtCatBit.mjCAT_ALL.value
         mujoco.mjv_updateScene(self._model, data, self._options, None, self._view, every, scene)
         self._culling.show_all()
 
     def _aim_suns(self, data: mujoco.MjData) -> None:
-        """Have what directional lights see, of `SHADOW_RADIUS`, lie around what the camera sees nearby.
+        """Centre the shadow maps of directional lights, of `SHADOW_RADIUS`, in front of the camera.
 
-        Else the shadows of the whole world would share the pixels, and be coarse.
+        Otherwise shadows of the whole world would share the pixels, and be coarse.
         """
         axes = data.cam_xmat[self._view.fixedcamid].reshape(3, 3)
         centre = data.cam_xpos[self._view.fixedcamid] - SHADOW_AHEAD * axes[:, 2]

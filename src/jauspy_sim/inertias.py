@@ -1,4 +1,4 @@
-"""Tensors of inertia as files give them, of which some belong to no body."""
+"""Tensors of inertia from files, of which some are physically impossible."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ logger = logging.getLogger("jauspy_sim.inertia")
 KEYS: Final = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 
 MIN_INERTIA: Final = 1e-6
-"""kg m^2, of what has none."""
+"""kg m^2; the least moment of inertia."""
 
 ROUNDING: Final = 1e-9
-"""kg m^2: an inertia below zero by less is zero, as programs write it."""
+"""kg m^2; a moment that is negative by less than this is a rounding error, and becomes zero."""
 
 BALL: Final = 0.02
 """Metres: radius of the ball whose inertia a body gets that has a mass and no inertia."""
@@ -35,7 +35,7 @@ def set_inertia(body: mujoco.MjsBody, mass: float, frame: Transform, tensor: NDA
 
 
 def checked_inertia(moments: tuple[float, ...], mass: float, where: str) -> NDArray[np.float64]:
-    """The tensor of Ixx, iyy, izz, ixy, ixz, iyz; one that no body can have is replaced, and this is logged.
+    """The tensor of Ixx, iyy, izz, ixy, ixz, iyz; an impossible one is replaced, and this is logged.
 
     Raises `ConfigError`, which begins with `where`, for a negative moment.
     """

@@ -131,12 +131,12 @@ class FloatingBase:
         self._qpos, self._qvel = view(data.qpos[position : position + 7]), view(data.qvel[self.dof : self.dof + 6])
 
     def pose(self) -> Pose:
-        """In the world."""
+        """The pose of the root link in the world."""
         x, y, z, *quaternion = self._qpos.tolist()
         return Pose(x, y, z, *roll_pitch_yaw(*quaternion))
 
     def twist(self) -> Twist:
-        """In its own frame."""
+        """The velocity of the root link in its own frame."""
         x, y, z, *rates = self._qvel.tolist()  # of a free joint: the velocity in the world's frame, rates in its own
         w, a, b, c = self._qpos[3:]
         tx, ty, tz = 2.0 * (b * z - c * y), 2.0 * (c * x - a * z), 2.0 * (a * y - b * x)

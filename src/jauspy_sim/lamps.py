@@ -32,10 +32,10 @@ EDGE: Final = 0.15
 """Part of a cone, from its edge inwards, in which the light fades out."""
 
 SHADOW_SIZE: Final = 256
-"""Pixels of each side of the picture from a lamp, in which what it does not see is in the shadow."""
+"""Side of a lamp's shadow map, in pixels."""
 SHADOW_MARGIN: Final = 1.02
 SHADOW_BIAS: Final = (0.02, 0.005)
-"""Metres, and metres for each metre, by which a surface may be behind what the lamp sees."""
+"""Metres, and metres per metre of distance, by which a lit surface may be behind the shadow map."""
 MAX_STEEPNESS: Final = 25.0
 """Largest factor by which that is increased where light falls flat on a surface."""
 MAX_SHADOW_ANGLE: Final = math.radians(75.0)
@@ -120,7 +120,7 @@ class Darkness:
 
 
 class Surface:
-    """What a picture shows, in the camera's frame: x right, y up, z ahead."""
+    """The visible surface of a picture, in the camera's frame: x right, y up, z ahead."""
 
     def __init__(self, distances: Floats, spread: float) -> None:
         height, width = distances.shape
@@ -227,7 +227,7 @@ def axes_along(direction: Vectors) -> Vectors:
 
 
 def light_evenly(model: mujoco.MjModel) -> None:
-    """Switch the lights of a model off, and have everything lit alike."""
+    """Switch the lights of a model off, and light everything evenly."""
     model.light_active[:] = 0
     ambient, diffuse = EVEN_LIGHT
     model.vis.headlight.active = 1

@@ -81,7 +81,7 @@ def add_floor(spec: mujoco.MjSpec) -> mujoco.MjsGeom:
 
 
 def draw_floors_as_meshes(spec: mujoco.MjSpec) -> None:
-    """Show meshes in place of the endless planes of a world, which stay to be collided with.
+    """Show meshes in place of the endless planes of a world, which still collide.
 
     With llvmpipe, MuJoCo takes three times as long for a pixel of a plane: a third of the whole picture.
     """

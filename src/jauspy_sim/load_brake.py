@@ -1,4 +1,4 @@
-"""The brake of a simulated joint: it holds what the motor cannot carry, and releases when the load is gone."""
+"""The brake of a simulated joint: it holds a load that the motor cannot carry, and releases when the load is lower."""
 
 from __future__ import annotations
 
@@ -13,25 +13,26 @@ from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import ControlMode, Target
 
 SATURATED: Final = 0.98
-"""Share of the greatest effort above which a motor cannot give more."""
+"""Share of the greatest effort above which a motor counts as saturated."""
 GIVING_WAY: Final = 0.1
-"""Share of the speed limit by which a joint moves against its motor, beyond what is commanded, when it gives way."""
+"""Share of the speed limit by which a joint must exceed its commanded speed, against its motor, to count as giving
+way."""
 STEPS: Final = 3
-"""Steps of the controller for which it does so before the brake engages."""
+"""Controller steps of giving way before the brake engages."""
 CAPACITY: Final = 5.0
 """The greatest torque of the brake, as a multiple of the motor's."""
 CARRIES: Final = 0.9
-"""Share of the greatest effort that the load is at most when the brake releases."""
+"""Share of the greatest effort below which the load must be for the brake to release."""
 RELEASE_TIME: Final = 0.3
-"""Seconds for which it is."""
+"""Seconds for which the load must be that low."""
 STIFF: Final = (0.9995, 0.9999)
 """Impedance of the brake (MuJoCo): with the usual one it creeps by a hundredth of a radian in a second."""
 REPORT_TIME: Final = 0.2
-"""Seconds with too much load after which it is reported; shorter ones are shocks."""
+"""Seconds of overload after which it is reported; shorter ones are shocks."""
 
 
 class LoadBrake:
-    """Stops a joint that gives way although its motor does all it can. The motor is off while the brake holds."""
+    """Stops a joint that gives way while its motor is saturated. The motor is off while the brake holds."""
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, joint: Joint, dof: int, dt: float) -> None:
         self._model, self._data = model, data
@@ -53,7 +54,10 @@ class LoadBrake:
         return abs(self.torque) if self.engaged and self._heavy >= REPORT_TIME else None
 
     def follow(self, controller: JointController, target: Target, position: float, velocity: float) -> None:
-        """Have the controller follow a target. While the brake holds, only a target that the load pulls to counts."""
+        """Make the controller follow a target.
+
+        While the brake holds, only targets in the direction of the load are accepted.
+        """
         if not self.engaged:
             controller.follow(target, position, velocity)
             return

@@ -1,4 +1,4 @@
-"""What links look like: the gloss of their materials, and a robot without what is only seen."""
+"""Materials of a robot's visual shapes, and the robot without visual shapes."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "lamp": (0.9, 0.9),
     "marking": (0.15, 0.2),
 }
-"""Specular reflection and shininess of materials by their name in the URDF, which has no words for them."""
+"""Specular reflection and shininess of materials by their name in the URDF, which cannot express them."""
 
 SHADOWLESS: Final = frozenset({"amber", "black", "brass", "lamp", "lens", "marking", "red", "steel"})
 """Materials of small parts, which are in the shadows of larger ones anyway; theirs would cost a fifth of a picture."""
 
 NO_SHADOW_ALPHA: Final = 0.999
-"""MuJoCo draws no shadows of what is not quite opaque."""
+"""Alpha slightly below 1: MuJoCo draws no shadows of transparent shapes."""
 
 
 def without_visuals(description: RobotDescription) -> RobotDescription:
@@ -53,7 +53,7 @@ def without_visuals(description: RobotDescription) -> RobotDescription:
 
 
 def polish(spec: mujoco.MjSpec, robot: RobotModel) -> None:
-    """Give the visual shapes of a robot the gloss of their materials, and have treads run with their belts."""
+    """Give the visual shapes of a robot the gloss of their materials, and mark treads to move with their belts."""
     description = robot.description
     belts = belted_links(description, robot.tracks) if robot.tracks else {}
     root = etree.fromstring(description.urdf.encode(), etree.XMLParser(huge_tree=True))

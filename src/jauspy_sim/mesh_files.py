@@ -21,12 +21,12 @@ from jauspy.user_files import read_file
 logger = logging.getLogger("jauspy_sim.meshes")
 
 KINDS: Final = ("stl", "obj", "dae", "ply", "glb", "gltf")
-"""Ends of the names of the files that are read."""
+"""Suffixes of the mesh files that can be read."""
 
 MAX_BYTES: Final = 256 << 20
 
 MAX_FACES: Final = 200_000
-"""Of one mesh; MuJoCo takes no larger STL files, and pictures would take long. Meshes with more are simplified."""
+"""Faces of one mesh, the limit of MuJoCo for STL files. Larger meshes are simplified."""
 
 MAX_TEXTURE: Final = 1024
 """Pixels of a side; larger ones are made smaller: MuJoCo holds them uncompressed, in each camera's process."""
@@ -35,10 +35,10 @@ MAX_PIXELS: Final = 1 << 26
 """Of an image file, before it is read."""
 
 BESIDE: Final = (".png", ".jpg", ".jpeg", ".bmp", ".tga", ".tif", ".tiff", ".gif", ".webp", ".mtl", ".bin")
-"""Ends of the names of files that meshes name, and that are read."""
+"""Suffixes of files that meshes refer to and that are read."""
 
 TEXTURE_FOLDERS: Final = (".", "../materials/textures", "../textures", "textures")
-"""Where the textures of a mesh are, beside it."""
+"""Folders beside a mesh that may contain its textures."""
 
 THICKNESS: Final = 0.001
 """Metres that a flat mesh gets as a collision shape."""
@@ -46,7 +46,7 @@ THICKNESS: Final = 0.001
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Image:
-    """A picture: shape (rows, columns, 3), red, green, blue; the first row is the uppermost."""
+    """A picture: uint8, shape (rows, columns, 3), RGB; the first row is the top."""
 
     pixels: NDArray[np.uint8]
 
@@ -153,7 +153,7 @@ def _scene(path: Path, kind: str) -> Any:
 
 
 class _Beside(Mapping[str, bytes]):
-    """The files that a mesh names, which are searched beside it, where it says, and where Gazebo's models have them."""
+    """The files that a mesh refers to: found by path, beside the mesh, or in the folders of Gazebo's models."""
 
     def __init__(self, path: Path) -> None:
         self._folder = path.parent

@@ -1,4 +1,4 @@
-"""Finds what an SDF world names: files relative to it, by `file://`, or by `model://` in search paths."""
+"""Finds the files that an SDF world refers to: relative paths, `file://`, and `model://` in search paths."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ VARIABLES: Final = (
 """Environment variables with directories of models, in their order."""
 
 FOLDERS: Final = ("", "models")
-"""Where models are beside or above a world's file."""
+"""Folders with models, beside or above a world's file."""
 
 MAX_PARENTS: Final = 4
 """How many directories above a world's file are searched."""

@@ -1,7 +1,7 @@
-"""Worlds and models of SDFormat 1.4 to 1.11, the format of Gazebo: what a robot drives on, sees and pushes.
+"""Worlds and models of SDFormat 1.4 to 1.11, the format of Gazebo.
 
 Models become bodies: one body of a static model, else a tree of links that move by their joints. Plugins, sensors and
-what else is not understood are skipped and named, once for each world.
+other unsupported elements are skipped, with one log line for each world.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ from jauspy_sim.sdf_poses import MODEL, WORLD, Scope, floats, is_true, line_of, 
 from jauspy_sim.shapes import ShapeBuilder, same_shape
 
 MAX_DEPTH: Final = 8
-"""Of models in models."""
+"""Nesting depth of models."""
 
 MAX_ITEMS: Final = 20_000
 """Links of a world."""
@@ -62,7 +62,7 @@ class _Model:
 
 @dataclass(frozen=True, slots=True)
 class _Place:
-    """Where a model is: its file, its frame in the outermost model, the prefix of its names."""
+    """The context of a model: its file, its frame in the outermost model, the prefix of its names."""
 
     near: Path
     frame: Transform = IDENTITY

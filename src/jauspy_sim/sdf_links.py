@@ -1,4 +1,4 @@
-"""What a link of SDF has: shapes that are seen, shapes that collide, lights, an inertia."""
+"""Adds the content of SDF links: visual and collision shapes, lights, inertia."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ QUIET: Final = frozenset(
         "uri",
     ]
 )
-"""Elements that are skipped without a word: they say nothing about what is in the world, or are read elsewhere."""
+"""Elements that are skipped without a log line: they do not affect the world, or are read elsewhere."""
 
 MAX_HEIGHTS: Final = 257
 """Rows and columns of a height map; larger ones are made smaller."""
@@ -66,7 +66,7 @@ DEFAULT_MASS: Final = 1.0
 """Kilograms of a link without `<inertial>`, as SDFormat has it."""
 
 MAX_PLACES: Final = 4
-"""How many lines are named for each kind of element that is skipped."""
+"""Lines of the file that are listed for each kind of skipped element."""
 
 
 @dataclass(slots=True)
@@ -87,7 +87,7 @@ class Names:
         self._given: dict[str, int] = {}
 
     def unique(self, name: str) -> str:
-        """The name, with a number if it is given already."""
+        """The name, with a number if it is in use already."""
         count = self._given[name] = self._given.get(name, 0) + 1
         return name if count == 1 else self.unique(f"{name}_{count}")
 

@@ -1,4 +1,4 @@
-"""Poses of SDF: of links, joints and frames of a model in its frame, whatever they are relative to."""
+"""Poses of SDF: resolves poses of links, joints and frames to the frame of their model."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a robot fits together where it starts: which links touch each other, and how far it would be in the ground.
+"""Contacts of a robot at its initial pose: links that touch each other, and the depth below the ground.
 
 Convex hulls of meshes overlap where the links do not.
 """

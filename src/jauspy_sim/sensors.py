@@ -97,7 +97,7 @@ class LayeredLidar(Scanner):
         self._pending: _Pending | None = None
 
     def configure(self, settings: ScanSettings) -> None:
-        """As `Scanner.configure`; what is not complete is discarded."""
+        """As `Scanner.configure`; an incomplete scan is discarded."""
         super().configure(settings)
         self._pending = None
         self._directions = self._unit_vectors()

@@ -46,7 +46,7 @@ class Look:
     specular: float = 0.2
     emission: float = 0.0
     yields: bool = False
-    """Whether colours and textures of a mesh's file come first, as in ROS."""
+    """Whether colours and textures of a mesh's file take precedence, as in ROS."""
 
 
 PLAIN: Final = Look()
@@ -108,7 +108,7 @@ class ShapeBuilder:
     def draw(
         self, body: mujoco.MjsBody, kind: mujoco.mjtGeom, size: Sequence[float], pose: Transform, look: Look
     ) -> mujoco.MjsGeom:
-        """Add a primitive that is only seen."""
+        """Add a visual primitive, which does not collide."""
         geom = self._primitive(body, kind, size, pose)
         self.paint(geom, look)
         self._only_seen(geom)
@@ -123,7 +123,7 @@ class ShapeBuilder:
         return geom
 
     def draw_cone(self, body: mujoco.MjsBody, radius: float, length: float, pose: Transform, look: Look) -> None:
-        """Add a cone along z that is only seen; its middle is at the pose."""
+        """Add a visual cone along z; its middle is at the pose."""
         geom = self._cone(body, radius, length, pose)
         self.paint(geom, look)
         self._only_seen(geom)
@@ -150,7 +150,7 @@ class ShapeBuilder:
         return name
 
     def draw_mesh(self, body: mujoco.MjsBody, source: MeshSource, pose: Transform, look: Look) -> None:
-        """Add a mesh that is only seen: a geometry for each of its colours."""
+        """Add a visual mesh: a geometry for each of its colours."""
         for name, part in self._mesh(source, hull=False):
             geom = _add_mesh_geom(body, name, pose)
             self._paint_part(geom, look, part)

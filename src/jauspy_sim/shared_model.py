@@ -14,9 +14,9 @@ import mujoco
 import numpy as np
 
 _SEALS: Final = fcntl.F_SEAL_WRITE | fcntl.F_SEAL_GROW | fcntl.F_SEAL_SHRINK
-"""Memory with these has a whole model, which no process can change."""
+"""Seals of memory that contains a complete model: no process can change it."""
 SEAL_TRIES: Final = 20
-"""The kernel refuses to seal (EBUSY) while it uses a page itself, as when it moves one; it waits 0.15 s in each try."""
+"""The kernel refuses to seal (EBUSY) while it uses a page itself, as when it moves one; each try waits 0.15 s."""
 
 
 class ModelMemory:

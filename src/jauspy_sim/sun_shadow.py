@@ -1,7 +1,7 @@
 """The shadows of the sun, computed for the pixels of a picture from their depths.
 
 MuJoCo's own shadows triple the time of a picture without a GPU: it draws everything once more for each light that casts
-them. Here one picture of depths is drawn, from the sun, of what is nearby.
+them. Here one depth picture of the vicinity is drawn from the sun.
 """
 
 from __future__ import annotations
@@ -24,19 +24,19 @@ RADIUS: Final = 4.5
 AHEAD: Final = 2.8
 """Metres from the camera to that point."""
 SIZE: Final = 512
-"""Pixels of each side of what the sun sees; fewer in smaller pictures."""
+"""Side of the shadow map, in pixels; smaller in smaller pictures."""
 AWAY: Final = 20.0
-"""Metres from that point to where the sun looks from."""
+"""Metres from that point to the sun's camera."""
 BIAS: Final = 0.01
-"""Metres by which a surface may be behind what the sun sees."""
+"""Metres by which a lit surface may be behind the shadow map."""
 STILL: Final = 1e-4
-"""Metres by which things move while what the sun sees is not drawn again."""
+"""Metres of motion below which the shadow map is not redrawn."""
 STEEPEST: Final = 6.0
 """Largest factor by which the size of a pixel is added to that where the sun shines flat on a surface."""
 
 
 class SunShadow:
-    """The first directional light of a model that casts shadows, and what lights the shadows."""
+    """The first directional light of a model that casts shadows, and the light inside the shadows."""
 
     def __init__(self, model: mujoco.MjModel) -> None:
         is_sun = (model.light_type == mujoco.mjtLightType.mjLIGHT_DIRECTIONAL) & (model.light_active != 0)
@@ -49,7 +49,7 @@ class SunShadow:
             model.light_ambient.mean(axis=1).sum() + 0.5 * model.light_diffuse[others].mean(axis=1).sum()
         )
         self._last: tuple[NDArray[np.float64], Floats] | None = None
-        """Where everything was when the sun last looked, and what it saw."""
+        """The last shadow map, and the poses for which it was drawn."""
         self._strength = 0.0 if self._sun is None else float(model.light_diffuse[self._sun].mean())
 
     @property
@@ -101,7 +101,7 @@ class SunShadow:
     def _seen(
         self, data: mujoco.MjData, at: NDArray[np.float64], rotation: NDArray[np.float64], source: Renderer
     ) -> Floats | None:
-        """The depths from there; those of the last picture if nothing has moved since."""
+        """The depths from the sun; the last ones if nothing has moved since."""
         places = np.concatenate([at, data.geom_xpos.ravel(), data.geom_xmat.ravel()])
         if self._last is not None and np.abs(places - self._last[0]).max() < STILL:
             return self._last[1]

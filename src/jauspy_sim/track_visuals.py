@@ -1,8 +1,8 @@
 """Visual shapes of tracks that move with their belts, in every picture of the robot.
 
-The physics of tracks (`jauspy_sim.tracks`) has no moving treads. It keeps the distance that the belts of each side
-have run in `userdata` of the state.
-A visual shape moves if its element in the URDF says so (other programs ignore these attributes):
+The physics of tracks (`jauspy_sim.tracks`) has no moving treads. It keeps the distance that the belts of each side have
+run in `userdata` of the state. A visual shape moves if its element in the URDF has these attributes (other programs
+ignore them):
 
 - `belt_way`: "forward" or "backward", in which direction of x it moves when the robot drives forward;
 - `belt_radius`, in metres: it turns about y of its origin instead, as the belt does around a wheel;
@@ -42,9 +42,9 @@ def belted_links(description: RobotDescription, tracks: TrackSetup) -> Mapping[s
 
 
 def mark(geom: mujoco.MjsGeom, visual: Element, side: int) -> None:
-    """Have the shape of a visual element in a link of that side move with the belts, if the element says so.
+    """Mark the shape of a visual element to move with the belts of that side, if it has the attributes.
 
-    Raises `ConfigError` for values that cannot be.
+    Raises `ConfigError` for invalid values.
     """
     way = visual.get("belt_way")
     if way is None:
@@ -76,7 +76,7 @@ class Treads:
         self._centres = np.stack([x, y, z], axis=1)
 
     def place(self, data: mujoco.MjData) -> None:
-        """Move the shapes, which `mj_kinematics` has placed, as far as the belts have run by `data.userdata`."""
+        """Move the shapes that `mj_kinematics` has placed by the distances of the belts in `data.userdata`."""
         if not self._geoms.size:
             return
         run = self._ways * data.userdata[self._sides]

@@ -24,16 +24,16 @@ FRICTION: Final = 3
 
 
 class _Belt(NamedTuple):
-    """Where the rows of a contact have what a belt that touches needs; its three rows have the same columns."""
+    """Positions of a touching belt's entries in the rows of a contact; its three rows have the same columns."""
 
     dof: int
     """The degree of freedom of the belt's joint."""
     column: int
-    """Its place in each row."""
+    """The column of that degree of freedom in each row."""
     base: int
-    """That of x of the base; y and z follow."""
+    """The column of x of the base; y and z follow."""
     length: int
-    """Of each row."""
+    """The length of each row."""
     internal: bool = False
     """The robot touches itself, and the rows of a sparse Jacobian have no columns of the base."""
 

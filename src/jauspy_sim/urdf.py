@@ -1,7 +1,7 @@
 """The body of a robot in MuJoCo, from its URDF: links, joints, inertias, shapes, materials.
 
-Visual shapes are drawn, collision shapes collide, of a mesh its convex hull. Links that stay at rest to each other stay
-bodies of their own, because sensors and cameras name them.
+Visual shapes are drawn, collision shapes collide, of a mesh its convex hull. Links that are fixed to each other remain
+separate bodies, because sensors and cameras refer to them.
 """
 
 from __future__ import annotations

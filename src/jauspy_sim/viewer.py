@@ -23,11 +23,11 @@ FRAME_RATE: Final = 30.0
 class Viewer:
     """A window on a simulation. Belongs to the thread that advances it; the mouse moves the view, not the world.
 
-    It shows a model of its own, so that physics needs no shapes that are only seen, and never waits for the drawing.
+    It shows a separate model, so that physics needs no visual shapes and never waits for drawing.
     """
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, clock: Callable[[], float] = time.monotonic) -> None:
-        """`model` is what is to be seen, `data` the state of a model with the same joints.
+        """`model` is the model to show, `data` the state of a model with the same joints.
 
         Raises `ConfigError` without a display.
         """
@@ -50,7 +50,7 @@ class Viewer:
         return bool(self._window.is_running())
 
     def show(self) -> None:
-        """Show the present state, if the last one was shown long enough."""
+        """Show the present state, at most `FRAME_RATE` times a second."""
         now = self._clock()
         if now < self._due or not self.is_open:
             return

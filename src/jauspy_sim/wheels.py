@@ -49,7 +49,7 @@ class SimulatedWheels(WheelDrive):
 
     @property
     def steering(self) -> float:
-        """To the left."""
+        """The steering angle, radians to the left."""
         return self._angle
 
     def pose(self) -> Pose:

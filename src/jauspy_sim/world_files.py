@@ -1,4 +1,4 @@
-"""The worlds that a robot can be in."""
+"""Loads worlds: included ones, MJCF, SDF and lists of objects."""
 
 from __future__ import annotations
 
@@ -70,7 +70,7 @@ def _of_file(path: Path, paths: ModelPaths) -> mujoco.MjSpec:
 
 
 def _mjcf(path: Path) -> mujoco.MjSpec:
-    """A world of MuJoCo's own format; what it includes is relative to it."""
+    """A world in MJCF; included files are relative to it."""
     data = read_file(path)
     try:
         spec = mujoco.MjSpec.from_file(str(path))

@@ -44,12 +44,12 @@ class _Table(BaseModel):
 
 
 class GroundConfig(_Table):
-    """What things stand on: a plane, or a height map in whose middle robots start."""
+    """The ground: a plane, or a height map in whose middle robots start."""
 
     height_map: str | None = None
     """An image: black is low, white is `height` above it."""
     size: tuple[Length, Length] = (50.0, 50.0)
-    """Metres along x and y; a plane has no end, and this is what is seen of it."""
+    """Metres along x and y; a plane is endless, and this is its visible part."""
     height: Length = 1.0
     """Metres from black to white."""
     colour: Colour | None = None
@@ -76,12 +76,12 @@ class SkyConfig(_Table):
 
 
 class ObjectConfig(_Table):
-    """A thing: a primitive or a mesh, at rest or free."""
+    """An object: a primitive or a mesh, fixed or free."""
 
     name: Annotated[str, Field(min_length=1, max_length=64)]
     shape: Literal["box", "sphere", "cylinder", "capsule", "ellipsoid", "mesh"]
     pose: PoseNumbers = (0.0, 0.0, 0.0)
-    """Of its middle, or of the origin of a mesh: metres, and fixed-axis roll, pitch, yaw in degrees."""
+    """The pose of its middle, or of the origin of a mesh: metres, and fixed-axis roll, pitch, yaw in degrees."""
     size: Annotated[tuple[Length, ...], Field(max_length=3)] = ()
     """Of a box along x, y, z; of an ellipsoid, its three axes."""
     radius: Length | None = None

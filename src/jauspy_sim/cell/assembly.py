@@ -73,18 +73,18 @@ UNUSED: Final = "unused"
 
 @dataclass(frozen=True, slots=True)
 class CellModel:
-    """The compiled model, and what is in it."""
+    """The compiled model, with the names of its elements."""
 
     model: mujoco.MjModel
     setup: CellSetup
     prefix: str
-    """Of the names of the robot's links, joints and motors."""
+    """Prefix of the names of the robot's links, joints and motors."""
     connectors: tuple[str, ...]
     """Names of all connectors, each that of a weld."""
 
 
 def build_cell(robot: RobotModel, world: str) -> CellModel:
-    """The cell of that robot in that world. Raises `ConfigError` for what does not fit together."""
+    """The cell of that robot in that world. Raises `ConfigError` for inconsistent settings."""
     setup = robot.cell
     if setup is None:
         raise ConfigError(f"robot {robot.description.name} has no cell")

@@ -18,13 +18,13 @@ from jauspy_sim.cell.connectors import SimulatedConnector
 from jauspy_sim.cell.servos import SimulatedServo
 
 MIN_WHEELS: Final = 4
-"""Wheels with which it is a car."""
+"""Least number of wheels of an assembled car."""
 
 
 class SimulatedCar(Car):
     """Drives by the torques of its wheels' servo modules, within their speeds; x of the chassis is forward.
 
-    Once it is assembled these modules are its own: targets of others are ignored.
+    Once it is assembled, it alone commands these modules: targets of others are ignored.
     """
 
     def __init__(
@@ -53,7 +53,7 @@ class SimulatedCar(Car):
         return self._wheels
 
     def state(self) -> CarState:
-        """Whether it is assembled, and its motion."""
+        """The state: whether it is assembled, and its motion."""
         qpos, at, dof = self._qpos, self._at, self._dof
         rotation = rotation_from_quaternion(qpos[at + 3], qpos[at + 4], qpos[at + 5], qpos[at + 6])
         frame = Transform(rotation, (qpos[at], qpos[at + 1], qpos[at + 2]))

@@ -1,4 +1,4 @@
-"""Vacuum connectors: welds that hold what touches them, until they are disabled or overloaded."""
+"""Vacuum connectors: welds that hold a part in contact until they are disabled or overloaded."""
 
 from __future__ import annotations
 
@@ -37,13 +37,13 @@ OVERLOAD_MEASUREMENTS: Final = 2
 """Measurements over which force and moment are averaged before they count as an overload: 16 ms."""
 
 HALF_ANGLE: Final = np.array((1.0, 0.5))
-"""What the rows of a weld measure of force and moment: those of the rotation act on half the angle."""
+"""Factors from the rows of a weld to force and moment: those of the rotation act on half the angle."""
 
 PLATE_RADIUS: Final = 0.02
 """Metres: a plate must lie on the face of a box with this radius."""
 
 WAKING_FORCE: Final = 1e-9
-"""Newtons: an applied force, however small, wakes what sleeps."""
+"""Newtons; an applied force of any size wakes a sleeping body."""
 
 TURNED: Final = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
 """Half a turn about x: two plates that face each other."""
@@ -51,7 +51,7 @@ TURNED: Final = Transform(((1.0, 0.0, 0.0), (0.0, -1.0, 0.0), (0.0, 0.0, -1.0)))
 
 @dataclass(frozen=True, slots=True)
 class Face:
-    """A place of a part where a plate can attach: the frame that the plate's then has, z into the part."""
+    """A face of a part where a plate can attach, as the frame of the attached plate: z into the part."""
 
     part: str
     body: int
@@ -66,14 +66,14 @@ class SimulatedConnector(VacuumConnector):
     def __init__(self, name: str, part: str, body: int, frame: Transform, weld: int) -> None:
         self.name = name
         self.part = part
-        """The part that has it; empty for the gripper of the robot."""
+        """The part with this connector; empty for the gripper of the robot."""
         self.body = body
         self.frame = frame
         """In its body."""
         self.weld = weld
         self.held: Face | None = None
         self.failing = False
-        """True while an attempt fails by itself: until it is disabled."""
+        """True while a simulated failure lasts: until the connector is disabled."""
         self.load = (0.0, 0.0)
         """Newtons, newton metres."""
         self.enabled = False
@@ -86,7 +86,7 @@ class SimulatedConnector(VacuumConnector):
         return PartId(VacuumConnector, self.name)
 
     def state(self) -> ConnectorState:
-        """What it measures."""
+        """The measured state."""
         state = self._state
         if self.held is None or (state.force, state.moment) == self.load:
             return state
@@ -104,7 +104,7 @@ class SimulatedConnector(VacuumConnector):
         return self._state
 
     def set(self, enabled: bool) -> None:
-        """Start the pump, or let air in; without power neither happens."""
+        """Start the pump, or vent; without effect when there is no power."""
         if not self._state.powered:
             self.change(error=ConnectorError.NO_POWER, last_error=f"{self.part} has no power")
             return
@@ -122,7 +122,7 @@ class SimulatedConnector(VacuumConnector):
 
 
 class Attachments:
-    """All connectors of a cell: what they hold, and with which forces.
+    """All connectors of a cell, with their loads and forces.
 
     `control` is called once in each control cycle. `revision` counts attachments and releases.
     """
@@ -145,11 +145,11 @@ class Attachments:
         self._loads = np.zeros((cell.model.neq, 2))
 
     def attached(self) -> Iterable[tuple[SimulatedConnector, Face]]:
-        """What is held, connector by connector."""
+        """The connectors that hold something, with the face that each holds."""
         return ((each, each.held) for each in self.connectors.values() if each.held is not None)
 
     def control(self) -> None:
-        """Attach what is in contact, release what is to be released, and break off what is overloaded."""
+        """Attach parts in contact, release those of disabled connectors, and break off overloaded ones."""
         for dof in self._woken:
             self._data.qfrc_applied[dof] = 0.0
         self._woken.clear()
@@ -172,7 +172,7 @@ class Attachments:
             self._seek(seeking)
 
     def set_powered(self, powered: Mapping[str, bool]) -> None:
-        """Tell the connectors of which parts have power; the gripper always has."""
+        """Set the parts whose connectors have power; the gripper always has power."""
         for connector in self.connectors.values():
             now = connector.part == "" or powered.get(connector.part, False)
             if now is not connector.state().powered:
@@ -250,7 +250,7 @@ class Attachments:
         return -z if within else None
 
     def _fails(self, connector: SimulatedConnector, face: Face) -> bool:
-        """Draw whether an attempt of the gripper fails by itself, once for each time it is enabled."""
+        """Draw at random whether an attempt of the gripper fails, once for each time it is enabled."""
         if connector.name != GRIPPER or self._setup.attach_failure <= 0.0:
             return False
         if connector.failing:
@@ -293,7 +293,7 @@ class Attachments:
         self._changed()
 
     def wake(self, body: int) -> None:
-        """Wake the tree of a body that sleeps: gravity acts on it again."""
+        """Wake the tree of a sleeping body, so that it is simulated again."""
         tree = self._model.body_treeid[body]
         if tree >= 0 and self._data.tree_asleep[tree] >= 0:
             dof = int(self._model.tree_dofadr[tree])

@@ -84,7 +84,7 @@ class SimulatedPartSensor(PartSensor):
         return self._state
 
     def step(self, now: float) -> None:
-        """Measure if it is time to."""
+        """Measure when the next measurement is due."""
         if now < self._due - TIMESTEP / 2.0:
             return
         self._due = max(self._due, now) + 1.0 / self._setup.rate
@@ -109,7 +109,7 @@ def small_turn(vector: Iterable[float]) -> Rotation:
 
 
 class SimulatedPower(ModulePower):
-    """Which modules have power: those that are switched on and attached to a base through any chain, and bases."""
+    """Power of modules: bases have it, and modules that are switched on and attached to a base through any chain."""
 
     def __init__(
         self,
@@ -126,7 +126,7 @@ class SimulatedPower(ModulePower):
         self._state: Mapping[str, bool] = dict(self._switches)
 
     def state(self) -> Mapping[str, bool]:
-        """Which modules are switched on."""
+        """The modules that are switched on."""
         return self._state
 
     def switch(self, name: str, on: bool) -> None:
@@ -137,7 +137,7 @@ class SimulatedPower(ModulePower):
             self.update()
 
     def update(self) -> None:
-        """Find which modules have power now, after a switch or an attachment has changed."""
+        """Find the modules with power, after a switch or an attachment has changed."""
         neighbours: dict[str, list[str]] = {}
         for one, other in self._attachments():
             neighbours.setdefault(one, []).append(other)

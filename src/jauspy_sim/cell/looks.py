@@ -1,4 +1,4 @@
-"""What a cell looks like: meshes and materials on its bodies. Nothing here collides or has mass."""
+"""Visual meshes and materials of a cell. Nothing here collides or has mass."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ class Dresser:
         self._added: set[str] = set()
 
     def dress(self) -> None:
-        """Dress everything."""
+        """Add the visual shapes of the whole cell."""
         self._dress_robot()
         for part in self._setup.parts:
             self._dress_part(part.name, self._setup.types[part.type])

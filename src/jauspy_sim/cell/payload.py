@@ -1,4 +1,4 @@
-"""What the gripper carries, and the efforts with which the joints of the robot bear it."""
+"""The payload of the gripper, and the joint efforts that compensate its weight."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ GRAVITY: Final = 9.81
 class Payload:
     """The parts that hang on the gripper, directly or through connectors.
 
-    Their weight counts as far as the gripper measures a force: what stands on something is not borne. Parts that are
-    connected to a fixed base are none.
+    Their weight is compensated up to the force that the gripper measures, since a part that stands on something is not
+    carried. Parts that are connected to a fixed base do not count.
     """
 
     def __init__(
@@ -33,7 +33,7 @@ class Payload:
         self._jacobian = np.zeros((3, model.nv))
 
     def update(self) -> None:
-        """Find what hangs on the gripper, after an attachment has changed."""
+        """Find the parts that hang on the gripper, after an attachment has changed."""
         neighbours: dict[str, list[str]] = {}
         for connector, face in self._attachments.attached():
             if connector is not self._gripper:
@@ -53,7 +53,7 @@ class Payload:
         self._bodies = np.flatnonzero(np.isin(self._model.body_treeid, trees))
 
     def efforts(self, load: NDArray[np.float64]) -> None:
-        """Write the efforts that bear the payload, by degree of freedom."""
+        """Write the efforts that carry the payload, by degree of freedom, N m or N."""
         bodies = self._bodies
         if not len(bodies):
             load[:] = 0.0

@@ -104,12 +104,12 @@ class SimulatedCell:
 
     @property
     def setup(self) -> CellSetup:
-        """What is in it."""
+        """The setup of the cell."""
         return self._setup
 
     @property
     def truth(self) -> Truth:
-        """What is really the case; for tests and measurements only."""
+        """The true state; for tests and measurements only."""
         return self._truth
 
     @property
@@ -173,7 +173,7 @@ class SimulatedCell:
                     self._viewer.show()
 
     def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
-        """Have an arm there before a task starts: put parts on a connector and on each other, attached.
+        """Assemble an arm before a task starts: put parts on a connector and on each other, attached.
 
         `errors` are poses of parts on their connectors, by part.
         """
@@ -185,7 +185,7 @@ class SimulatedCell:
             self._viewer = Viewer(self._model, self._data)
 
     def close(self) -> None:
-        """Stop. What connectors hold stays held. May be called twice."""
+        """Stop; connectors keep what they hold. May be called twice."""
         for group in self._groups.values():
             group.hold()
         for servo in self._powered:
@@ -232,7 +232,7 @@ class SimulatedCell:
             self._car.update()
 
     def _let_sleep(self) -> None:
-        """Let parts sleep that no connector holds; of the others, forces are measured."""
+        """Let parts sleep unless a connector holds them, since forces of held parts are measured."""
         model, policy = self._model, mujoco.mjtSleepPolicy
         for part in self._setup.parts:
             if not part.fixed:
@@ -260,13 +260,13 @@ class SimulatedCell:
         )
 
     def _pairs(self) -> Iterator[tuple[str, str]]:
-        """Parts that are attached to each other; the gripper does not conduct."""
+        """Pairs of parts that are attached to each other; the gripper does not pass on power."""
         for connector, face in self._attachments.attached():
             if connector.part:
                 yield connector.part, face.part
 
     def _set_powered(self, powered: Mapping[str, bool]) -> None:
-        """Pass on which modules have power."""
+        """Set the modules that have power."""
         for name, servo in self._servos.items():
             servo.set_powered(powered.get(name, False))
         self._powered = tuple(servo for servo in self._servos.values() if servo.powered)

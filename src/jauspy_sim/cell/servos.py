@@ -1,4 +1,4 @@
-"""Servo modules in MuJoCo: motor, gear, series elasticity, controller, and what they measure."""
+"""Servo modules in MuJoCo: motor, gear, series elasticity, controller and sensors."""
 
 from __future__ import annotations
 
@@ -115,7 +115,7 @@ class SimulatedServo(ServoModule):
     # --- ServoModule ----------------------------------------------------------------------------------------------
 
     def state(self) -> ServoState:
-        """What it measures; without power, what it reported last."""
+        """The measured state; without power, the last one."""
         if not self._powered:
             return self._last
         qpos, at = self._qpos, self._free
@@ -166,23 +166,23 @@ class SimulatedServo(ServoModule):
     # --- ServoDrive -----------------------------------------------------------------------------------------------
 
     def read(self) -> ServoReading:
-        """What a modular arm measures in each control cycle."""
+        """The measurements for a modular arm's control cycle."""
         if self._powered:
             self._last_reading = ServoReading(True, self.position, self.velocity, self.torque)
         return self._last_reading
 
     def set_torque(self, torque: float) -> None:
-        """Have the motor apply a torque until the next command."""
+        """Apply a torque of the motor, N m, until the next command."""
         self._torque = torque if math.isfinite(torque) else 0.0
 
     def claim(self, arm: str) -> None:
-        """Obey only the modular arm of this name from now on; empty ends the claim."""
+        """Accept commands only of the modular arm of this name; empty ends the claim."""
         self._claimed_by = arm
 
     # --- physics --------------------------------------------------------------------------------------------------
 
     def set_powered(self, powered: bool) -> None:
-        """Switch it on, then it holds its position; or off, then only friction brakes it."""
+        """Switch it on, so that it holds its position, or off, so that only friction brakes it."""
         if powered is self._powered:
             return
         if not powered:
@@ -229,7 +229,7 @@ class SimulatedServo(ServoModule):
         return self._command / self.setup.torque_constant
 
     def _restart(self) -> None:
-        """Begin to hold the present position."""
+        """Hold the present position."""
         self._controller = JointController(self._joint, JointGains(*self._gains), self.position)
 
 

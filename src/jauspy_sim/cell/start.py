@@ -1,6 +1,6 @@
-"""Where the parts of a cell are at the start: their poses of the file, with errors that are drawn with a seed.
+"""The initial poses of a cell's parts: the poses of the file, with random errors from a seed.
 
-And arms that are there before a task begins: parts put on each other, as no robot could: at once, and exactly.
+Also assembles arms before a task begins, by placing parts directly.
 """
 
 from __future__ import annotations
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from jauspy_sim.cell.robot import SimulatedCell
 
 MAX_DRAWS: Final = 200
-"""Draws for one part until it does not overlap another."""
+"""Random draws for one part until it does not overlap another."""
 
 MAX_OVERLAP: Final = 0.002
 """Metres by which shapes may overlap at the start; contacts push them apart."""
@@ -89,7 +89,7 @@ def _overlaps(model: mujoco.MjModel, data: mujoco.MjData, name: str) -> bool:
 
 
 def put(cell: SimulatedCell, name: str, pose: Transform) -> None:
-    """Put a part somewhere in the world, at rest."""
+    """Place a part in the world, at rest."""
     joint = cell.model.joint(name)
     position, dof = int(joint.qposadr[0]), int(joint.dofadr[0])
     cell.data.qpos[position : position + 7] = (*pose.position, *quaternion(pose.rotation))

@@ -1,4 +1,4 @@
-"""The judge of a simulated cell: what is really the case, for tests and for measurements; no robot knows this."""
+"""The true state of a simulated cell, for tests and measurements; no task uses it."""
 
 from __future__ import annotations
 
