@@ -59,6 +59,7 @@ async def test_verbs(node_manager: LocalNode) -> None:
     assert "elbow -1.2" in output
 
 
+@pytest.mark.slow
 async def test_sync_ocu(node_manager: LocalNode) -> None:
     async with node_manager.robot():
         output = await run("sync_ocu.py", node_manager.local)
@@ -135,6 +136,7 @@ asyncio.run(backend.main(sys.argv[1]))
 """
 
 
+@pytest.mark.slow
 async def test_a_backend_that_systemd_ends_stops_its_motors(node_manager: LocalNode) -> None:
     program = await asyncio.create_subprocess_exec(
         sys.executable, "-c", TELLS_THE_END, node_manager.local, cwd=EXAMPLES, stdout=asyncio.subprocess.PIPE

@@ -10,7 +10,7 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import pytest
-from tests.helpers.command_line import JAUSPY, shared_robot
+from tests.helpers.command_line import JAUSPY, robot_in_thread
 from typer.testing import CliRunner
 
 from jauspy.capture.reader import is_capture
@@ -25,7 +25,7 @@ SOME = ("--only", "01", "--only", "02", "--only", "2", "--only", "31")
 @pytest.fixture(scope="module")
 def robot():
     """Local root and port of a robot."""
-    with shared_robot("igvc") as running:
+    with robot_in_thread("igvc") as running:
         yield running.root, running.port
 
 

@@ -4,7 +4,7 @@ import json
 import time
 
 import pytest
-from tests.helpers.command_line import jauspy, shared_robot
+from tests.helpers.command_line import jauspy, robot_in_thread
 
 from jauspy import sync
 from jauspy.cli import estop as verb
@@ -18,7 +18,7 @@ INC1 = load("inc1")
 
 @pytest.fixture(scope="module")
 def robot():
-    with shared_robot() as running:
+    with robot_in_thread() as running:
         yield running
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 
 import pytest
-from tests.helpers.command_line import jauspy, shared_robot
+from tests.helpers.command_line import jauspy, robot_in_thread
 
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
@@ -14,7 +14,7 @@ cv2 = pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 @pytest.fixture(scope="module")
 def robot():
     """Where a robot listens."""
-    with shared_robot() as running:
+    with robot_in_thread() as running:
         yield ["--connect", running.local]
 
 

@@ -9,7 +9,7 @@ import select
 import signal
 
 import pytest
-from tests.helpers.command_line import jauspy, shared_robot, start
+from tests.helpers.command_line import jauspy, robot_in_thread, start
 
 pytest.importorskip("av", reason="the extra 'video' is not installed")
 pytest.importorskip("cv2", reason="the extra 'video' is not installed")
@@ -40,7 +40,7 @@ def lines_until(process, text):
 @pytest.fixture(scope="module")
 def robot():
     """Where a robot listens."""
-    with shared_robot() as running:
+    with robot_in_thread() as running:
         yield ["--connect", running.local]
 
 
@@ -53,7 +53,7 @@ def port():
 def test_video_is_recorded_in_the_size_that_is_asked_for(robot, port, tmp_path):
     film = tmp_path / "arm.mp4"
     wanted = ["--size", "320x240", "--rate", "20", "--bitrate", "500"]
-    to = ["--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "3"]
+    to = ["--to", f"127.0.0.1:{port}", "--save", str(film), "--seconds", "1"]
     recording = start("video", "101.1.106", *wanted, *to, *robot)
     out, said = recording.communicate(timeout=60)
     assert recording.returncode == 0, said
@@ -127,7 +127,7 @@ async def test_without_an_address_it_is_the_one_that_routes_to_the_robot(monkeyp
         assert await ocu.address_towards("101.1.106") == "10.0.0.7"
     assert asked == ["127.0.0.1"]
     async with OCU("42.1.1", transport=UdpTransport(JausID(42, 1, 1), group=("239.255.0.77", 9))) as ocu:
-        with pytest.raises(RequestError, match=r"not known on which machine 101\.1\.106 is"):
+        with pytest.raises(RequestError, match=r"101\.1\.106 has sent nothing yet, so its machine is unknown"):
             await ocu.address_towards("101.1.106")
 
 

@@ -73,7 +73,9 @@ def test_unanswered_query_alone_does_not_count_as_dead():
     assert verdicts(report) == [Verdict.PASS, *[Verdict.SILENT] * 5, Verdict.PASS, Verdict.PASS]
 
 
-@pytest.mark.parametrize("profile", ["mobility-1.1", "ugv-1.0", "manipulator-2.0"])
+@pytest.mark.parametrize(
+    "profile", [pytest.param("mobility-1.1", marks=pytest.mark.slow), "ugv-1.0", "manipulator-2.0"]
+)
 def test_robot_is_restored_at_the_end(profile):
     name, target = ("inc1", JausID(101, 1, 105)) if profile == "manipulator-2.0" else ("igvc", COMPONENT)
     virtual_target = robot(name=name, tick=None)

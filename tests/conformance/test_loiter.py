@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 from tests.conformance.judging import failed, judged
+from tests.helpers.sampling import sampled
 
 from jauspy import Service
 from jauspy.messages.mobility import (
@@ -65,7 +66,7 @@ def nothing(self, msg):
     pass
 
 
-@pytest.mark.parametrize("kind", [LocalLoiterer, GlobalLoiterer])
+@pytest.mark.parametrize("kind", sampled([LocalLoiterer, GlobalLoiterer], 1))
 def test_correct_loiter_driver_passes(kind):
     report = judged(kind())
     assert failed(report) == set()
@@ -77,7 +78,7 @@ def test_correct_loiter_driver_passes(kind):
     ("kind", "action", "step"),
     [
         (LocalLoiterer, "set_local_loiter", "SetLocalLoiter/controller"),
-        (GlobalLoiterer, "set_global_loiter", "SetGlobalLoiter/controller"),
+        pytest.param(GlobalLoiterer, "set_global_loiter", "SetGlobalLoiter/controller", marks=pytest.mark.slow),
         (LocalLoiterer, "set_travel_speed_ext", "SetTravelSpeedExt/controller"),
     ],
 )

@@ -11,7 +11,7 @@ import urllib.request
 from collections.abc import Iterator
 
 import pytest
-from tests.helpers.command_line import shared_robot, start
+from tests.helpers.command_line import robot_in_thread, start
 
 pytest.importorskip("nicegui", reason="needs the extra 'console'")
 pytest.importorskip("websockets", reason="needs the extra 'console'")
@@ -44,7 +44,7 @@ def token_of(text: str) -> str:
 @pytest.fixture(scope="module")
 def console() -> Iterator[str]:
     """The URL of a console beside a robot that runs."""
-    with shared_robot() as robot:
+    with robot_in_thread() as robot:
         process = start("console", "--no-browser", "--port", "0", "--connect", robot.local)
         try:
             assert process.stdout is not None

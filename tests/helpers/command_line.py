@@ -1,4 +1,4 @@
-"""The command line in tests: verbs in this process or in one of their own, and a robot that runs beside them."""
+"""The command line in tests: verbs in this process or in one of their own, and robots that run beside them."""
 
 from __future__ import annotations
 
@@ -19,6 +19,8 @@ from typer.testing import CliRunner, Result
 
 from jauspy.cli import client
 from jauspy.cli.main import app
+from jauspy.sync.portal import Portal
+from jauspy.testing import LocalNode
 
 JAUSPY = [sys.executable, "-m", "jauspy.cli.main"]
 ENDS_WITH_TESTS = ["setpriv", "--pdeathsig", "KILL"] if shutil.which("setpriv") else []
@@ -89,14 +91,19 @@ class RunningRobot:
             raise
 
     def close(self) -> None:
-        self.process.kill()
-        self.process.communicate()
+        """End it in order, so that coverage of it is written."""
+        try:
+            self.process.terminate()
+            self.process.communicate(timeout=20)
+        finally:
+            self.process.kill()
+            self.process.communicate()
         assert_gone(self.family)
 
 
 @contextmanager
 def shared_robot(name: str = "inc1", *, backend: str = "kinematic") -> Iterator[RunningRobot]:
-    """A robot for several tests, which leave it as they found it; port and folder are its own."""
+    """A process `jauspy up` for several tests, which leave it as they found it; port and folder are its own."""
     root = Path(tempfile.mkdtemp(prefix="jauspy-"))
     try:
         robot = RunningRobot(unused_port(), root, name, backend=backend)
@@ -106,3 +113,15 @@ def shared_robot(name: str = "inc1", *, backend: str = "kinematic") -> Iterator[
             robot.close()
     finally:
         shutil.rmtree(root)
+
+
+@contextmanager
+def robot_in_thread(name: str = "inc1") -> Iterator[LocalNode]:
+    """A robot and its node manager in threads of this process, for tests of verbs that need no `jauspy up`."""
+    with LocalNode() as node, Portal("opens the robot") as portal:
+        running = node.robot(name)
+        portal.run(running.__aenter__())
+        try:
+            yield node
+        finally:
+            portal.run(running.__aexit__(None, None, None))

@@ -8,6 +8,7 @@ from types import SimpleNamespace
 from typing import Any
 
 import pytest
+from tests.helpers.sampling import sampled
 
 pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 pytest.importorskip("ruckig", reason="trajectories of arms need the extra 'cell'")
@@ -119,7 +120,7 @@ def test_joints_that_are_left_out_stay(joints):
     assert bench.positions == pytest.approx([0.0] * (joints - 1) + [0.2], abs=0.006)
 
 
-@pytest.mark.parametrize("joints", COUNTS)
+@pytest.mark.parametrize("joints", sampled(COUNTS, 3))
 @pytest.mark.parametrize(
     "positions",
     [lambda n: [0.1] * (n + 1), lambda n: [0.1] * max(0, n - 1), lambda n: [0.1] * 255, lambda n: [math.inf] * n],

@@ -12,6 +12,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 from tests.helpers.robot import described
+from tests.helpers.sampling import sampled
 from tests.modules.workcell import BACKENDS
 
 from jauspy.codec.message import Message
@@ -125,7 +126,9 @@ def assert_stops(cell: Cell, speeds: Callable[[], dict[str, float]], end: Callab
 
 @pytest.mark.parametrize(
     ("robot", "ahead", "turn"),
-    [("inc1", 60.0, 0.0), ("inc1", -60.0, 0.0), ("inc1", 0.0, 90.0), ("inc1_pprm", 60.0, 0.0)],
+    sampled(
+        [("inc1", 60.0, 0.0), ("inc1", -60.0, 0.0), ("inc1", 0.0, 90.0), ("inc1_pprm", 60.0, 0.0)], 2, several=True
+    ),
 )
 def test_tracks_stop_within_200_ms(
     backend: str, robot: str, end: Callable[[Cell], None], ahead: float, turn: float
@@ -137,8 +140,10 @@ def test_tracks_stop_within_200_ms(
     assert_stops(cell, cell.tracks, end)
 
 
-@pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
-@pytest.mark.parametrize("way", [1.0, -1.0])
+@pytest.mark.parametrize(
+    ("robot", "way"),
+    sampled([("inc1", 1.0), ("inc1", -1.0), ("inc1_pprm", 1.0), ("inc1_pprm", -1.0)], 1, several=True),
+)
 def test_arm_stops_within_200_ms(backend: str, robot: str, end: Callable[[Cell], None], way: float) -> None:
     """Every joint at its full speed, from where it has the room for that."""
     cell = Cell(backend, robot, 104)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 import pytest
+from tests.helpers.sampling import sampled
 from tests.modules.world import CLIENT, ORIGIN, OTHER, World
 
 from jauspy.codec.message import Message
@@ -94,6 +95,7 @@ def test_four_local_waypoints_in_order_by_list(world: World) -> None:
     assert world.distance(0.0, 0.0) < 0.2
 
 
+@pytest.mark.slow
 def test_four_global_waypoints_in_order_by_list(world: World) -> None:
     places = [(38.593 + north * 9e-6, -77.179 + east * 11.4e-6) for north, east in ((4, 0), (4, 4), (0, 4), (0, 0))]
     world.set_list(SetGlobalWaypoint(latitude=latitude, longitude=longitude) for latitude, longitude in places)
@@ -140,13 +142,16 @@ def test_command_event_succeeds_when_the_waypoint_is_reached(world: World) -> No
 
 @pytest.mark.parametrize(
     "end",
-    [
-        SetTravelSpeed(speed=0.5),
-        SetLocalWaypoint(x=0.0, y=5.0),
-        SetWrenchEffort(propulsive_linear_effort_x=20.0),
-        Standby(),
-        ReleaseControl(),
-    ],
+    sampled(
+        [
+            SetTravelSpeed(speed=0.5),
+            SetLocalWaypoint(x=0.0, y=5.0),
+            SetWrenchEffort(propulsive_linear_effort_x=20.0),
+            Standby(),
+            ReleaseControl(),
+        ],
+        3,
+    ),
     ids=lambda each: each.NAME,
 )
 def test_command_event_fails_when_the_drive_is_preempted(world: World, end: Message) -> None:

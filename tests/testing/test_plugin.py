@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
@@ -13,6 +14,8 @@ import pytest
 from tests.helpers.documentation import program
 
 PLUGIN = ("-p", "jauspy.testing.plugin")
+ASYNCIO = ("-p", "pytest_asyncio.plugin", *PLUGIN)
+"""Other plugins of this environment are not loaded, which would take a second."""
 
 TALK = """
 import pytest
@@ -124,8 +127,9 @@ def outcomes(folder: Path, *options: str) -> dict[str, Outcome]:
     """Run pytest over a folder; the outcomes by the name of file and test."""
     report = folder / "report.xml"
     command = (sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", f"--junit-xml={report}", *options)
-    environment = {"PYTHONPATH": ":".join(sys.path), "PATH": "/usr/bin:/bin"}
-    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    measured = {name: value for name, value in os.environ.items() if name.startswith("COVERAGE_")}
+    environment = {"PYTHONPATH": ":".join(sys.path), "PATH": "/usr/bin:/bin", "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+    done = subprocess.run(command, cwd=folder, env=environment | measured, capture_output=True, text=True, check=False)
     assert report.exists(), done.stdout + done.stderr
     found: dict[str, Outcome] = {}
     for case in ET.parse(report).iter("testcase"):
@@ -147,14 +151,14 @@ def written(folder: Path, files: Mapping[str, str]) -> Path:
 @pytest.fixture(scope="module")
 def automatic(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Outcome]:
     """A project where pytest-asyncio runs every asynchronous test."""
-    return outcomes(written(tmp_path_factory.mktemp("auto"), FILES), *PLUGIN, "-o", "asyncio_mode=auto")
+    return outcomes(written(tmp_path_factory.mktemp("auto"), FILES), *ASYNCIO, "-o", "asyncio_mode=auto")
 
 
 @pytest.fixture(scope="module")
 def strict(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Outcome]:
     """A project where it runs marked ones only."""
     files = {name: FILES[name] for name in ("virtual_network", "node_manager")}
-    return outcomes(written(tmp_path_factory.mktemp("strict"), files), *PLUGIN, "-o", "asyncio_mode=strict")
+    return outcomes(written(tmp_path_factory.mktemp("strict"), files), *ASYNCIO, "-o", "asyncio_mode=strict")
 
 
 @pytest.fixture(scope="module")
@@ -162,7 +166,7 @@ def without_asyncio(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Outco
     """A project without pytest-asyncio."""
     folder = written(tmp_path_factory.mktemp("plain"), {"plain": WITHOUT_ASYNCIO})
     (folder / "conftest.py").write_text(WITHOUT_ASYNCIO_CONFTEST)
-    return outcomes(folder, *PLUGIN, "-p", "no:asyncio")
+    return outcomes(folder, *PLUGIN)
 
 
 @pytest.mark.parametrize("mode", ["strict", "automatic"])
