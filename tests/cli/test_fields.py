@@ -97,6 +97,16 @@ def test_dotted_paths_set_nested_fields():
     assert by_dots == build("SetTime", "time_stamp={milliseconds: 1, seconds: 1, minutes: 1, hour: 1, day: 1}")
 
 
+def test_omitted_bits_are_0_and_names_need_no_quotes():
+    short = build("SetIlluminationState", "illumination={headlights: ON, fog_lights: OFF, variable_light1: 3}")
+    assert short == build("SetIlluminationState", "illumination.headlights=ON", "illumination.variable_light1=3")
+    assert short.encode()[2:] == b"\x01\x03\x00\x00"
+    (words,) = (each for each in fields.example(registry, type(short)) if "headlights" in each)
+    assert "headlights: OFF, left_turn_signal: OFF" in words
+    with pytest.raises(ConfigError, match=r"time_stamp\.day: a value is required"):
+        build("SetTime", "time_stamp.hour=1")
+
+
 def test_omitted_presence_vector_requests_all_fields():
     assert build("QueryLocalPose").presence_vector == 0x1FF
 

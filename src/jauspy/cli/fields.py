@@ -20,13 +20,34 @@ from jauspy.errors import ConfigError, EncodeError
 from jauspy.messages import registry as public
 
 _PRESENCE: Final = "presence_vector"
+_BOOL: Final = "tag:yaml.org,2002:bool"
+
+
+def _without_bool(cls: Any) -> Any:
+    return {first: [each for each in found if each[0] != _BOOL] for first, found in cls.yaml_implicit_resolvers.items()}
+
+
+class _Loader(yaml.SafeLoader):
+    """Reads ON, OFF, YES and NO as names of enumerations, as YAML 1.2 does."""
+
+    yaml_implicit_resolvers = _without_bool(yaml.SafeLoader)
+
+
+class _Dumper(yaml.SafeDumper):
+    """Writes them without quotes."""
+
+    yaml_implicit_resolvers = _without_bool(yaml.SafeDumper)
+
+
+for _each in (_Loader, _Dumper):
+    _each.add_implicit_resolver(_BOOL, re.compile("true|True|false|False"), list("tTfF"))
 
 
 def message_from(registry: Registry, name: str, assignments: Sequence[str], hints: Hints = NO_HINTS) -> Message:
     """The message with this JAUS name and these fields, of the service and version in `hints`.
 
-    A query without a presence vector requests every field. Raises `ConfigError`, which lists the fields with types,
-    ranges and units.
+    A query without a presence vector requests every field, and bits that are not named are 0. Raises `ConfigError`,
+    which lists the fields with types, ranges and units.
     """
     cls = _named(registry, name, hints)
     layout = cls.layout()
@@ -41,7 +62,7 @@ def message_from(registry: Registry, name: str, assignments: Sequence[str], hint
         if slot.name == _PRESENCE and slot.name not in data:
             data[slot.name] = everything(registry, cls)
     try:
-        message = cls.from_dict(data)
+        message = cls.from_dict(_with_bits(layout, data))
     except EncodeError as error:
         raise ConfigError(f"{cls.NAME}: {error}.\n{describe(cls)}") from None
     try:
@@ -138,7 +159,7 @@ def _value(item: Item, text: str, path: str) -> Any:
     if isinstance(item, Number) and item.values.enum:
         return _enumerated(text)
     try:
-        value = yaml.safe_load(text)
+        value = yaml.load(text, _Loader)  # noqa: S506 - a SafeLoader
     except yaml.YAMLError:
         raise ConfigError(f"{path}={text!r} is neither a number, a name, nor JSON or YAML") from None
     if isinstance(item, Blob) and isinstance(value, (str, int)):
@@ -156,6 +177,19 @@ def _with_names(item: Item, value: Any) -> Any:
         parts = dict(_parts(item))
         return {name: _with_names(parts[name], each) if name in parts else each for name, each in value.items()}
     return value
+
+
+def _with_bits(item: Item, value: Any) -> Any:
+    """The value with 0 for bits that are left out, where 0 is allowed."""
+    if isinstance(item, Repeat | Grid) and isinstance(value, list):
+        return [_with_bits(item.item, each) for each in value]
+    if not isinstance(value, dict):
+        return value
+    parts = dict(_parts(item))
+    given = {name: _with_bits(parts[name], each) if name in parts else each for name, each in value.items()}
+    if isinstance(item, Bits):
+        return {bit.name: 0 for bit in item.bits if bit.values.allows(0)} | given
+    return given
 
 
 def _enumerated(text: str) -> str | int:
@@ -229,7 +263,7 @@ def example(registry: Registry, kind: type[Message], target: str = "ID") -> list
 
 def _example_text(value: Any) -> str:
     if isinstance(value, dict | list):
-        return yaml.safe_dump(value, default_flow_style=True, width=WIDTH, sort_keys=False).strip()
+        return yaml.dump(value, Dumper=_Dumper, default_flow_style=True, width=WIDTH, sort_keys=False).strip()
     return str(value)
 
 
