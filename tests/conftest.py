@@ -20,6 +20,7 @@ from jauspy.logs import LIMIT
 from jauspy.modules import robot_files
 from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.transport import age
+from jauspy.video import camera_process
 
 for name in ("FORCE_COLOR", "PY_COLORS", "GITHUB_ACTIONS"):
     os.environ.pop(name, None)  # what tests read of a command has no colours
@@ -47,6 +48,9 @@ def _expanding_once() -> None:
 
 
 _expanding_once()
+
+camera_process.NICENESS = 0
+"""Processes of cameras do not wait until other tests leave them the processor, which took up to 25 s for a picture."""
 
 
 @pytest.fixture(autouse=True)

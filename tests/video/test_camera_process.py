@@ -29,7 +29,7 @@ from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY_INDEX
 from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
 from jauspy.video import camera_process
-from jauspy.video.camera_process import NICENESS, CameraProcess
+from jauspy.video.camera_process import CameraProcess
 from jauspy.video.h264 import H264Decoder
 from jauspy.video.imaging import read_numbers
 from jauspy.video.receiver import RtpReceiver
@@ -100,13 +100,15 @@ async def test_fallback_to_ray_casting_is_logged_once(monkeypatch, caplog):
     assert [record.levelname for record in said] == ["WARNING"]
 
 
-async def test_camera_process_has_lower_priority(camera):
-    camera.watch(("127.0.0.1", 2000), playing=False)
-    await until(lambda: camera.description, TIMEOUT)
-    nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
-    assert nice == min(NICENESS, 19 - os.getpriority(os.PRIO_PROCESS, 0))
-    assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
-    assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
+async def test_camera_process_has_lower_priority(monkeypatch, robot):
+    monkeypatch.setattr(camera_process, "NICENESS", 5)
+    async with CameraProcess(robot.cameras["front"], SMALL) as camera:
+        camera.watch(("127.0.0.1", 2000), playing=False)
+        await until(lambda: camera.description, TIMEOUT)
+        nice = os.getpriority(os.PRIO_PROCESS, camera.pid) - os.getpriority(os.PRIO_PROCESS, 0)
+        assert nice == min(5, 19 - os.getpriority(os.PRIO_PROCESS, 0))
+        assert os.getsid(camera.pid) == os.getsid(0), "sessions get shares of their own"
+        assert os.getpgid(camera.pid) != os.getpgid(0), "Ctrl-C is the robot's"
 
 
 async def test_two_receivers_see_the_same_pictures(camera, receiver):
