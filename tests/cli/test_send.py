@@ -4,14 +4,19 @@ from __future__ import annotations
 
 import pytest
 from tests.helpers.robot import FakeDrive
+from tests.modules.cameras import FakeVideo
 
 from jauspy.cli.send import send_in_control
 from jauspy.component.component import loop_time
-from jauspy.errors import ControlRejected, JausError
+from jauspy.errors import ControlRejected, JausError, RequestError
+from jauspy.geometry.poses import Transform
 from jauspy.ids import JausID
 from jauspy.messages.core import ReleaseControl, RequestControl, Resume, SetTime
+from jauspy.messages.environment_sensing import SetVisualSensorConfiguration
 from jauspy.messages.mobility import SetWrenchEffort
+from jauspy.platform.camera import CameraSetup
 from jauspy.services.core import AccessControl, Discovery, Time
+from jauspy.services.environment_sensing import VideoCamera, VisualSensor
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
 from jauspy.testing import VirtualNetwork
 
@@ -63,3 +68,19 @@ async def test_refusals_and_silence_are_reported(virtual_network):
     async with virtual_network.component(COMPONENT, [Time(), access], core=False):
         with pytest.raises(ControlRejected, match="gives control to authority 100 and above; requested with 50"):
             await send(virtual_network, SetTime(), authority=50)
+
+
+async def test_refused_settings_of_a_sensor_are_reported(virtual_network):
+    video = FakeVideo(CameraSetup("arm", "link", 1.0))
+    services = [VisualSensor({1: VideoCamera(Transform, source=video)}), AccessControl(timeout=5)]
+    kind = SetVisualSensorConfiguration
+
+    def settings(**values):
+        record = kind.VisualSensorConfigurationRec(1, exposure_mode=kind.ExposureMode.MANUAL, **values)
+        return kind(kind.RequestIdRec(1), [record])
+
+    async with virtual_network.component(COMPONENT, services):
+        await send(virtual_network, settings(shutter_speed=0.02))
+        with pytest.raises(RequestError, match=r"126\.1\.11 refused the settings: exposure times are 0\.001"):
+            await send(virtual_network, settings(shutter_speed=4.0))
+    assert video.imaging.shutter == pytest.approx(0.02, abs=0.001)

@@ -19,6 +19,7 @@ from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus
+from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu import OCU
 from jauspy.ocu.explain import TAKE_CONTROL, needs_control
 from jauspy.ocu.service import ServiceClient
@@ -66,7 +67,7 @@ def send(
     Most commands take effect only if their sender controls the component. --control takes control, resumes the
     component, sends, waits until the command has been carried out (--within) or for --hold seconds, then sends Standby
     and releases control. Efforts, velocities and vectors are sent five times a second meanwhile, and zero before
-    Standby. Exit status 1 means that control was lost meanwhile, that the component ignores the command
+    Standby. Exit status 1 means that control was lost meanwhile, that the component ignores or refuses the command
     (not offered, wrong joints, out of range, not Ready), or that it did not acknowledge Standby and release. Without
     --control the message is sent, and a note on stderr names what may prevent its effect.
 
@@ -167,12 +168,24 @@ async def _commanded(client: ServiceClient, command: Message, within: float | No
         await client.perform(command, within=within)
         yield
     elif command.NAME not in CONTINUOUS_COMMANDS:
-        await client.send(command)
+        await (_configure if _is_confirmed(command) else ServiceClient.send)(client, command)
         yield
     else:
         async with client.streaming(REPEAT_RATE) as stream:
             await stream.send(command)
             yield
+
+
+def _is_confirmed(command: Message) -> bool:
+    """True for the settings of sensors, which a component confirms or refuses."""
+    return ":environmentSensing:" in command.SERVICE and hasattr(command, "request_id_rec")
+
+
+async def _configure(client: ServiceClient, command: Message) -> None:
+    answer = await client.query(command, expects=ConfirmSensorConfiguration)
+    for each in answer.confirm_sensor_list:
+        if text := getattr(each, "error_message", ""):
+            raise RequestError(f"{client.id} refused the settings: {text}")
 
 
 async def _has_management(client: ServiceClient) -> bool:
