@@ -6,7 +6,7 @@ import struct
 import dpkt
 import pytest
 
-from jauspy.capture.reader import CaptureReader, is_capture
+from jauspy.capture.reader import CaptureReader, from_hex, from_lines, is_capture
 from jauspy.errors import ConfigError
 
 MESSAGE = bytes.fromhex("02001000010a017e0014017e0002200200")
@@ -93,3 +93,28 @@ def test_unknown_link_type_error_lists_the_known_ones():
     data[20:24] = struct.pack(">I" if data[0] == 0xA1 else "<I", 105)
     with pytest.raises(ConfigError, match=r"link type 105 is not supported.*Ethernet"):
         read(bytes(data))
+
+
+@pytest.mark.parametrize("text", ["02001f", "02 00 1F", "02:00:1f", "0x02001f", "0x02, 0x00, 0x1f", "02-00-1f\n"])
+def test_all_forms_of_hex_are_parsed(text):
+    assert from_hex(text) == b"\x02\x00\x1f"
+
+
+def test_zero_before_x_inside_a_number_is_a_digit():
+    with pytest.raises(ConfigError, match="'x'"):
+        from_hex("020x1f")
+
+
+@pytest.mark.parametrize(("text", "what"), [("020", "odd number"), ("0g", "'g'"), (" ", "no hexadecimal digits")])
+def test_invalid_hex_raises_a_config_error(text, what):
+    with pytest.raises(ConfigError, match=what):
+        from_hex(text)
+
+
+def test_line_numbers_are_kept():
+    assert from_lines("# capture\n\n02 00\n  # x\n0003 # y\n") == [(3, b"\2\0"), (5, b"\0\3")]
+
+
+def test_invalid_line_is_named():
+    with pytest.raises(ConfigError, match="line 2"):
+        from_lines("02\n0z\n")

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import pytest
-from tests.ocu.test_elements import ROBOT, Driver, services
+from tests.ocu.test_lists import ROBOT, Driver, services
 
 import jauspy
 from jauspy.ids import JausID

@@ -6,7 +6,7 @@ import asyncio
 
 import pytest
 from tests.ocu.test_control import FULL, Status, driver_of, until
-from tests.ocu.test_subscriptions import POSE, drain, events_of, sensor_of
+from tests.ocu.test_subscription import POSE, drain, events_of, sensor_of
 
 from jauspy.errors import ControlRejected, TransportError
 from jauspy.messages.core import QueryStatus

@@ -8,6 +8,7 @@ import pytest
 
 from jauspy.errors import ConfigError, ControlRejected, EventRejected, RequestError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.messages.core import (
     CancelEvent,
     CommandEvent,
@@ -19,8 +20,17 @@ from jauspy.messages.core import (
     Standby,
     TimeStamp,
 )
-from jauspy.messages.mobility import SetLocalWaypoint, SetTravelSpeed, SetWrenchEffort
+from jauspy.messages.mobility import (
+    SetLocalVector,
+    SetLocalVectorExt,
+    SetLocalWaypoint,
+    SetTravelSpeed,
+    SetWrenchEffort,
+)
+from jauspy.messages.ugv import SetSkidSteerEffort
+from jauspy.ocu.commands import neutral
 from jauspy.protocol.header import Ack
+from jauspy.services.command_timeout import CONTINUOUS_COMMANDS, Zero
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 from jauspy.services.state_machine import CommandCompletion
 
@@ -322,3 +332,30 @@ async def test_invalid_arguments_are_rejected(virtual_network, client, call, err
     with pytest.raises(error, match=words):
         await call(client)
     assert not virtual_network.sent(CreateCommandEvent)
+
+
+Speed = SetLocalVectorExt.Speed
+
+
+@pytest.mark.parametrize(
+    ("command", "stop"),
+    [
+        (SetSkidSteerEffort(40.0, -40.0), SetSkidSteerEffort(0.0, 0.0)),
+        (SetLocalVector(speed=0.5, heading=1.0), SetLocalVector(speed=0.0, heading=1.0)),
+        (
+            SetLocalVectorExt(speed=Speed(Speed.Choice.SPEED_OVER_GROUND, 0.5), heading=1.0),
+            SetLocalVectorExt(speed=Speed(Speed.Choice.SPEED_OVER_GROUND, 0.0), heading=1.0),
+        ),
+        (SetTravelSpeed(0.5), SetTravelSpeed(0.0)),
+        (registry.by_name("SetActuatorForceTorques")([]), None),
+        (registry.by_name("SetLocalPose")(x=1.0), None),
+    ],
+)
+def test_the_stop_of_a_command(command, stop):
+    assert neutral(command) == stop
+
+
+def test_every_continuous_command_is_a_message():
+    for name, zero in CONTINUOUS_COMMANDS.items():
+        fields = [slot.name for slot in registry.by_name(name).layout().slots]
+        assert zero is not Zero.SPEED or "speed" in fields

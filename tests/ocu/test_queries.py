@@ -1,3 +1,5 @@
+"""What a query is answered by is known to its class; tests/typing/ has what type checkers know."""
+
 from __future__ import annotations
 
 import asyncio
@@ -7,6 +9,7 @@ import pytest
 import jauspy
 from jauspy.errors import ConfigError, ResponseTimeout, TransportError
 from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.messages.core import (
     QueryHeartbeatPulse,
     QueryIdentification,
@@ -299,3 +302,12 @@ async def test_query_each_rejects_zero_seconds(world, within):
 async def test_query_each_without_answers_ends(world):
     ocu = await world.ocu()
     assert [each async for each in ocu.query_each("9.255.255", QueryStatus(), within=0.1)] == []
+
+
+def test_the_report_is_of_the_same_service_and_version():
+    queries = [each for each in registry if each.IS_QUERY]
+    known = [each for each in queries if hasattr(each, "REPORT")]
+    assert len(known) > 0.9 * len(queries)
+    for each in known:
+        assert (each.REPORT.SERVICE, each.REPORT.VERSION) == (each.SERVICE, each.VERSION)
+        assert each.REPORT.NAME.removeprefix("Report") == each.NAME.removeprefix("Query") or each.CODE < 0x4000

@@ -11,7 +11,7 @@ import time
 from itertools import islice
 
 import pytest
-from tests.ocu.test_elements import ROBOT, Driver, at, order, services, xs
+from tests.ocu.test_lists import ROBOT, Driver, at, order, services, xs
 
 from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, TransportError
 from jauspy.messages.core import QueryControl, QueryStatus, ReportStatus

@@ -1,4 +1,4 @@
-"""Weighing and measuring a robot: against the simulator, and against sums that can be done by hand."""
+"""Size, mass and limits of a chassis, and the efforts of its tracks."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import RobotDescription, parse_urdf
 from jauspy.modules.robot_files import load, robot_model
-from jauspy.platform.chassis import chassis_of, measure
+from jauspy.platform.chassis import chassis_of, clamp, measure, mix
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 
 URDF = """
@@ -78,3 +78,23 @@ def test_chassis_of_inc1_matches_its_description() -> None:
     assert chassis.max_speed == pytest.approx(0.95 * 1.9)
     assert (chassis.back, chassis.bottom) == (pytest.approx(0.45), pytest.approx(0.0, abs=1e-6))
     assert chassis.top > 0.4, "its arm is folded on top"
+
+
+@pytest.mark.parametrize(
+    ("efforts", "tracks"),
+    [
+        ((0.4, 0.0), (0.4, 0.4)),
+        ((0.0, 0.3), (-0.3, 0.3)),
+        ((0.5, 0.2), (0.3, 0.7)),
+        ((1.0, 1.0), (0.0, 1.0)),
+        ((-1.0, 0.5), (-1.0, -1 / 3)),
+        ((5.0, 0.0), (1.0, 1.0)),
+    ],
+)
+def test_efforts_are_mixed_for_both_tracks(efforts: tuple[float, float], tracks: tuple[float, float]) -> None:
+    assert mix(*efforts) == pytest.approx(tracks)
+
+
+def test_clamp_treats_nan_as_zero() -> None:
+    assert clamp(math.nan) == 0.0
+    assert clamp(-math.inf) == -1.0
