@@ -32,9 +32,16 @@ def component(transport: Transport, arrived: "asyncio.Queue[Packet]") -> Compone
     )
 
 
-@pytest.mark.parametrize("ack", [Ack.NONE, Ack.REQUIRED])
-@pytest.mark.parametrize("way", ["local", "tcp"])
-async def test_16_mb_message_passes_a_node_manager(root: Path, ack: Ack, way: str) -> None:
+@pytest.mark.parametrize(
+    ("way", "ack"),
+    [
+        ("local", Ack.REQUIRED),
+        ("tcp", Ack.NONE),
+        pytest.param("local", Ack.NONE, marks=pytest.mark.slow),
+        pytest.param("tcp", Ack.REQUIRED, marks=pytest.mark.slow),
+    ],
+)
+async def test_16_mb_message_passes_a_node_manager(root: Path, way: str, ack: Ack) -> None:
     arrived: asyncio.Queue[Packet] = asyncio.Queue()
     config = NodeConfig(address="127.0.0.1", port=0, local_root=root, tcp=True, tcp_port=0)
     async with NodeManager(config) as node:
