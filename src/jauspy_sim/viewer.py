@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import threading
 import time
 from collections.abc import Callable
 from importlib import import_module
@@ -15,6 +16,9 @@ from jauspy_sim.track_visuals import Treads
 
 DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
 """Variables of the environment, one of which names a display."""
+
+CLOSING_TIME: Final = 5.0
+"""Seconds that the window has to close."""
 
 FRAME_RATE: Final = 30.0
 """Hz at which the window gets the newest state."""
@@ -37,12 +41,14 @@ class Viewer:
         self._data, self._treads = mujoco.MjData(model), Treads(model)
         self._due = clock()
         self._copy()
+        others = set(threading.enumerate())
         try:
             self._window: Any = import_module("mujoco.viewer").launch_passive(
                 model, self._data, show_left_ui=False, show_right_ui=False
             )
         except Exception as error:  # whatever GLFW and the display raise
             raise ConfigError(f"MuJoCo cannot open a window here: {error}; watch a camera instead") from error
+        self._drawing = set(threading.enumerate()) - others
 
     @property
     def is_open(self) -> bool:
@@ -60,8 +66,10 @@ class Viewer:
         self._window.sync()
 
     def close(self) -> None:
-        """Close the window. May be called twice."""
+        """Close the window, and wait for its thread, amid which Python must not end. May be called twice."""
         self._window.close()
+        for each in self._drawing:
+            each.join(CLOSING_TIME)
 
     def _copy(self) -> None:
         model, data, source = self._model, self._data, self._source

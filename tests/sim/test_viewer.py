@@ -83,3 +83,4 @@ def test_the_window_follows_the_robot(tmp_path):
     found = re.search(r"shown at ([\d.]+) True", run.stdout)
     assert found, run.stderr
     assert float(found[1]) >= 0.05
+    assert run.returncode == 0

@@ -182,6 +182,12 @@ def test_a_straight_edge_bends_as_opencv_projects_it(coefficients):
     assert len(set((straight[:, :, 0] < 120).sum(axis=1).tolist())) == 1
 
 
+def test_a_lens_that_enlarges_towards_its_corners_shows_each_direction_once():
+    """From left to right, what is further right."""
+    made = picture(Scene(lambda x, y: 120.0 + 60.0 * x), ImagingSetup(distortion=(-0.5, 0.2, 0.0, 0.0, 0.0)))
+    assert (np.diff(made[:, :, 0].astype(int), axis=1) >= 0).all()
+
+
 NOISY = ImagingSetup(shot_noise=0.02, read_noise=0.0002, seed=7)
 
 

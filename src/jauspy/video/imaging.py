@@ -49,7 +49,7 @@ METERED: Final = 8
 ADAPTATION: Final = 0.3
 """Fraction of the way to the right exposure, in stops, that each picture takes."""
 
-ITERATIONS: Final = 30
+ITERATIONS: Final = 60
 """Steps to the inverse of a lens's distortion, computed once for each size of picture and zoom."""
 MIN_RADIAL: Final = 0.1
 """Smallest factor by which a lens moves a point towards the middle."""
@@ -168,14 +168,17 @@ class _Lens:
         across, down = cv2.convertMaps(source[..., 0], source[..., 1], cv2.CV_16SC2)
         return _Lens(
             2.0 * math.atan(spread),
-            lambda image: np.asarray(cv2.remap(image, across, down, cv2.INTER_LINEAR), np.uint8),
+            lambda image: np.asarray(
+                cv2.remap(image, across, down, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE), np.uint8
+            ),
         )
 
 
 def _straightened(bent: NDArray[np.float64], coefficients: tuple[float, ...]) -> NDArray[np.float64]:
-    """The directions, as x and y at a distance of one, that the lens shows at these places; by fixed-point iteration.
+    """The directions, as x and y at a distance of one, that the lens shows at these places.
 
-    OpenCV's function does too few iterations for the corners of wide lenses, and its signature depends on the version.
+    By fixed-point iteration with half steps; whole ones oscillate where the lens enlarges towards its edge. OpenCV's
+    function does too few iterations for the corners of wide lenses, and its signature depends on the version.
     """
     k1, k2, p1, p2, k3 = coefficients
     found = bent.copy()
@@ -186,7 +189,8 @@ def _straightened(bent: NDArray[np.float64], coefficients: tuple[float, ...]) ->
         sideways = np.stack(
             [2.0 * p1 * x * y + p2 * (squared + 2.0 * x * x), p1 * (squared + 2.0 * y * y) + 2.0 * p2 * x * y], axis=-1
         )
-        found = np.clip((bent - sideways) / np.maximum(radial, MIN_RADIAL)[..., None], -MAX_SPREAD, MAX_SPREAD)
+        place = (bent - sideways) / np.maximum(radial, MIN_RADIAL)[..., None]
+        found = (found + np.clip(place, -MAX_SPREAD, MAX_SPREAD)) / 2.0
     return found
 
 
