@@ -101,8 +101,11 @@ class SimulatedJoints:
             needed = bias[dof] + load[dof]
             for multiplier, follower in followers:
                 needed += multiplier * bias[follower]
-            wanted = controller.effort(qpos[position], qvel[dof], dt, needed)
-            ctrl[motor] = brake.effort(controller, qpos[position], qvel[dof], wanted, needed)
+            at, velocity = qpos[position], qvel[dof]
+            effort = controller.effort(at, velocity, dt, needed)
+            if brake.watches or not -brake.saturation < effort < brake.saturation:
+                effort = brake.effort(controller, at, velocity, effort, needed)
+            ctrl[motor] = effort
 
 
 def _followers(
@@ -127,8 +130,8 @@ class FloatingBase:
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, prefix: str) -> None:
         joint = model.joint(f"{prefix}base")
-        position, self.dof = int(joint.qposadr[0]), int(joint.dofadr[0])
-        self._qpos, self._qvel = view(data.qpos[position : position + 7]), view(data.qvel[self.dof : self.dof + 6])
+        position, dof = int(joint.qposadr[0]), int(joint.dofadr[0])
+        self._qpos, self._qvel = view(data.qpos[position : position + 7]), view(data.qvel[dof : dof + 6])
 
     def pose(self) -> Pose:
         """The pose of the root link in the world."""

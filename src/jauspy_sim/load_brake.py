@@ -39,7 +39,10 @@ class LoadBrake:
         self._joint, self._dof, self._dt = joint, dof, dt
         self._friction = float(model.dof_frictionloss[dof])
         self._solref, self._solimp = model.dof_solref[dof].copy(), model.dof_solimp[dof].copy()
-        self._most = SATURATED * joint.effort
+        self.saturation = SATURATED * joint.effort
+        """The effort from which on, either way, `effort` is to be asked."""
+        self.watches = False
+        """True if it is to be asked whatever the effort is."""
         self._count = 0
         self._last = 0.0
         self._light = self._heavy = 0.0
@@ -74,7 +77,8 @@ class LoadBrake:
         self._gravity = gravity
         if self.engaged:
             return self._hold(controller, position, gravity)
-        if abs(wanted) < self._most or controller.is_braking:
+        self.watches = abs(wanted) >= self.saturation and not controller.is_braking
+        if not self.watches:
             self._count, self._last = 0, 0.0
             return wanted
         against = -math.copysign(velocity, velocity * wanted)

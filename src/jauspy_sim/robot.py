@@ -18,7 +18,7 @@ from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.joints import SimulatedJoints
-from jauspy_sim.sensors import LayeredLidar, simulated_force_torque, simulated_lidar
+from jauspy_sim.sensors import SimulatedLidar, simulated_force_torque
 from jauspy_sim.tracks import SimulatedTracks
 from jauspy_sim.viewer import Viewer
 from jauspy_sim.wheels import SimulatedWheels
@@ -59,9 +59,7 @@ class SimulatedRobot:
         self._steps = -SETTLING_STEPS
         self._run(SETTLING_STEPS)
         self._lidars = {
-            setup.name: LayeredLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
-            if setup.layers > 1
-            else simulated_lidar(model, data, name_prefix, setup)
+            setup.name: SimulatedLidar(model, data, data.body(f"{name_prefix}{setup.link}"), setup)
             for setup in robot.lidars
         }
         self._force_torque = {

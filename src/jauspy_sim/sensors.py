@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator
 from typing import Any, Final
 
 import mujoco
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.ranging import LidarSetup, RangeScan, Scanner, ScanSettings, nearest_layer
+from jauspy_sim.assembly import view
 from jauspy_sim.groups import COLLISION, HEIGHT_FIELDS, VISUAL
 
 _IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
@@ -22,39 +23,11 @@ _GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGR
 RAYS_AT_ONCE: Final = 512
 """Rays of one part: 0.2 to 1 ms on a small machine."""
 
+ERRORS_AT_ONCE: Final = 100
+"""Measurements of force and torque for which errors are drawn at once."""
+
 _NO_NORMALS: Final[dict[str, Any]] = {"normal": None} if "normal" in (mujoco.mj_multiRay.__doc__ or "") else {}
 """True if MuJoCo can return normals (version 4)."""
-
-
-def simulated_lidar(model: mujoco.MjModel, data: mujoco.MjData, prefix: str, setup: LidarSetup) -> Scanner:
-    """A lidar in the world of that robot, with normally distributed errors."""
-    return Scanner(setup, _Rays(model, data, data.body(f"{prefix}{setup.link}"), setup).measure)
-
-
-class _Rays:
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, body: Any, setup: LidarSetup) -> None:
-        self._model, self._data, self._body = model, data, body
-        self._noise = setup.noise
-        self._random = np.random.default_rng(setup.seed)
-        self._angles: Sequence[float] = ()
-        self._turned = np.empty((0, 3))
-
-    def measure(self, angles: Sequence[float]) -> list[float]:
-        """As `Measure`."""
-        if not angles:
-            return []
-        mujoco.mj_kinematics(self._model, self._data)  # after a step, frames are those of its start
-        rays = self._in_its_plane(angles) @ self._body.xmat.reshape(3, 3).T
-        distances = cast_rays(self._model, self._data, self._body.xpos, rays)
-        noise: NDArray[np.float64] = self._random.normal(0.0, self._noise, len(angles))
-        return (distances + noise).tolist()  # type: ignore[no-any-return]  # numpy's tolist is untyped
-
-    def _in_its_plane(self, angles: Sequence[float]) -> NDArray[np.float64]:
-        """Ray directions in the link's frame, cached because the angles repeat."""
-        if angles is not self._angles:
-            at = np.asarray(angles)
-            self._angles, self._turned = angles, np.stack([np.cos(at), np.sin(at), np.zeros_like(at)], axis=1)
-        return self._turned
 
 
 def cast_rays(
@@ -80,12 +53,12 @@ def cast_rays(
     return np.where(distances < 0.0, math.inf, distances)
 
 
-class LayeredLidar(Scanner):
-    """A `RangeFinder` of several layers, with normally distributed errors.
+class SimulatedLidar(Scanner):
+    """A `RangeFinder` of one layer or several, with normally distributed errors.
 
     A scan of many thousands of rays would stop the robot's thread for up to 30 ms. It is cast in parts, between the
     steps of physics, from where the lidar was when the scan began: so that points are not distorted by the robot's
-    motion.
+    motion. A scan of one layer is complete at once.
     """
 
     def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, body: Any, setup: LidarSetup) -> None:
@@ -114,7 +87,7 @@ class LayeredLidar(Scanner):
         mujoco.mj_kinematics(self._model, self._data)  # after a step, frames are those of its start
         rays = self._directions @ self._body.xmat.reshape(3, 3).T
         self._pending = _Pending(now, self._body.xpos.copy(), rays)
-        self._cast(len(rays) if self._scan is None else RAYS_AT_ONCE)
+        self._cast(len(rays) if self._scan is None or self._setup.layers == 1 else RAYS_AT_ONCE)
 
     def _cast(self, count: int) -> None:
         pending = self._pending
@@ -134,6 +107,8 @@ class LayeredLidar(Scanner):
         distances = pending.distances + self._random.normal(0.0, setup.noise, len(pending.distances))
         distances[distances < settings.min_range] = -math.inf
         distances[distances > settings.max_range] = math.inf
+        if setup.layers == 1:
+            return RangeScan(pending.time, setup.link, self._angles, tuple(distances.tolist()))
         image = distances.astype(np.float32).reshape(len(self._inclinations), -1)
         row = tuple(image[nearest_layer(self._inclinations)].tolist())
         return RangeScan(pending.time, setup.link, self._angles, row, self._inclinations, image.tobytes())
@@ -156,13 +131,20 @@ class _Pending:
 
 def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueSetup) -> SampledForceTorque:
     """The sensor of that robot, with normally distributed errors."""
-    random = np.random.default_rng(setup.seed)
-    force, torque = (data.sensor(f"{prefix}{setup.name}_{kind}").data for kind in ("force", "torque"))
-    deviations = np.repeat((setup.force_noise, setup.torque_noise), 3)
+    force, torque = (view(data.sensor(f"{prefix}{setup.name}_{kind}").data) for kind in ("force", "torque"))
+    errors = _errors(setup)
 
     def measure() -> tuple[Vector, Vector]:
-        u, v, w, a, b, c = (deviations * random.standard_normal(6)).tolist()
-        (x, y, z), (p, q, r) = force.tolist(), torque.tolist()  # the action of the carrier on the link
+        u, v, w, a, b, c = next(errors)
+        (x, y, z), (p, q, r) = force, torque  # the action of the carrier on the link
         return (u - x, v - y, w - z), (a - p, b - q, c - r)
 
     return SampledForceTorque(setup, measure)
+
+
+def _errors(setup: ForceTorqueSetup) -> Iterator[list[float]]:
+    """Those of force and torque, for one measurement after the other."""
+    random = np.random.default_rng(setup.seed)
+    deviations = np.repeat((setup.force_noise, setup.torque_noise), 3)
+    while True:
+        yield from (deviations * random.standard_normal((ERRORS_AT_ONCE, 6))).tolist()

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import Final, NamedTuple
 
 import mujoco
+import numpy as np
 
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.chassis import SkidSteerDrive
@@ -30,12 +31,10 @@ class _Belt(NamedTuple):
     """The degree of freedom of the belt's joint."""
     column: int
     """The column of that degree of freedom in each row."""
-    base: int
-    """The column of x of the base; y and z follow."""
     length: int
     """The length of each row."""
-    internal: bool = False
-    """The robot touches itself, and the rows of a sparse Jacobian have no columns of the base."""
+    internal: bool
+    """The robot touches itself, which its belts do not move along."""
 
 
 class Belts:
@@ -46,54 +45,54 @@ class Belts:
     lateral axis times the normal for each m/s of the joint (docs/adr/0110-tracks-that-climb.md).
     """
 
-    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, base: int, joints: Sequence[str]) -> None:
-        """`base` is the first degree of freedom of the free joint; `joints` are the names of those of the belts."""
-        self._data, self._nv, self._base = data, int(model.nv), base
+    def __init__(self, model: mujoco.MjModel, data: mujoco.MjData, joints: Sequence[str]) -> None:
+        """`joints` are the names of those of the belts."""
+        self._data, self._nv = data, int(model.nv)
         found = [model.joint(name) for name in joints]
         self._qvel = view(data.qvel)
         self._frame = data.xmat[int(model.jnt_bodyid[found[0].id])].reshape(3, 3)
         x, y, _ = found[0].axis.tolist()
-        self._lateral = (-y, x, 0.0)  # up times the axis of the joint
+        self._lateral = np.array((-y, x, 0.0))  # up times the axis of the joint
         self._sparse = bool(mujoco.mj_isSparse(model))
         dofs = {int(model.jnt_bodyid[joint.id]): int(joint.dofadr[0]) for joint in found}
         bodies = model.geom_bodyid.tolist()
         self._belts = {geom: dofs[body] for geom, body in enumerate(bodies) if body in dofs}
+        self._robots = model.body_rootid[model.geom_bodyid].tolist()
         self._known: dict[tuple[int, int], tuple[_Belt, ...]] = {}
         """By pairs of geometries that touched."""
 
     def run_around(self) -> None:
         """Correct the Jacobian of the belts' contacts, and what `mj_step1` computed with it."""
-        data, known, sparse, nv = self._data, self._known, self._sparse, self._nv
+        data, known, nv = self._data, self._known, self._nv
         contacts = data.contact
         jacobian = view(data.efc_J)
-        starts = view(data.efc_J_rowadr) if sparse else None
+        starts = view(data.efc_J_rowadr) if self._sparse else None
         found = []
         pushed = 0.0
-        for (one, other), row in zip(contacts.geom.tolist(), contacts.efc_address.tolist(), strict=True):
+        for contact, (geoms, row) in enumerate(zip(contacts.geom.tolist(), contacts.efc_address.tolist(), strict=True)):
             if row < 0:
                 continue
-            if (belts := known.get((one, other))) is None:
-                belts = known[one, other] = self._learn((one, other), row)
+            pair = geoms[0], geoms[1]
+            if (belts := known.get(pair)) is None:
+                belts = known[pair] = self._learn(pair, row)
             for belt in belts:
-                start = row * nv if starts is None else starts[row]
-                push = jacobian[start + belt.column]
+                own = belt.column + (row * nv if starts is None else starts[row])
+                push = jacobian[own]
                 pushed += push * push
-                found.append((row, start, belt))
+                found.append((contact, row, own, belt))
         if pushed < ALONG_THE_TRACK**2:
             return
-        x, y, z = (self._frame @ self._lateral).tolist()
-        reference, stiffness = view(data.efc_aref), data.efc_KBIP[:, 1].tolist()
-        for row, start, belt in found:
-            speed, own, base = self._qvel[belt.dof], start + belt.column, start + belt.base
-            nx, ny, nz = jacobian[base], jacobian[base + 1], jacobian[base + 2]
-            tx, ty, tz = y * nz - z * ny, z * nx - x * nz, x * ny - y * nx
-            for line in range(row, row + FRICTION):
-                before = jacobian[own]
-                along = jacobian[base] * tx + jacobian[base + 1] * ty + jacobian[base + 2] * tz
-                after = 0.0 if belt.internal else along
-                jacobian[own] = after
-                reference[line] -= stiffness[line] * (after - before) * speed
-                own, base = own + belt.length, base + belt.length
+        across = (contacts.frame.reshape(-1, 3, 3) @ (self._frame @ self._lateral)).tolist()
+        reference, stiffness, qvel = view(data.efc_aref), view(data.efc_KBIP[:, 1]), self._qvel
+        for contact, row, own, (dof, _, length, internal) in found:
+            speed = qvel[dof]
+            _, first, second = across[contact]
+            # along a x n for an axis a and a normal n, of tangents t and n x t: t (a x n) = a (n x t)
+            along = (0.0, 0.0, 0.0) if internal else (0.0, second, -first)
+            for line, after in enumerate(along):
+                at, place = row + line, own + line * length
+                reference[at] -= stiffness[at] * (after - jacobian[place]) * speed
+                jacobian[place] = after
 
     def _learn(self, geoms: tuple[int, int], row: int) -> tuple[_Belt, ...]:
         """The belts of a contact between these, whose row along the normal is `row`. It depends on their bodies."""
@@ -101,13 +100,13 @@ class Belts:
         dofs = [self._belts[geom] for geom in geoms if geom in self._belts]
         if contacts.dim[contacts.efc_address == row][0] < FRICTION:
             return ()
+        one, other = geoms
+        internal = self._robots[one] == self._robots[other]
         if not self._sparse:
-            return tuple(_Belt(dof, dof, self._base, self._nv) for dof in dofs)
+            return tuple(_Belt(dof, dof, self._nv, internal) for dof in dofs)
         begin, length = int(self._data.efc_J_rowadr[row]), int(self._data.efc_J_rownnz[row])
         columns = self._data.efc_J_colind[begin : begin + length].tolist()
-        internal = self._base not in columns
-        base = 0 if internal else columns.index(self._base)
-        return tuple(_Belt(dof, columns.index(dof), base, length, internal) for dof in dofs)
+        return tuple(_Belt(dof, columns.index(dof), length, internal) for dof in dofs)
 
 
 class SimulatedTracks(SkidSteerDrive):
@@ -121,7 +120,7 @@ class SimulatedTracks(SkidSteerDrive):
         base = FloatingBase(model, data, prefix)
         self._pose, self._twist = base.pose, base.twist
         names = [f"{prefix}{name}" for name in tracks.left + tracks.right]
-        self._belts = Belts(model, data, base.dof, names)
+        self._belts = Belts(model, data, names)
         self._run = view(data.userdata)
         positions = [int(model.joint(name).qposadr[0]) for name in names]
         self._driven_positions = list(enumerate((positions[0], positions[len(tracks.left)])))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from typing import Final
+from collections.abc import Callable
+from typing import Final, TypeAlias
 
 from jauspy.geometry.urdf import Joint
 from jauspy.platform.description import Gains, JointGains
@@ -22,6 +23,9 @@ oscillate.
 RESISTANCE_TIME: Final = 5.0
 """Seconds in which the effort fades by which a joint resists being driven back."""
 
+_Law: TypeAlias = Callable[[float, float, float, float], float]
+"""The effort of a joint by its position, velocity, the seconds until the next call, and the effort for gravity."""
+
 
 class JointController:
     """Computes the effort of a joint (N m or N) at each step of its control loop.
@@ -34,6 +38,7 @@ class JointController:
         self._setpoint = SetpointGenerator(joint, position)
         self._position_pid = Pid(gains.position, joint.effort)
         self._velocity_pid = Pid(gains.velocity, joint.effort)
+        self._law: _Law = self._follow_position
         self._holding = True
         self._braking = 0.0
         self._integral = self._resistance = 0.0
@@ -58,7 +63,7 @@ class JointController:
         self._reset()
         self._position_pid.reset(effort)
         self._setpoint.hold(position)
-        self._holding, self._braking = True, 0.0
+        self._holding, self._braking, self._law = True, 0.0, self._follow_position
 
     def set_gains(self, gains: JointGains) -> None:
         """Set the gains; what is integrated is kept."""
@@ -79,7 +84,7 @@ class JointController:
             self._integral = effort
             self._setpoint.start(position, velocity)
         self._setpoint.target = target
-        self._holding, self._braking = False, 0.0
+        self._holding, self._braking, self._law = False, 0.0, self._law_for(target)
 
     def hold(self, position: float) -> None:
         """Brake, and hold the position where the joint comes to rest. Has no effect on a joint that holds already."""
@@ -87,33 +92,41 @@ class JointController:
             return
         self._reset()
         self._setpoint.hold(position)
-        self._holding, self._braking = True, BRAKE_TIME
+        self._holding, self._braking, self._law = True, BRAKE_TIME, self._brake
 
     def effort(self, position: float, velocity: float, dt: float, feed_forward: float = 0.0) -> float:
         """Return the effort for the next `dt` seconds; `feed_forward` compensates gravity."""
-        joint, setpoint = self._joint, self._setpoint
-        if self._braking > 0.0:
-            return self._brake(position, velocity, dt, feed_forward)
-        mode = setpoint.target.mode
-        if mode is ControlMode.EFFORT:
-            push = self._compensated if setpoint.target.compensated else self._uncompensated
-            return self._limited(push(setpoint.target.value, position, velocity, dt, feed_forward))
-        setpoint.advance(dt)
-        desired_velocity = setpoint.velocity
-        feed_forward += joint.damping * desired_velocity
-        if mode is ControlMode.POSITION:
-            return self._position_pid.update(
-                setpoint.position - position, desired_velocity - velocity, dt, feed_forward
-            )
-        setpoint.position = position  # the limits apply to the present position, not to the commanded one
-        return self._velocity_pid.update(desired_velocity - velocity, 0.0, dt, feed_forward)
+        return self._law(position, velocity, dt, feed_forward)
 
-    def _compensated(self, value: float, position: float, velocity: float, dt: float, gravity: float) -> float:
+    def _law_for(self, target: Target) -> _Law:
+        if target.mode is ControlMode.POSITION:
+            return self._follow_position
+        if target.mode is ControlMode.VELOCITY:
+            return self._follow_velocity
+        return self._compensated if target.compensated else self._uncompensated
+
+    def _follow_position(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
+        setpoint = self._setpoint
+        setpoint.approach(dt)
+        desired = setpoint.velocity
+        feed_forward += self._joint.damping * desired
+        return self._position_pid.update(setpoint.position - position, desired - velocity, dt, feed_forward)
+
+    def _follow_velocity(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
+        setpoint = self._setpoint
+        setpoint.advance(dt)
+        desired = setpoint.velocity
+        feed_forward += self._joint.damping * desired
+        setpoint.position = position  # the limits apply to the present position, not to the commanded one
+        return self._velocity_pid.update(desired - velocity, 0.0, dt, feed_forward)
+
+    def _compensated(self, position: float, velocity: float, dt: float, gravity: float) -> float:
         """Follow the setpoint's velocity with at most the commanded effort in its direction, in addition to gravity.
 
         A joint that is driven back resists, as a gear does, with more than the commanded effort.
         """
         setpoint, gains = self._setpoint, self._velocity_pid.gains
+        value = setpoint.target.value
         setpoint.position = position  # the limits apply to the present position
         setpoint.advance(dt)
         sign, most = math.copysign(1.0, value), min(abs(value), self._joint.effort)
@@ -126,22 +139,24 @@ class JointController:
         if wanted < ceiling or error < 0.0:
             integral = sign * self._integral + gains.i * error * dt
             self._integral = sign * min(most, max(-self._joint.effort, integral))
-        return gravity + sign * min(wanted, ceiling)
+        return self._limited(gravity + sign * min(wanted, ceiling))
 
-    def _uncompensated(self, value: float, position: float, velocity: float, dt: float, gravity: float) -> float:
+    def _uncompensated(self, position: float, velocity: float, dt: float, gravity: float) -> float:
         """The commanded effort, less of it as the joint comes near its speed limit, which falls towards its ends."""
-        joint, gain = self._joint, self._velocity_pid.gains.p
+        joint, gain, value = self._joint, self._velocity_pid.gains.p, self._setpoint.target.value
         forward = self._setpoint.fastest(joint.upper - position, dt)
         backward = self._setpoint.fastest(position - joint.lower, dt)
         if velocity > forward / 2.0:
-            return min(value, gravity + joint.damping * forward + gain * (forward - velocity))
-        if velocity < -backward / 2.0:
-            return max(value, gravity - joint.damping * backward - gain * (backward + velocity))
-        return value
+            value = min(value, gravity + joint.damping * forward + gain * (forward - velocity))
+        elif velocity < -backward / 2.0:
+            value = max(value, gravity - joint.damping * backward - gain * (backward + velocity))
+        return self._limited(value)
 
     def _brake(self, position: float, velocity: float, dt: float, feed_forward: float) -> float:
         """Return an effort against the motion, up to the limit; the position PID alone would overshoot."""
         self._braking -= dt
+        if self._braking <= 0.0:
+            self._law = self._follow_position
         self._setpoint.hold(position)
         return self._limited(feed_forward - self._joint.effort * velocity / (ROTOR_ACCELERATION * dt))
 
@@ -227,15 +242,17 @@ class SetpointGenerator:
         """Advance by `dt` seconds."""
         mode = self._target.mode
         if mode is ControlMode.POSITION:
-            distance = self._goal - self.position
-            if distance or self.velocity:
-                self._approach(distance, dt)
+            self.approach(dt)
         elif self._cruises:
             self._cruise(dt)
         else:
             self.velocity = 0.0
 
-    def _approach(self, distance: float, dt: float) -> None:
+    def approach(self, dt: float) -> None:
+        """Advance by `dt` seconds in the mode POSITION."""
+        distance = self._goal - self.position
+        if not (distance or self.velocity):
+            return
         change = self._deceleration * dt
         self._change_speed(math.copysign(min(self._max_speed, self._braking_speed(abs(distance), dt)), distance), dt)
         if abs(distance) <= change * dt and abs(self.velocity) <= 2.0 * change:

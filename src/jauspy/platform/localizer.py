@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Final, NamedTuple, Protocol, TypeAlias
 
-from jauspy.geometry.poses import UNACCELERATED, Acceleration, Pose, Twist
+from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.geometry.vectors import Quaternion, Vector, add, difference, dot, scaled
 from jauspy.platform.localization import (
     GnssSetup,
@@ -121,7 +121,8 @@ class Localizer(Localization):
         self._globe = _Globe(setup.gnss, setup.seed, drive, pose.yaw, errors) if setup.gnss is not None else None
         self._sampling.is_due(0.0)
         self._state: LocalizationState | None = None
-        self._last = _Measured(Travel(0.0, 0.0, 0.0), UNACCELERATED, 1.0 / self._imu_setup.rate)
+        still: Vector = (0.0, 0.0, 0.0)
+        self._last = _Measured(Travel(*still), still, still, 1.0 / self._imu_setup.rate)
 
     def state(self) -> LocalizationState:
         """The estimate after the last measurement."""
@@ -176,10 +177,11 @@ class Localizer(Localization):
             curving = (0.0, 0.0, 0.0)
         self._attitude.turn(turned, difference(force, curving), dt)
         if not at_rest:
-            travel = replace(travel, left=travel.left - self._turning.point * rates[2] * dt)
+            left = travel.left - self._turning.point * rates[2] * dt
+            travel = Travel(travel.forward, left, travel.turn)
         self._advance(travel, before)
         self._moved.add(self._angles[2], travel, measured if at_rest else None, dt)
-        self._last = _Measured(travel, Acceleration(*linear, *angular), dt)
+        self._last = _Measured(travel, linear, angular, dt)
         self._state = None  # it is estimated when somebody wants it
 
     def _stands(self, travel: Travel, rates: Vector) -> bool:
@@ -229,7 +231,7 @@ class Localizer(Localization):
         return local.horizontal_rms, self._height_rms, math.hypot(self._tilt_rms, self._tilt_rms, local.yaw_rms)
 
     def _estimate(self, measured: _Measured) -> LocalizationState:
-        travel, acceleration, dt = measured
+        travel, linear, angular, dt = measured
         roll, pitch, yaw = self._angles
         setup, local = self._imu_setup, self._local
         pose = Pose(self._x, self._y, self._z, roll, pitch, yaw)
@@ -243,7 +245,7 @@ class Localizer(Localization):
             Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
             math.hypot(self._scale_error * self._speed, self._resolution / dt),
             math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
-            acceleration,
+            Acceleration(*linear, *angular),
             math.sqrt(3.0) * math.hypot(force_noise, setup.acceleration_bias, GRAVITY * self._tilt_rms),
             math.sqrt(6.0) * gyro_noise / dt,
         )
@@ -259,7 +261,10 @@ class _Measured(NamedTuple):
     """The last measurements, of `dt` seconds."""
 
     travel: Travel
-    acceleration: Acceleration
+    linear: Vector
+    """Acceleration, m/s^2."""
+    angular: Vector
+    """rad/s^2."""
     dt: float
 
 

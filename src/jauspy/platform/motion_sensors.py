@@ -11,7 +11,7 @@ from random import Random
 from typing import Final, TypeAlias
 
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.geometry.vectors import Rotation, Vector, add, product, rotated, transposed
+from jauspy.geometry.vectors import Rotation, Vector, add, rotated, transposed
 from jauspy.platform.localization import GnssSetup, ImuSetup, OdometrySetup
 
 GRAVITY: Final = 9.81
@@ -153,8 +153,12 @@ def _rotation(pose: Pose) -> Rotation:
 
 def _turn(start: Rotation, end: Rotation) -> Vector:
     """The rotation vector, in the moving frame, from one attitude to another, less than a right angle away."""
-    (_, xy, xz), (yx, _, yz), (zx, zy, _) = product(transposed(start), end)
-    x, y, z = (zy - yz) / 2.0, (xz - zx) / 2.0, (yx - xy) / 2.0
+    # half the difference of the product's elements beside its diagonal: the sum of the vector products of the rows
+    (ax, ay, az), (bx, by, bz), (cx, cy, cz) = start
+    (ux, uy, uz), (vx, vy, vz), (wx, wy, wz) = end
+    x = (uy * az - uz * ay + vy * bz - vz * by + wy * cz - wz * cy) / 2.0
+    y = (uz * ax - ux * az + vz * bx - vx * bz + wz * cx - wx * cz) / 2.0
+    z = (ux * ay - uy * ax + vx * by - vy * bx + wx * cy - wy * cx) / 2.0
     sine = min(1.0, math.sqrt(x * x + y * y + z * z))
     factor = math.asin(sine) / sine if sine > 1e-9 else 1.0
     return x * factor, y * factor, z * factor
