@@ -64,7 +64,7 @@ def check_robot(robot: Robot) -> None:
 
 
 def state_problem(state: Snapshot, robot: Robot) -> str:
-    """What is wrong with the numbers of a state, and which method returned them; empty if nothing is."""
+    """A text about invalid numbers in a state, with the method that returned them; empty if all are valid."""
     if _is_right(state, robot):
         return ""
     return next(_problems(state, robot), "")

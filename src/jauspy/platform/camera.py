@@ -1,4 +1,4 @@
-"""The contract of cameras, which are opened in processes of their own, and where cameras outside of a robot are."""
+"""The contract of cameras, each opened in a separate process, and viewpoints of cameras outside of a robot."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ class CameraSetup:
     imaging: ImagingSetup = IDEAL
     """Limits and faults of its lens and sensor."""
     outside: OutsideSetup | None = None
-    """Where a camera outside of the robot is."""
+    """The viewpoint of a camera outside of the robot."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,10 +51,10 @@ class Frame:
     image: Image
     taken: float
     light: NDArray[np.float32] | float = 1.0
-    """The light on what each pixel shows, of shape (height, width), or on everything: 1 is that in which it was
-    rendered, so that the picture is to be darker where it is less."""
+    """The light on each pixel, shape (height, width), or one number for all. 1 is the light in which the picture was
+    rendered; the picture is darkened where it is less."""
     distances: Distances | None = None
-    """Depths of the pixels, if they were asked for."""
+    """Depths of the pixels, if requested."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,7 +95,7 @@ class CameraSession(Protocol):
     ) -> Frame:
         """Render the robot's newest state; with `thoroughly` at better quality, in up to half a second.
 
-        `fov` is the horizontal field of view in radians, that of the setup by default; `distances` asks for depths.
+        `fov` is the horizontal field of view in radians, that of the setup by default; `distances` requests depths.
         """
         ...
 
@@ -127,14 +127,14 @@ class Camera(Protocol):
 
 
 LAG: Final = 0.8
-"""Seconds in which a chasing camera makes up for 63 % of a turn of the robot."""
+"""Time constant, in seconds, with which a chasing camera follows a turn of the robot."""
 MIN_HEIGHT: Final = 0.15
-"""Metres above the world's zero, below which no camera goes."""
+"""Least height of a camera above the world's zero, in metres."""
 _UP: Final = (0.0, 0.0, 1.0)
 
 
 class Viewpoint(Enum):
-    """Where the camera is: at a place of the world, behind the robot, or on a circle around it."""
+    """The motion of an outside camera: fixed in the world, behind the robot, or on a circle around it."""
 
     FIXED = "fixed"
     CHASE = "chase"
@@ -176,7 +176,10 @@ class OutsideView:
         return self._setup.view is not Viewpoint.FIXED
 
     def ends(self, time: float, base: Transform) -> tuple[Vector, Vector]:
-        """Where the camera is and what it looks at, in the world; `base` is the robot's, `time` in seconds."""
+        """The positions of the camera and of the point at which it looks, in the world.
+
+        `base` is the robot's, `time` in seconds.
+        """
         setup, (x, y, z) = self._setup, base.position
         robot = (x, y, z + setup.aim)
         if setup.view is Viewpoint.FIXED:

@@ -1,4 +1,4 @@
-"""Chassis: size, mass and limits, and what the drives of all backends share."""
+"""Size, mass and limits of chassis, and base classes of the drives of all backends."""
 
 from __future__ import annotations
 
@@ -252,7 +252,7 @@ class FixedBase:
 
 
 class GroundDrive(ABC):
-    """A `DriveBase` with a parking brake, without an inertial sensor: what the drives of all backends share."""
+    """A `DriveBase` with a parking brake, the base class of the drives of all backends."""
 
     def __init__(self) -> None:
         self._acceleration = Acceleration()

@@ -151,7 +151,7 @@ class OptionalPart(ABC):
         """Its present state, which never changes afterwards, for snapshots."""
 
     def stop(self) -> None:
-        """Stop all motion of the part, at once; for parts that move. May be called twice."""
+        """Stop all motion of the part immediately; for parts that move. May be called twice."""
         return
 
     @abstractmethod

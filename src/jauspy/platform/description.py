@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 
 
 WORLD_SUFFIXES: Final = (".xml", ".mjcf", ".sdf", ".world", ".toml")
-"""Ends of the names of files with worlds: MJCF, SDF, a list of objects."""
+"""Suffixes of files with worlds: MJCF, SDF, a list of objects."""
 
 
 def is_world_file(world: str) -> bool:
@@ -77,7 +77,7 @@ class TrackSetup:
     right: tuple[str, ...]
     inertia: float
     turning_point: float = 0.0
-    """Metres ahead of the base, of the point that does not move sideways in a turn: odometry assumes it."""
+    """Metres from the base forward to the point that does not move sideways in a turn, for odometry."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,7 +100,7 @@ class RobotModel:
     wheels: WheelSetup | None = None
     """In place of tracks."""
     localization: LocalizationSetup = EXACT
-    """How it measures where it is; for robots with a chassis."""
+    """How it measures its pose; for robots with a chassis."""
     lamps: tuple[LampSetup, ...] = ()
     time_of_day: TimeOfDay = TimeOfDay.DAY
     """Of the simulated world."""

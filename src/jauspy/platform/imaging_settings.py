@@ -1,4 +1,4 @@
-"""Lens, shutter and sensor of cameras: what a camera offers, and what a client has set.
+"""Lens, shutter and sensor of cameras: capabilities, and the settings of clients.
 
 Light is linear: twice the exposure is twice the light. Pixels are its square root, as displays expect (gamma 2).
 """
@@ -14,7 +14,7 @@ NORMAL_TIME: Final = 0.01
 """Seconds of exposure that, at ISO 100 and the widest aperture, show a scene in daylight as it is rendered."""
 
 ISO_LEVELS: Final = (100, 200, 400, 800, 1600, 3200)
-"""Sensitivities that JAUS knows."""
+"""Sensitivities that JAUS defines."""
 
 
 class ZoomMode(Enum):
@@ -27,7 +27,7 @@ class ZoomMode(Enum):
 
 
 class FocusMode(Enum):
-    """Who focuses. With autofocus everything is sharp."""
+    """Focus by hand or automatic. With autofocus everything is sharp."""
 
     AUTO_FOCUS = "auto"
     MANUAL_FOCUS = "manual"
@@ -71,19 +71,19 @@ class MeteringMode(Enum):
 
 @dataclass(frozen=True, slots=True)
 class ImagingSetup:
-    """What one camera can do, and the faults of its lens and sensor."""
+    """Capabilities of one camera, and imperfections of its lens and sensor."""
 
     optical_zoom: float = 1.0
     """Largest factor of the lens; 1 for a fixed focal length."""
     digital_zoom: float = 4.0
-    """Largest factor by which the middle of the picture is enlarged; 1 for none."""
+    """Largest factor of the digital zoom; 1 for none."""
     exposure_time: tuple[float, float] = (0.001, 0.066)
     """Shortest and longest, in seconds."""
     aperture: tuple[float, float] = (2.8, 2.8)
     """Smallest and largest f-number."""
     max_iso: int = 3200
     sensor_width: float = 0.0064
-    """Metres; with the field of view it determines the focal length, and so what is blurred."""
+    """Metres; with the field of view it determines the focal length, and with it the depth of field."""
     nearest_focus: float = 0.1
     """Metres."""
     distortion: tuple[float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0)
@@ -169,7 +169,7 @@ class ImagingSetup:
 
 @dataclass(frozen=True, slots=True)
 class ImagingSettings:
-    """What a client has set."""
+    """The settings of a client."""
 
     zoom_mode: ZoomMode = ZoomMode.OFF
     zoom: float = 1.0

@@ -1,7 +1,7 @@
-"""The contract of localisation: where a robot believes to be, and how sure it is; and the settings of the sensors.
+"""The contract of localisation: estimated poses with their errors; and the settings of the simulated sensors.
 
 Two frames, as in REP-105. The **local** one is dead reckoning from where the robot started: it drifts, and never jumps.
-The **global** one has GNSS: it jumps, and does not drift. A robot without this part knows its pose exactly.
+The **global** one has GNSS: it jumps, and does not drift. For a robot without this part, the pose is exact.
 """
 
 from __future__ import annotations
@@ -20,12 +20,12 @@ MICRO_G: Final = 9.80665e-6
 
 @dataclass(frozen=True, slots=True)
 class OdometrySetup:
-    """Encoders of tracks or wheels. What slips on the ground is not known to them."""
+    """Encoders of tracks or wheels, which do not measure slip."""
 
     scale_error: float = 0.01
-    """Standard deviation of the calibration: the way by the encoders over the true one, less 1."""
+    """Standard deviation of the calibration: measured over true distance, less 1."""
     noise: float = 0.005
-    """Standard deviation of the way after one metre, in metres; it grows with the square root of the way."""
+    """Standard deviation of the distance after one metre, in metres; it grows with the square root of the distance."""
     resolution: float = 1e-5
     """Metres of one count: 4096 counts for a turn of a motor, with a gear of 25:1 and a sprocket of 0.4 m, are 4 um."""
 
@@ -71,7 +71,7 @@ class GnssSetup:
     drift: float = 1.2
     """Metres of the error that changes slowly: satellites' orbits and clocks, ionosphere, multipath."""
     drift_time: float = 120.0
-    """Seconds in which that error is forgotten to a part of 1/e."""
+    """Correlation time of that error, in seconds."""
     vertical: float = 1.5
     """Errors of the height, as a multiple of the horizontal ones."""
     heading_error: float = math.radians(2.0)
@@ -84,10 +84,10 @@ RTK: Final = GnssSetup(noise=0.006, drift=0.006, drift_time=60.0)
 
 @dataclass(frozen=True, slots=True)
 class LocalizationSetup:
-    """How a robot measures where it is."""
+    """How a robot measures its pose."""
 
     exact: bool | None = None
-    """True: it knows its pose exactly; None: as the backend does by default."""
+    """True: the pose is exact; None: the default of the backend."""
     seed: int = 0
     """Of all errors: the same seed, the same errors."""
     odometry: OdometrySetup = OdometrySetup()
@@ -123,7 +123,7 @@ class PoseEstimate:
 @final
 @dataclass(frozen=True, slots=True)
 class LocalizationState:
-    """What a robot knows of its motion. The frame of both poses is the world's, as far as the robot knows."""
+    """The estimate of a robot's motion. Both poses are in the estimated frame of the world."""
 
     local: PoseEstimate
     """By dead reckoning; its errors are counted since the start, or since the pose was declared."""
@@ -157,7 +157,7 @@ class Localization(OptionalPart):
 
     @abstractmethod
     def declare(self, position_rms: float | None, heading_rms: float | None) -> None:
-        """A client has set the local pose, with these errors (None: not given); errors are counted from now on."""
+        """Restart the error estimate when a client has set the local pose, with these errors (None: not given)."""
 
     def proxy(self, link: RobotLink) -> Localization:
         """The localisation for other threads."""
@@ -166,7 +166,7 @@ class Localization(OptionalPart):
 
 @dataclass(frozen=True, slots=True)
 class DeclareLocalPose(Command):
-    """Count errors of the local pose from now on."""
+    """Restart the error estimate of the local pose."""
 
     position_rms: float | None
     heading_rms: float | None
@@ -182,7 +182,7 @@ class DeclareLocalPose(Command):
             found.declare(self.position_rms, self.heading_rms)
 
     def merged(self, pending: Command) -> DeclareLocalPose:
-        """What only the pending one has is kept."""
+        """Merge with a pending declaration, whose other values are kept."""
         if not isinstance(pending, DeclareLocalPose):
             return self
         position, heading = self.position_rms, self.heading_rms

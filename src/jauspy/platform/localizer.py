@@ -1,8 +1,8 @@
 """Estimates the pose of a simulated robot from its simulated sensors, as the computer of a real one does.
 
-The local pose is dead reckoning: the way by encoders, the attitude by the inertial measurement unit. At rest it
-measures the bias of the gyroscope. A Kalman filter follows the errors; a second one corrects the global pose by GNSS.
-See docs/adr/0111-localisation.md.
+The local pose is dead reckoning: distance from encoders, attitude from the inertial measurement unit. At rest the bias
+of the gyroscope is measured. A Kalman filter follows the errors; a second one corrects the global pose by GNSS. See
+docs/adr/0111-localisation.md.
 """
 
 from __future__ import annotations
@@ -48,13 +48,13 @@ TILT_ERROR: Final = math.radians(0.2)
 REST_TIME: Final = 0.5
 """Seconds without a count after which the robot is at rest."""
 MAX_REST_RATE: Final = math.radians(1.0)
-"""rad/s above which it is not: somebody turns it."""
+"""rad/s above which it is not at rest: it is turned from outside."""
 FIRST_FIX_DEVIATION: Final = 1000.0
-"""Metres: where the robot is before its first fix."""
+"""Standard deviation of the position before the first fix, in metres."""
 
 
 MAX_SURPRISE: Final = 6.0
-"""Standard deviations between fix and dead reckoning above which the fix counts: the robot slid, or was carried."""
+"""Standard deviations between fix and dead reckoning above which the fix is trusted: the robot slid, or was carried."""
 
 
 class MeasuredDrive(Protocol):
@@ -475,7 +475,7 @@ STATES: Final = 8
 
 @dataclass(frozen=True, slots=True)
 class Motion:
-    """What dead reckoning measured: metres and radians in the frame of the filter, and in how many seconds."""
+    """A motion by dead reckoning: metres and radians in the frame of the filter, and its duration in seconds."""
 
     x: float
     y: float
@@ -502,7 +502,7 @@ class PoseFilter:
         ]
 
     def move(self, motion: Motion) -> None:
-        """Move by what dead reckoning measured."""
+        """Move by a motion of dead reckoning."""
         state = self.state
         x, y = motion.x * (1.0 + state[SCALE]), motion.y * (1.0 + state[SCALE])
         state[X] += x
@@ -528,7 +528,7 @@ class PoseFilter:
         rows[YAW] = [a - motion.dt * b + motion.yaw * c for a, b, c in zip(yaw, bias, gain, strict=True)]
 
     def fade(self, kept: float, deviation: float) -> None:
-        """Forget the slow errors of the fixes to a part of `kept`; they have this deviation in the long run."""
+        """Let the slow errors of the fixes decay by the factor `kept`, towards this stationary deviation."""
         rows = self.covariance
         for index in (DRIFT_X, DRIFT_Y):
             self.state[index] *= kept
@@ -559,7 +559,7 @@ class PoseFilter:
         return error / math.sqrt(spread) if spread > 0.0 else 0.0
 
     def declare(self, indices: Iterable[int], deviation: float) -> None:
-        """Take states as known with this deviation, whatever was known before."""
+        """Set the deviation of states, independent of previous knowledge."""
         for index in indices:
             for row in self.covariance:
                 row[index] = 0.0
@@ -573,5 +573,5 @@ class PoseFilter:
 
     @property
     def yaw_rms(self) -> float:
-        """Radians."""
+        """Root mean square of the error of the yaw, radians."""
         return math.sqrt(max(0.0, self.covariance[YAW][YAW]))

@@ -18,7 +18,8 @@ class CanBackend:
     def open(self, robot: RobotModel, world: str) -> Robot:
         """Open the bus, configure the drives, and enable them when all agree.
 
-        Raises `ConfigError` if the robot's file has no `[can]`, if a package is missing, or with what a drive lacks.
+        Raises `ConfigError` if the robot's file has no `[can]`, if a package is missing, or if a drive lacks a required
+        object.
         """
         if robot.wheels is not None:
             raise ConfigError(f"{robot.description.name} has wheels, and the backend can drives tracks only")

@@ -28,7 +28,7 @@ VIRTUAL: Final = "virtual"
 """Simulated drives in this process."""
 
 ECHOING: Final = frozenset({"udp_multicast"})
-"""Interfaces that return what is sent."""
+"""Interfaces that echo sent frames."""
 
 
 def split(bus: str) -> tuple[str, str, dict[str, Any]]:
@@ -66,11 +66,11 @@ SO_RCVBUFFORCE: Final = 33
 """Of Linux, which the module socket lacks; for root."""
 
 RECEIVE_BUFFER: Final = 2**22
-"""Bytes that the kernel is asked to keep for a program that stands still: frames of half a second."""
+"""Size of the kernel's receive buffer: frames of half a second, for a program that is blocked."""
 
 
 def open_bus(bus: str, bit_rate: int) -> can.BusABC:
-    """Open a bus of python-can. Raises `ConfigError` with what the kernel or the package says, and what to do."""
+    """Open a bus of python-can. Raises `ConfigError` with the error of the kernel or the package, and what to do."""
     interface, channel, options = split(bus)
     with _quiet():
         try:
@@ -95,7 +95,7 @@ def hint(error: BaseException) -> str:
 
 
 def describe(error: BaseException, interface: str = "") -> str:
-    """What an error of a bus says, with what to do if that is known."""
+    """The text of a bus error, with what to do if that is known."""
     cause = error.__cause__
     text = f"{error}" or type(error).__name__
     if isinstance(error, NameError) or (interface and f"can.interfaces.{interface}" in text):
@@ -107,7 +107,7 @@ def describe(error: BaseException, interface: str = "") -> str:
 
 @contextmanager
 def _quiet() -> Iterator[None]:
-    """Without what python-can logs about a bus that cannot be opened: the exception says it."""
+    """Suppress python-can's log about a bus that cannot be opened; the exception contains the reason."""
     logger = logging.getLogger("can")
     level = logger.level
     logger.setLevel(logging.CRITICAL + 1)
@@ -133,7 +133,7 @@ def _check_options(bus: str, interface: str, options: dict[str, Any]) -> None:
 
 
 def _enlarge_buffer(bus: can.BusABC) -> None:
-    """Have the kernel keep more frames, of interfaces that have a socket."""
+    """Enlarge the kernel's receive buffer, for interfaces with a socket."""
     try:
         with socket.socket(fileno=os.dup(bus.fileno())) as copy:
             try:
@@ -154,7 +154,7 @@ PASSIVE: Final = 0x30
 
 
 def error_frame_text(message: can.Message) -> str:
-    """An error frame of socketcan in words: `bus-off`, or another error."""
+    """A text for an error frame of socketcan: `bus-off`, or another error."""
     if message.arbitration_id & BUS_OFF:
         return "bus-off"
     if message.arbitration_id & NO_ACKNOWLEDGEMENT:
@@ -171,7 +171,7 @@ MAX_ERRORS: Final = 5
 class Receiver:
     """A thread that passes each frame of a bus to `receive`.
 
-    What cannot be read is counted and logged; it never ends the thread. `failed` gets `bus-off`.
+    Unreadable frames are counted and logged, and never end the thread. `failed` is called with `bus-off`.
     """
 
     def __init__(self, bus: can.BusABC, receive: Callable[[can.Message], None], failed: Callable[[str], None]) -> None:
@@ -194,7 +194,7 @@ class Receiver:
             except Exception as error:  # noqa: BLE001 - drivers raise what they like, also of foreign datagrams
                 self.counters["unreadable"] += 1
                 errors += 1
-                _LOG.warning("what came from the CAN bus cannot be read: %s", describe(error))
+                _LOG.warning("a frame of the CAN bus cannot be read: %s", describe(error))
                 if errors > MAX_ERRORS:  # the adapter is gone, which sending says, or a flood
                     time.sleep(0.001)
 
@@ -217,7 +217,7 @@ class Receiver:
 
 
 class PeriodicTask:
-    """What python-can's `send_periodic` returns, for a `Port`."""
+    """The result of `Port.send_periodic`, as python-can returns it."""
 
     def __init__(self, port: Port, message: can.Message, period: float, start: float) -> None:
         self.message = message
@@ -230,7 +230,7 @@ class PeriodicTask:
         self._port.periodic.discard(self)
 
     def modify_data(self, message: can.Message) -> None:
-        """Send other bytes from now on."""
+        """Change the bytes to send."""
         self.message = message
 
 
@@ -238,7 +238,7 @@ class Port:
     """A bus as `canopen.Network` uses it, whose periodic messages are sent by `step`, without a thread."""
 
     def network(self) -> canopen.Network:
-        """The network on it. canopen asks for a bus of python-can, and uses no more of it than a port has."""
+        """The network on it. canopen expects a bus of python-can, but uses only the methods that a port has."""
         return canopen.Network(cast("can.BusABC", self))
 
     channel_info = "port"
@@ -272,9 +272,9 @@ class Port:
 
 
 class Wire:
-    """Two ends in one process, of the robot and of simulated drives, in place of a CAN bus.
+    """A CAN bus in one process, with two ends: the robot and the simulated drives.
 
-    What one end sends, the other has received when `send` returns.
+    When `send` returns, the other end has received the frame.
 
     Frames that are sent meanwhile wait for their turn, as on a bus. `loses` may drop frames, for tests.
     """

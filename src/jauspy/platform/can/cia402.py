@@ -1,4 +1,4 @@
-"""CiA 402 without I/O: states of a drive, controlwords that lead to them, and errors in words."""
+"""CiA 402 without I/O: states of a drive, controlwords that lead to them, and texts of errors."""
 
 from __future__ import annotations
 
@@ -131,7 +131,7 @@ REGISTER_BITS: Final = ("generic", "current", "voltage", "temperature", "communi
 
 
 def register_text(register: int) -> str:
-    """The error register in words, as in `current, voltage`."""
+    """The text of an error register, as in `current, voltage`."""
     return ", ".join(_bits(register)) or "none"
 
 
@@ -180,7 +180,7 @@ ERROR_CLASSES: Final = {
 
 
 def error_text(code: int) -> str:
-    """An error code in words, as in `overcurrent at the output (2310h)`."""
+    """The text of an error code, as in `overcurrent at the output (2310h)`."""
     if not code:
         return "no error"
     known = ERRORS.get(code) or ERROR_CLASSES.get(code & 0xF000, "an unknown error")

@@ -1,4 +1,4 @@
-"""Configures a drive over SDO: who it is, its PDOs, what it does when it loses the robot, its limits. Blocks."""
+"""Configures a drive over SDO: identity, PDOs, reaction to the loss of the robot, limits. Blocks."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class Setting:
     sub: int
     value: int
     why: str = ""
-    """What it is for, if the drive may lack it; else it must have it."""
+    """The purpose, for an object that the drive may lack; empty for a required one."""
 
 
 class Configurator:
@@ -63,7 +63,7 @@ class Configurator:
         self._setup = setup
 
     def configure(self, drive: Drive) -> None:
-        """Bring a drive to Pre-operational, check it, and write what it must know. Raises `DriveFault`."""
+        """Bring a drive to Pre-operational, check it, and write its settings. Raises `DriveFault`."""
         sdo = self._client(drive)
         try:
             self._network.send_message(0, bytes((0x80, drive.setup.node)))  # NMT: Pre-operational
@@ -131,7 +131,7 @@ def check_identity(sdo: Any, drive: Drive) -> None:
     device = _read(sdo, 0x1000, 0)
     if device & 0xFFFF != PROFILE:
         raise DriveFault(
-            f"{drive.name} is no servo drive: its device type is {device:08X}h, and CiA 402 ends in 0192h; "
+            f"{drive.name} is not a servo drive: its device type is {device:08X}h, and CiA 402 ends in 0192h; "
             f"check can.drives.{setup.name}.node"
         )
     modes = _read(sdo, 0x6502, 0)

@@ -1,4 +1,4 @@
-"""One drive as the robot sees it: what it reports, what it is to do next, and what is wrong with it."""
+"""The robot's side of one drive: reported state, next command, and faults."""
 
 from __future__ import annotations
 
@@ -36,14 +36,14 @@ LIMIT_MARGIN: Final = 0.02
 
 
 class Motion(Protocol):
-    """Computes what a drive is to do at each SYNC."""
+    """Computes the command of a drive at each SYNC."""
 
     def advance(self, drive: Drive, dt: float) -> tuple[Mode, float] | None:
         """Mode and value in SI units for the next `dt` seconds; None is a quick stop, after which the drive holds."""
         ...
 
     def start(self, drive: Drive) -> None:
-        """The drive is about to be enabled: begin at its present position."""
+        """Begin at the drive's present position, before it is enabled."""
         ...
 
     def hold(self) -> None:
@@ -81,7 +81,7 @@ class Drive:
         self.last_status = self.last_heartbeat = 0.0
         """Times at which it was heard."""
         self.unanswered = 0
-        """SYNCs since it was heard. Time in which this process was blocked and sent none is not the drive's."""
+        """SYNCs since its last answer. SYNCs that this process did not send because it was blocked do not count."""
         self.received = 0
         """PDOs with its status."""
         self._restarted = False
@@ -138,7 +138,7 @@ class Drive:
     # --- commanded --------------------------------------------------------------------------------------------------
 
     def begin(self, now: float) -> None:
-        """It was configured: forget what was before, and watch it from now on."""
+        """Start supervision after the configuration, with cleared state."""
         self.counts = None
         self.received = 0
         self.error_code = self.error_register = 0
@@ -235,7 +235,7 @@ class Drive:
         return ""
 
     def fault(self, now: float) -> str:
-        """Why it does not work though it can be reached; empty if it does. To be asked after `run`."""
+        """Why it does not work although it can be reached; empty if it works. To be called after `run`."""
         if self.state in {DriveState.FAULT, DriveState.FAULT_REACTION_ACTIVE}:
             return f"is in {self.state.value}: {self.error()}"
         if self._enabled_at is None:
@@ -245,7 +245,7 @@ class Drive:
         return self._deviation(now)
 
     def error(self) -> str:
-        """Its last error in words."""
+        """The text of its last error."""
         return f"{error_text(self.error_code)}, error register: {register_text(self.error_register)}"
 
     def _deviation(self, now: float) -> str:

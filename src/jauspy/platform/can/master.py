@@ -40,7 +40,7 @@ EXPLAIN_TIME: Final = 0.02
 """Seconds from a fault to the exception, in which the drive's emergency message with the reason arrives."""
 
 PAUSE: Final = 0.1
-"""Seconds between two cycles after which drives must not just go on: this process was blocked."""
+"""Seconds between two cycles after which motions must not continue: this process was blocked."""
 
 MAX_SEND_ERRORS: Final = 5
 """Cycles in a row in which nothing could be sent."""
@@ -136,7 +136,7 @@ class Master:
             self._foreign += FOREIGN_SYNCS + 1
 
     def bus_failed(self, why: str) -> None:
-        """The bus itself failed, as by bus-off; any thread may say so."""
+        """Note that the bus has failed, as by bus-off; any thread may call this."""
         self._bus_error = self._bus_sentence(why)
 
     def _send(self, cob_id: int, data: bytes) -> None:
@@ -150,7 +150,7 @@ class Master:
     # --- each SYNC --------------------------------------------------------------------------------------------------
 
     def cycle(self, now: float) -> None:
-        """Send commands, SYNC and heartbeat, and look at what the drives answered before."""
+        """Send commands, SYNC and heartbeat, and check the last answers of the drives."""
         with self.lock:
             if self._phase is Phase.LISTENING:
                 return
@@ -274,7 +274,7 @@ class Master:
         self._bring_up()
 
     def home(self, tell: Callable[[str], None]) -> None:
-        """Have all drives that need it search their home positions, one after the other; `tell` gets what moves.
+        """Home all drives that need it, one after the other; `tell` is called with the text of each motion.
 
         Blocks; raises `DriveFault`.
         """
@@ -398,7 +398,7 @@ class Master:
             limited = drive.setup.track is None and joint.kind in {JointKind.REVOLUTE, JointKind.PRISMATIC}
             if limited and not joint.lower - margin <= drive.position <= joint.upper + margin:
                 raise DriveFault(
-                    f"{drive.name} says that {joint.name!r} is at {drive.position:.3f}, beyond its limits "
+                    f"{drive.name} reports {joint.name!r} at {drive.position:.3f}, beyond its limits "
                     f"({drive.limits()}): check zero, sign, gear_ratio and encoder_counts of can.drives."
                     f"{drive.setup.name}, and whether node ids are swapped"
                 )

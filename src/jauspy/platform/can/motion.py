@@ -106,7 +106,7 @@ class TrackMotion:
         self._velocity = 0.0
 
     def start(self, drive: Drive) -> None:  # noqa: ARG002 - a track may be anywhere
-        """Stand."""
+        """Begin at standstill."""
         self._wanted = self._velocity = 0.0
 
     def drive(self, velocity: float) -> None:

@@ -72,7 +72,7 @@ class CanJoints:
             motion.hold()
 
     def state(self) -> JointState:
-        """What the drives reported last."""
+        """The last reports of the drives: radians or metres, rad/s or m/s, N m or N."""
         drives = [drive for drive, _ in self._drives]
         return JointState(
             tuple([drive.position for drive in drives]),
@@ -100,7 +100,7 @@ class CanTracks(SkidSteerDrive):
                 motion.hold()
 
     def pose(self) -> Pose:
-        """Where the encoders say it is; the yaw is within -pi..pi."""
+        """The pose by the encoders, in metres and radians; the yaw is within -pi..pi."""
         return Pose(x=self._x, y=self._y, yaw=math.remainder(self._yaw, math.tau))
 
     def twist(self) -> Twist:
@@ -109,7 +109,7 @@ class CanTracks(SkidSteerDrive):
         return Twist(vx=(left + right) / 2.0, wz=(right - left) / self._width)
 
     def restart(self) -> None:
-        """What the encoders count from now on is added to the pose; a drive that restarted may count from zero."""
+        """Continue from the present pose with new encoder counts; a drive that restarted may count from zero."""
         self._before = None
 
     def update(self) -> None:
@@ -210,7 +210,7 @@ class CanRobot:
         return Drive(setup, joint, motion, round(self._setup.status_timeout * self._setup.sync_rate))
 
     def _weight(self, joint: Joint) -> float:
-        """What gravity needs of a joint where the joints were at the last cycle."""
+        """The effort of a joint against gravity, at the joint positions of the last cycle."""
         if self._weights is None:
             drives = self._drives.values()
             self._weights = self._holding.at({each.joint.name: each.position for each in drives})
@@ -386,7 +386,7 @@ class _Simulated:
         return self._now
 
     def start(self, master: Master, tick: Callable[[], None]) -> None:
-        """Have the cycles run from now on."""
+        """Start the cycles."""
         self._cycle, self._tick = master.cycle, tick
 
     def wait_cycle(self) -> None:

@@ -1,4 +1,4 @@
-"""What the tables `[can]` and `[can.drives.NAME]` of a robot's TOML file say: the bus, and the drives on it."""
+"""The settings of the tables `[can]` and `[can.drives.NAME]` of a robot's TOML file: the bus and its drives."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from jauspy.errors import JausError
 
 
 class DriveFault(JausError):
-    """Drives cannot be used: which one, its state and error in words, and what to do."""
+    """Drives cannot be used. The text names the drive, its state, its error, and what to do."""
 
 
 class VelocityUnit(Enum):
-    """What a drive counts as one unit of velocity (606Ch, 60FFh)."""
+    """The unit of a drive's velocities (606Ch, 60FFh)."""
 
     COUNTS_PER_SECOND = "counts/s"
     RPM = "rpm"
@@ -33,7 +33,7 @@ class Homing:
 
 @dataclass(frozen=True, slots=True)
 class Identity:
-    """What a drive must report of itself (1018h); None is not compared."""
+    """The identity that a drive must report (1018h); None is not compared."""
 
     vendor: int | None = None
     product: int | None = None
@@ -42,7 +42,7 @@ class Identity:
 
 @dataclass(frozen=True, slots=True)
 class DriveSetup:
-    """One drive: where it is on the bus, what it moves, and its units."""
+    """One drive: its node id, the joint or track that it moves, and its units."""
 
     name: str
     node: int
@@ -60,7 +60,7 @@ class DriveSetup:
     sign: int = 1
     """-1 if the joint moves backward when the encoder counts up."""
     zero: int = 0
-    """What the encoder counts where the joint is at 0."""
+    """Count of the encoder at joint position 0."""
     rated_effort: float | None = None
     """Newton metres or newtons of the joint at the rated torque of the motor; the joint's limit when not given."""
     acceleration: float | None = None

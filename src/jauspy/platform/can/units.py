@@ -46,7 +46,7 @@ class DriveUnits:
         return 1.0 / abs(self._scale)
 
     def counts(self, position: float) -> int:
-        """What the encoder counts at a position of the joint."""
+        """The count of the encoder at a position of the joint, radians or metres."""
         return _limited(self._zero + position * self._scale, MAX_INT32)
 
     def position_counts(self, position: float) -> int:

@@ -16,7 +16,7 @@ class ArmController(Enum):
     """How the joints follow their trajectories."""
 
     PID = "pid"
-    """One PID controller for each module, which does not know the others (stage 1)."""
+    """An independent PID controller for each module (stage 1)."""
     MODEL = "model"
     """Inverse dynamics of the arm as it is assembled, and PID for what remains (stage 2)."""
 
@@ -47,11 +47,11 @@ class ModularArmState:
     tip_pose: Pose = ORIGIN
     """Of the tip's frame in the world, by the model."""
     error: str = ""
-    """Why the last motion ended early or was not begun, in words; empty after a success."""
+    """Why the last motion ended early or was not begun; empty after a success."""
 
 
 class ModularArm(OptionalPart):
-    """Moves the servo modules of a chain, whatever their number; it finds the chain by what is attached to what."""
+    """Moves the servo modules of a chain, whatever their number; it derives the chain from the attachments."""
 
     name: str
 
@@ -69,7 +69,7 @@ class ModularArm(OptionalPart):
         """Move the joints to `positions` (rad, base to tip; NaN leaves a joint's target) in `duration` seconds.
 
         With 0 seconds it takes as long as the limits demand. A vector of another length, infinite values or a duration
-        that limits do not allow are refused: nothing moves, and `state().error` says why.
+        that limits do not allow are refused: nothing moves, and `state().error` contains the reason.
         """
 
     @abstractmethod
@@ -78,7 +78,7 @@ class ModularArm(OptionalPart):
 
     @abstractmethod
     def set_controller(self, controller: ArmController) -> None:
-        """Choose how the joints follow, from the next control cycle on, without a jump of torque."""
+        """Select the controller of the joints, from the next control cycle on, without a jump of torque."""
 
     @abstractmethod
     def set_order(self, joints: Sequence[str]) -> None:

@@ -1,4 +1,4 @@
-"""The controller of a modular arm: it follows what is attached to what, plans motions, and commands the modules."""
+"""The controller of a modular arm: it follows changes of attachments, plans motions, and commands the modules."""
 
 from __future__ import annotations
 
@@ -56,7 +56,7 @@ SETTLING_TIME: Final = 2.0
 
 
 class AssembledArm(ModularArm):
-    """Moves the longest chain of servo modules that a base carries, whatever hangs on what.
+    """Moves the longest chain of servo modules that a base carries.
 
     The backend calls `control` at a fixed rate (250 to 500 Hz), all in the robot's thread. It reads the states of
     connectors again only when `revision` has changed, which counts attachments and releases of the whole cell.
@@ -157,7 +157,7 @@ class AssembledArm(ModularArm):
             self._motion.brake()
 
     def set_controller(self, controller: ArmController) -> None:
-        """Choose how the joints follow; the torques fade over from one controller to the other."""
+        """Select the controller of the joints; torques fade over from one controller to the other."""
         if controller is not self._controller:
             self._controller = controller
             self._law = None
@@ -301,7 +301,7 @@ class AssembledArm(ModularArm):
         self._model.set_base(self._base)
 
     def _find_index(self) -> tuple[int, ...]:
-        """Where the joints are in the chain, in the order that commands and states have."""
+        """The indices of the joints in the chain, in the order of commands and states."""
         joints = self._chain.joints
         named = [name for name in self._order if name in joints]
         return tuple(joints.index(name) for name in (*named, *(name for name in joints if name not in named)))
@@ -334,7 +334,7 @@ class AssembledArm(ModularArm):
         self._last_torques = np.where(powered, self._last_torques, self._measured.spring)
 
     def _come_to_rest(self) -> None:
-        """Stop from the present setpoint, each joint by itself."""
+        """Stop from the present setpoint, each joint independently."""
         self._motion, self._since_end = Motion(self._setpoint, None, self._limits), 0.0
         self._shaper = Shaper(self._setpoint, 1)
 

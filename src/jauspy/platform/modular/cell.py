@@ -82,7 +82,7 @@ class _ConveyorProxy(Conveyor):
 
 @dataclass(frozen=True, slots=True)
 class ObservedPart:
-    """A part that the sensor sees: its name, type, and measured pose of its frame in the world."""
+    """An observed part: its name, type, and measured pose of its frame in the world."""
 
     name: str
     type: str
@@ -91,14 +91,14 @@ class ObservedPart:
 
 @dataclass(frozen=True, slots=True)
 class Observation:
-    """What the part sensor saw last; `time` in seconds of the robot's time."""
+    """The last observation of the part sensor; `time` in seconds of the robot's time."""
 
     time: float = 0.0
     parts: tuple[ObservedPart, ...] = ()
 
 
 class PartSensor(OptionalPart):
-    """Measures which parts are where."""
+    """Measures the poses of parts."""
 
     @property
     def id(self) -> PartId:
@@ -134,7 +134,7 @@ class ModulePower(OptionalPart):
 
     @abstractmethod
     def state(self) -> Mapping[str, bool]:
-        """Which modules are switched on, by name; at first all."""
+        """The state of each module's switch, by name; initially all are on."""
 
     @abstractmethod
     def switch(self, name: str, on: bool) -> None:

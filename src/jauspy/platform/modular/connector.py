@@ -11,7 +11,7 @@ from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, Robot
 
 
 class ConnectorError(Enum):
-    """Why the last attachment of a connector ended or did not come about."""
+    """Why the last attachment of a connector ended or failed."""
 
     NONE = "none"
     NO_CONTACT = "no contact"
@@ -21,7 +21,7 @@ class ConnectorError(Enum):
     NOT_ALIGNED = "not aligned"
     """The angle between the plates is too large."""
     FAILED = "failed"
-    """The attempt failed by itself."""
+    """The attempt failed at random (simulated)."""
     OVERLOADED = "overloaded"
     """It has broken off."""
     NO_POWER = "no power"
@@ -34,7 +34,7 @@ class ConnectorState:
 
     powered: bool = False
     enabled: bool = False
-    """The pump runs. What is attached stays attached without power; only `disable` or overload releases it."""
+    """The pump runs. An attached part stays attached without power; only disabling or an overload releases it."""
     attached_to: str = ""
     """Name of the part; empty when nothing is attached."""
     offset: Transform = IDENTITY
@@ -44,11 +44,11 @@ class ConnectorState:
     moment: float = 0.0
     """Magnitude about the middle of the plate, in newton metres."""
     broken_off: int = 0
-    """How often an overload has released what was attached."""
+    """How often an overload has released a part."""
     error: ConnectorError = ConnectorError.NONE
-    """Why the last attachment ended or did not come about."""
+    """Why the last attachment ended or failed."""
     last_error: str = ""
-    """The same in words; empty after a success."""
+    """The same as text; empty after a success."""
 
 
 class VacuumConnector(OptionalPart):
@@ -68,7 +68,7 @@ class VacuumConnector(OptionalPart):
 
     @abstractmethod
     def set(self, enabled: bool) -> None:
-        """Start the pump, or let air in. Enabled, it attaches as soon as a part is in contact and aligned."""
+        """Start the pump, or vent. Enabled, it attaches as soon as a part is in contact and aligned."""
 
     def proxy(self, link: RobotLink) -> VacuumConnector:
         """The connector for other threads."""

@@ -1,4 +1,4 @@
-"""Which module is attached to which: from the states of connectors to the chain of an arm.
+"""The graph of attached modules: derives the chain of an arm from the states of connectors.
 
 A part is one rigid body, a servo module two: its housing and its output link. An attachment joins the body that has the
 connector to the (first) body of the part that it holds, whichever of the two carries the other.
@@ -84,7 +84,7 @@ class Chain:
 
 
 def attachments(connectors: Iterable[tuple[str, ConnectorState]]) -> tuple[Attachment, ...]:
-    """What holds what, by the states of connectors."""
+    """The attachments, by the states of connectors."""
     return tuple(Attachment(name, state.attached_to, state.offset) for name, state in connectors if state.attached_to)
 
 
@@ -115,8 +115,8 @@ class _Graph:
 def find_chain(cell: CellSetup, attached: Iterable[Attachment], previous: str = "") -> Chain:
     """The arm: the longest chain of servo modules from a base. Without one, an empty chain.
 
-    `previous` is the connection that carried the arm before; it is kept as long as it holds. Parts with wheels on them
-    are no arm. Of arms of the same length, the base that `cell` lists first has it.
+    `previous` is the connection that carried the arm before; it is kept as long as it holds. Parts with wheels are not
+    an arm. Of arms of the same length, the base that `cell` lists first has it.
     """
     types = {part.name: cell.types[part.type] for part in cell.parts}
     graph = _graph(types, attached)

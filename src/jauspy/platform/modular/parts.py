@@ -20,10 +20,10 @@ from jauspy.platform.description import Gains
 
 
 class PartKind(Enum):
-    """What a part is for."""
+    """The purpose of a part."""
 
     BASE = "base"
-    """Stands on the ground, a platform or wheels, has power of its own, and connectors."""
+    """Stands on the ground, a platform or wheels; has its own power supply, and connectors."""
     SERVO = "servo"
     BRACKET = "bracket"
     TUBE = "tube"

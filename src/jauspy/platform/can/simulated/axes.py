@@ -1,4 +1,4 @@
-"""What simulated drives move: motors with a load, or the joints and tracks of another backend's robot."""
+"""The axes of simulated drives: motors with a load, or the joints and tracks of another backend's robot."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ class MotorAxis:
         self.velocity = 0.0
         self.effort = 0.0
         self.load = 0.0
-        """Effort that the joint needs to stand still: that of the weight which it carries."""
+        """The effort against the weight that the joint carries, N m or N."""
         self.blocked = False
         self._limit = joint.effort
         self._inertia = joint.effort * SPIN_UP / joint.velocity

@@ -37,7 +37,7 @@ FAULTS: Final = {
 """Error code and error register of faults on demand."""
 
 BEHAVIOURS: Final = {"normal": 0, "silent": 1, "restart": 2, "deaf": 3}
-"""What else a simulated drive does on demand: it sends nothing, restarts, or ignores SYNC."""
+"""Other behaviours on demand: the drive sends nothing, restarts, or ignores SYNC."""
 
 FAULT_OBJECT: Final = 0x2F00
 BEHAVIOUR_OBJECT: Final = 0x2F01
@@ -88,7 +88,7 @@ class SimulatedDrive:
         self.state = DriveState.SWITCH_ON_DISABLED
         self.mode = 0
         self.keeps_home = False
-        """True if it knows its home position after each start."""
+        """True if it is homed after each start."""
         self.homed = setup.homing is None
         self._home_counts = 0
         """Offset of the encoder from the reported position, before the home position is found."""
@@ -174,7 +174,7 @@ class SimulatedDrive:
             self._network.subscribe(pdo.HEARTBEAT + node, self._on_heartbeat)
 
     def value_of(self, index: int, sub: int) -> int:
-        """What an object has now."""
+        """The present value of an object."""
         return int.from_bytes(self.node.get_data(index, sub), "little")
 
     # --- the network ------------------------------------------------------------------------------------------------
@@ -319,7 +319,7 @@ class SimulatedDrive:
             self.axis.stop(self._units.stop_deceleration)
 
     def fail(self, code: int, register: int) -> None:
-        """Go to Fault, by a quick stop if it moves, and tell by an emergency message."""
+        """Go to Fault, by a quick stop if it moves, and send an emergency message."""
         if self.state in {DriveState.FAULT, DriveState.FAULT_REACTION_ACTIVE}:
             return
         powered = self.state in {DriveState.OPERATION_ENABLED, DriveState.QUICK_STOP_ACTIVE}

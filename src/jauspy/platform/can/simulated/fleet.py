@@ -50,7 +50,7 @@ def plant_of(name: str, model: RobotModel, setup: CanSetup, world: str) -> Plant
     """`motors`, or the robot of an installed backend; raises `ConfigError`."""
     if name == MOTORS:
         if world not in WORLDS:
-            raise ConfigError(f"motors know no world {world!r}; they know: {', '.join(WORLDS)}")
+            raise ConfigError(f"motors have no world {world!r}; the worlds are: {', '.join(WORLDS)}")
         return MotorPlant(model, setup.drives)
     if name == "can":
         raise ConfigError("simulated drives cannot move the robot of the backend can; choose motors, kinematic or sim")
@@ -58,7 +58,7 @@ def plant_of(name: str, model: RobotModel, setup: CanSetup, world: str) -> Plant
 
 
 class Fleet:
-    """The drives, what they move, and their end of the bus."""
+    """The drives, their plant, and their end of the bus."""
 
     def __init__(
         self, model: RobotModel, setup: CanSetup, plant: Plant, port: Port, *, keeps_home: bool = False
@@ -133,7 +133,7 @@ class RealTimeFleet:
         try:
             return self._bus.recv(REAL_STEP)
         except (can.CanError, OSError) as error:  # foreign datagrams, or the adapter is gone
-            _LOG.warning("what came from the CAN bus cannot be read: %s", error)
+            _LOG.warning("a frame of the CAN bus cannot be read: %s", error)
             time.sleep(UNREADABLE_PAUSE)
             return None
 
