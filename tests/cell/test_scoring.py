@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.cell.kitting import MAX_ANGLE, MAX_DISTANCE, drawn_order, score
-from jauspy.cell.measured import Measured, figure_text
+from jauspy.cell.measurements import Measured, figure_text
 from jauspy.cell.report import Promise, Section, page
 from jauspy.cell.trials import summarised, wilson
 

@@ -14,7 +14,7 @@ pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_ty
 pytest.importorskip("matplotlib", reason="needs the extra `plot`")
 
 from jauspy.cell import iso9283, swing, tasks, trials
-from jauspy.cell.measured import Measured
+from jauspy.cell.measurements import Measured
 from jauspy.cli.main import app
 
 FIGURES = {"score": 12.0, "order_time": 30.0, "build_time": 55.0, "largest_error": 0.001, "most_points": 12.0} | {

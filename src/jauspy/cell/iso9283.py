@@ -19,7 +19,7 @@ import pinocchio as pin
 from jauspy.cell.assembly import Assembler
 from jauspy.cell.calibration import ArmGeometry, Parameters
 from jauspy.cell.frames import Array, averaged, se3_of_pose
-from jauspy.cell.measured import Measured
+from jauspy.cell.measurements import Measured
 from jauspy.cell.motion import Path
 from jauspy.cell.session import NONE, Session, simulated
 from jauspy.cell.swing import ARM, BASE, TIP

@@ -14,7 +14,7 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Final
 
-from jauspy.cell.measured import Measured
+from jauspy.cell.measurements import Measured
 from jauspy.cell.trials import Summary
 from jauspy.errors import ConfigError
 

@@ -14,7 +14,7 @@ from typing import Final
 import numpy as np
 
 from jauspy.cell.frames import Array
-from jauspy.cell.measured import Measured
+from jauspy.cell.measurements import Measured
 from jauspy.cell.report import figure
 from jauspy.cell.session import NONE, Session, simulated
 from jauspy.errors import ConfigError

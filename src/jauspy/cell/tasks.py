@@ -14,7 +14,7 @@ from jauspy.cell.frames import offset_between
 from jauspy.cell.judge import Placement
 from jauspy.cell.kitting import Kitter, drawn_order, score
 from jauspy.cell.lift import Lifter
-from jauspy.cell.measured import Measured
+from jauspy.cell.measurements import Measured
 from jauspy.cell.modular_arm import FIVE_JOINTS, ArmOperator
 from jauspy.cell.session import Disturbances, Session, simulated
 from jauspy.cell.step import PARTS, Stepper

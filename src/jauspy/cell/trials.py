@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from importlib import import_module
 from statistics import fmean, median
 
-from jauspy.cell.measured import Measured
+from jauspy.cell.measurements import Measured
 from jauspy.cell.session import Disturbances
 from jauspy.cell.tasks import run_one
 from jauspy.errors import ConfigError

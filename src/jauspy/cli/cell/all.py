@@ -16,7 +16,7 @@ from jauspy.cli.cell.trials import WAYS, break_even, with_progress
 from jauspy.cli.processes import run
 
 if TYPE_CHECKING:
-    from jauspy.cell.measured import Measured
+    from jauspy.cell.measurements import Measured
     from jauspy.cell.report import Promise, Section
 
 FILMED: Final = {
@@ -75,7 +75,7 @@ def all_tasks(
 
 
 def _filmed(task: str, seed: int, film: Path | None) -> Measured:
-    from jauspy.cell.measured import Measured
+    from jauspy.cell.measurements import Measured
     from jauspy.cell.tasks import run_one
 
     console.note(f"{task}, seed {seed}")
@@ -86,7 +86,7 @@ def _once(
     found: Measured, title: str, film: Path, wanted: str = "it succeeds", figures: str = ""
 ) -> tuple[Promise, Section]:
     """The result of one run of a task; `figures` are those with a required value, or else its duration."""
-    from jauspy.cell.measured import figure_text
+    from jauspy.cell.measurements import figure_text
     from jauspy.cell.report import Promise, Section
 
     measured = found.failure or figures or f"done in {found.duration:.1f} s of the cell's time"
@@ -124,7 +124,7 @@ def _trials(task: str, count: int, need: float, jobs: int | None, out: Path) -> 
 
 def _swing(seed: int, out: Path) -> tuple[Promise, Section]:
     from jauspy.cell import swing
-    from jauspy.cell.measured import Measured
+    from jauspy.cell.measurements import Measured
 
     async def measured() -> Measured:
         comparison = await swing.compare(seed, console.note)
@@ -149,7 +149,7 @@ def _swing(seed: int, out: Path) -> tuple[Promise, Section]:
 
 def _accuracy(seed: int) -> tuple[Promise, Section]:
     from jauspy.cell import iso9283
-    from jauspy.cell.measured import Measured
+    from jauspy.cell.measurements import Measured
 
     async def measured() -> Measured:
         return (await iso9283.measure(seed, report=console.note)).measured(seed)

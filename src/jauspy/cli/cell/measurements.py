@@ -15,7 +15,7 @@ from jauspy.cli.options import Json
 from jauspy.cli.processes import run
 
 if TYPE_CHECKING:
-    from jauspy.cell.measured import Measured
+    from jauspy.cell.measurements import Measured
 
 
 def kpi(*, seed: Seed = 0, out: Out = OUTPUT, json: Json = False) -> None:

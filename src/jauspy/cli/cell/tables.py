@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from jauspy.cell.measured import Measured, figure_text
+from jauspy.cell.measurements import Measured, figure_text
 from jauspy.cell.trials import Summary, mean_of
 from jauspy.cli.cell.options import degrees, millimetres
 

@@ -89,7 +89,7 @@ def assemble(
     from dataclasses import asdict
 
     from jauspy.cell import tasks
-    from jauspy.cell.measured import Measured
+    from jauspy.cell.measurements import Measured
     from jauspy.cell.session import NONE, connected
     from jauspy.cli.cell.tables import assembly_table
 

@@ -14,7 +14,7 @@ from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Exact, Jobs, Out, Seeds, check_extra
 
 if TYPE_CHECKING:
-    from jauspy.cell.measured import Measured
+    from jauspy.cell.measurements import Measured
 
 
 def with_progress(what: str, total: int, results: Iterable[Measured]) -> Iterator[Measured]:

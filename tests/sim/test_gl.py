@@ -9,7 +9,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy_sim.culling import HIDDEN, Culling
+from jauspy_sim.gl import HIDDEN, Culling
 from jauspy_sim.lighting import FLOOR_MESH, draw_floors_as_meshes
 
 WORLD = """
