@@ -17,7 +17,7 @@ from string import digits
 import numpy as np
 
 from mesh_shapes import Mesh, merged, mirrored
-from robot_parts import arms, chassis, decals, gripper, tracks
+from robot_parts import arms, chassis, decals, gripper, payload, tracks
 from robot_parts.dimensions import URDF, Dimensions, Look, read
 from robot_parts.tracks import Running
 
@@ -50,6 +50,7 @@ def looks(size: Dimensions) -> dict[str, Look]:
             *(tracks.plate_paint(size, turn) for turn in (decals.LEFT, decals.RIGHT)),
             chassis.camera_bracket(size),
             chassis.lidar_mast(size),
+            payload.payload(size),
         ),
         "left_track": tracks.merge(
             {"rubber": tracks.belt(tracks.track_loop(size), size.belt_width)}, tracks.running_gear(size)
