@@ -1,4 +1,4 @@
-"""Draw the robots and the worlds for docs/robots.md, with MuJoCo and the renderer of the cameras (needs GL).
+"""Draw the robots for docs/robots.md, with MuJoCo and the renderer of the cameras (needs GL).
 
     python tools/draw_robots.py [-o FOLDER] [NAME ...]
 
@@ -51,18 +51,15 @@ class View:
     """Degrees, of the direction of sight."""
     elevation: float
     robot: str = "inc1"
-    world: str = "empty"
     pose: Mapping[str, float] = field(default_factory=dict)
     """Positions of joints; others are at their start."""
-    at: tuple[float, float, float] = (0.0, 0.0, 0.0)
-    """Of the robot: x, y, yaw (radians)."""
-    shadow_radius: float = 1.6
+    shadow_radius: float = 2.4
     """Metres around the middle in which things cast shadows."""
 
 
 VIEWS: Final[Mapping[str, View]] = {
     "inc1_front": View((0.02, 0.0, 0.28), 1.65, 152.0, -17.0),
-    "inc1_side": View((0.08, 0.0, 0.30), 2.0, 90.0, -7.0, pose=REACHING),
+    "inc1_side": View((0.09, 0.0, 0.31), 1.75, 84.0, -9.0, pose=REACHING),
     "inc1_rear": View((-0.05, 0.0, 0.26), 1.6, 38.0, -24.0),
     "inc1_gripper": View((0.74, 0.0, 0.56), 0.60, 128.0, -30.0, pose=REACHING),
     "inc1_camera": View((0.37, 0.0, 0.235), 0.36, 165.0, -10.0),
@@ -75,14 +72,13 @@ VIEWS: Final[Mapping[str, View]] = {
         "inc1_pprm",
         pose={"mast_to_arm_link_1": 0.32, "arm_link_1_to_arm_link_2": 0.22},
     ),
-    "world_street": View((1.5, 0.3, 0.5), 6.0, 25.0, -16.0, world="street", shadow_radius=7.0),
 }
 
 
 def posed(view: View) -> tuple[mujoco.MjModel, mujoco.MjData]:
-    """The robot in its world."""
+    """The robot in its pose, in the empty world."""
     robot = robot_model(load(view.robot))
-    model = build(robot, view.world)
+    model = build(robot, "empty")
     data = mujoco.MjData(model)
     name = prefix(view.robot)
     for group in robot.groups.values():
@@ -91,9 +87,6 @@ def posed(view: View) -> tuple[mujoco.MjModel, mujoco.MjData]:
     for joint_ in robot.description.joints.values():
         if joint_.mimics is not None:
             data.joint(f"{name}{joint_.name}").qpos[:] = data.joint(f"{name}{joint_.mimics}").qpos
-    x, y, yaw = view.at
-    base = data.joint(f"{name}base").qpos
-    base[:2], base[3:] = (x, y), (np.cos(yaw / 2.0), 0.0, 0.0, np.sin(yaw / 2.0))
     mujoco.mj_forward(model, data)
     return model, data
 

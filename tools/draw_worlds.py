@@ -2,14 +2,17 @@
 
     python tools/draw_worlds.py [-o FOLDER] [--all] [NAME ...]
 
-writes world_NAME.jpg, with `--all` also world_NAME_2.jpg and so on from the other views. Needs GL (MUJOCO_GL=egl).
+writes world_NAME.jpg, with `--all` also world_NAME_2.jpg and so on from the other views. Needs GL.
 """
 
 from __future__ import annotations
 
 import argparse
+import os
 from pathlib import Path
 from typing import Final, NamedTuple
+
+os.environ.setdefault("MUJOCO_GL", "egl")
 
 import mujoco
 import numpy as np
@@ -38,7 +41,7 @@ class View(NamedTuple):
 
 VIEWS: Final = {
     "street": (
-        View((1.9, 1.3, 0.7), 8.0, 28.0, -17.0),
+        View((1.5, 0.4, 0.5), 6.4, 25.0, -16.0),
         View((3.2, 0.1, 0.3), 2.8, -20.0, -20.0),
         View((0.0, 2.0, 1.0), 12.0, -55.0, -22.0),
     ),
@@ -48,7 +51,11 @@ VIEWS: Final = {
         View((5.6, 2.4, 0.6), 5.5, -140.0, -32.0),
     ),
     "rubble": (View((1.4, 0.0, 0.2), 5.4, 35.0, -17.0), View((2.6, -0.4, 0.3), 4.0, -40.0, -18.0)),
-    "yard": (View((0.9, 0.2, 0.2), 7.0, 118.0, -20.0), View((2.0, 0.8, 0.3), 3.0, 100.0, -18.0)),
+    "yard": (
+        View((2.8, 0.5, 0.7), 6.9, 13.0, -15.0),
+        View((0.9, 0.2, 0.4), 7.0, 118.0, -18.0),
+        View((5.0, -2.5, 0.5), 8.5, -30.0, -14.0),
+    ),
 }
 
 

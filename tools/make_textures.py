@@ -102,14 +102,27 @@ def asphalt() -> Array:
 
 
 def concrete() -> Array:
-    """Cast concrete with pores and stains."""
-    value = 0.62 + 0.028 * noise(1.5, 11) + 0.020 * noise(0.4, 12)
-    first, _, which = cells(900, 13)
-    radius = np.random.default_rng(14).exponential(0.8, 900)[which]
-    pores = 1.0 - edge(first, radius, 1.0)
-    stains = edge(noise(2.0, 15), 0.4, 2.0)
-    value = value * (1.0 - 0.30 * pores) * (1.0 - 0.09 * stains)
-    return tinted(value, (1.0, 0.985, 0.95))
+    """Cast concrete with small pores; what is larger than a hand is even, so that it does not show that it repeats."""
+    return _concrete(SIZE, 11)
+
+
+def _concrete(size: int, seed: int) -> Array:
+    value = 0.62 + 0.020 * noise(1.3, seed, size=size, low=0.012 * size) + 0.020 * noise(0.4, seed + 1, size=size)
+    count = size * size // 290
+    first, _, which = cells(count, seed + 2, size=size)
+    radius = np.minimum(np.random.default_rng(seed + 3).exponential(0.55, count), 1.5)[which]
+    return tinted(value * (1.0 - 0.22 * (1.0 - edge(first, radius, 1.0))), (1.0, 0.985, 0.95))
+
+
+def apron() -> Array:
+    """A slab of an apron of concrete, 4 m: brushed across, with joints around it."""
+    size = 1024
+    y, x = np.mgrid[0:size, 0:size] + 0.5
+    made = _concrete(size, 15) * (1.0 + 0.018 * noise(0.5, 18, size=size, stretch=(0.3, 12.0)))[..., None]
+    wobble = 0.8 * noise(1.2, 19, size=size, low=8.0)
+    inside = np.minimum.reduce([x, size - x, y, size - y]) + wobble
+    made = made * (1.0 - 0.05 * (1.0 - edge(inside, 4.0, 60.0)))[..., None]
+    return mixed(tinted(0.30 + 0.02 * noise(0.5, 20, size=size), (1.0, 0.97, 0.92)), made, edge(inside, 1.4, 1.6))
 
 
 def grass() -> Array:
@@ -378,23 +391,37 @@ def hazard() -> Array:
     return _small(picture)
 
 
+def sign() -> Array:
+    """A notice on a wall, 10 : 7: no entry while devices are tested."""
+    picture, draw = _large(320, 224, (232, 232, 228))
+    draw.rectangle((0, 0, 1280, 250), (236, 182, 12))
+    draw.polygon(((150, 30), (262, 220), (38, 220)), (20, 20, 20))
+    draw.polygon(((150, 66), (230, 202), (70, 202)), (236, 182, 12))
+    draw.rectangle((143, 104, 157, 160), (20, 20, 20))
+    draw.ellipse((142, 170, 158, 186), (20, 20, 20))
+    draw.text((310, 52), "TEST RANGE", (20, 20, 20), ImageFont.truetype(FONT, 126))
+    for row, text in enumerate(("Robots in operation.", "No entry while the", "lamp is lit.")):
+        draw.text((60, 310 + 160 * row), text, (24, 26, 30), ImageFont.truetype(FONT, 96))
+    draw.rectangle((0, 0, 1279, 895), None, (24, 26, 30), 16)
+    return _small(picture)
+
+
 # --- sky -------------------------------------------------------------------------------------------------------------
 
 SUN: Final = (-0.303, -0.505, 0.808)
 """Where the sun is, as a unit vector: opposite to the direction of `sun` in look.xml."""
 
 
-HAZE: Final = (0.80, 0.87, 0.92)
+HAZE: Final = (0.84, 0.89, 0.92)
 """The colour of the sky at the horizon."""
 
-
-HILLS: Final = (0.56, 0.64, 0.61)
-"""The colour of wooded hills at the horizon, and of all below: that of `haze` in look.xml, in which the ground ends."""
+FIELDS: Final = (0.50, 0.55, 0.43)
+"""The colour of all below the horizon: that of `haze` in look.xml, in which the ground ends."""
 
 
 def sky() -> Array:
     """A summer sky with some clouds, as a cross of six faces, four across and three down."""
-    size = 256
+    size = 512
     v, u = (np.mgrid[0:size, 0:size] + 0.5) / size * 2.0 - 1.0
     one = np.ones_like(u)
     # the direction of each pixel, x to the right of MuJoCo's box, z up
@@ -429,10 +456,32 @@ def sky_colour(direction: Array) -> Array:
     base = mixed(base, tinted(bright, (1.0, 1.0, 1.01)), 0.85 * cloud)
     near = np.clip(direction @ np.array(SUN), 0.0, 1.0)
     base = base + (0.30 * near**24 + 0.8 * near**900)[..., None] * np.array((1.0, 0.95, 0.84))
+    return np.clip(_landscape(base, direction), 0.0, 1.0)
+
+
+def _landscape(base: Array, direction: Array) -> Array:
+    """Hills, woods and fields before a sky: the nearer, the greener and the darker."""
+    z = direction[..., 2]
     around = np.arctan2(direction[..., 1], direction[..., 0]) / (2.0 * np.pi) % 1.0
-    hills = noise(1.5, 172, size=1024, low=6.0)[0]
-    tops = 0.016 + 0.0045 * np.interp(around, np.arange(1024) / 1024, hills, period=1.0)
-    return np.clip(mixed(base, HILLS, edge(-z, -tops, 0.007)), 0.0, 1.0)
+
+    def line(seed: int, slope: float, low: float, count: int = 2048) -> Array:
+        values = noise(slope, seed, size=count, low=low)[0]
+        values = values / np.abs(values).max()
+        found: Array = np.interp(around, np.arange(count) / count, values, period=1.0)
+        return found
+
+    for top, rough, colour, width in (
+        (0.046 + 0.022 * line(172, 1.6, 2.0), 0.0, (0.66, 0.74, 0.79), 0.004),
+        (0.030 + 0.014 * line(173, 1.5, 4.0), 0.001, (0.55, 0.63, 0.64), 0.003),
+        (0.017 + 0.007 * line(174, 1.2, 9.0), 0.002, (0.42, 0.50, 0.44), 0.003),
+    ):
+        base = mixed(base, colour, edge(top + rough * line(175, 0.3, 60.0) - z, 0.0, width))
+    # the edge of a wood: crowns, lighter above, in groups with gaps
+    crowns, groups = line(176, 0.45, 40.0), line(177, 1.0, 6.0)
+    top = 0.007 + 0.007 * edge(groups, -0.45, 0.5) + 0.004 * crowns
+    light = 0.86 + 0.20 * np.clip(z / 0.016, 0.0, 1.0) + 0.12 * line(178, 0.2, 90.0)
+    base = mixed(base, tinted(light, (0.27, 0.34, 0.22)), edge(top - z, 0.0, 0.002))
+    return mixed(base, FIELDS, edge(-z, -0.002, 0.004))
 
 
 # --- files -----------------------------------------------------------------------------------------------------------
@@ -440,6 +489,7 @@ def sky_colour(direction: Array) -> Array:
 TEXTURES: Final[dict[str, tuple[Callable[[], Array], int]]] = {
     "asphalt": (asphalt, 24),
     "concrete": (concrete, 24),
+    "apron": (apron, 20),
     "grass": (grass, 48),
     "soil": (soil, 40),
     "paving": (paving, 32),
@@ -456,6 +506,7 @@ TEXTURES: Final[dict[str, tuple[Callable[[], Array], int]]] = {
     "carpet": (carpet, 24),
     "stripes": (stripes, 24),
     "hazard": (hazard, 24),
+    "sign": (sign, 16),
     "sky": (sky, 0),
 }
 """The picture of each, and its number of colours; 0: all."""

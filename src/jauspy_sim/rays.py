@@ -9,7 +9,7 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.groups import RAY_MESHES, VISUAL
+from jauspy_sim.groups import RAY_MESHES, SOLID, VISUAL
 
 DEFAULT_SKY_COLOUR: Final = (150, 190, 230)
 """Red, green, blue of the sky of a world without a sky box."""
@@ -27,7 +27,8 @@ MAX_DISTANCE: Final = 40.0
 """Maximal distance of a hit, in metres."""
 
 
-_VISIBLE_GROUPS: Final = np.array([group in (0, VISUAL, RAY_MESHES) for group in range(mujoco.mjNGROUP)], np.uint8)
+_VISIBLE: Final = (0, VISUAL, RAY_MESHES, SOLID)  # rays hit simple shapes where GL draws meshes
+_VISIBLE_GROUPS: Final = np.array([group in _VISIBLE for group in range(mujoco.mjNGROUP)], np.uint8)
 
 _GIVES_NORMALS: Final = "normal" in (mujoco.mj_multiRay.__doc__ or "")  # since MuJoCo 3.5
 

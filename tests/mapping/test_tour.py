@@ -101,8 +101,8 @@ def floor_plan(robot: SimulatedRobot, grid: OccupancyGrid) -> NDArray[np.bool_]:
 
 def near(cells: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """These cells and those beside them."""
-    padded = np.pad(cells, 1)
-    views = [padded[a : a + len(cells), b : b + len(cells)] for a in range(3) for b in range(3)]
+    padded, (rows, columns) = np.pad(cells, 1), cells.shape
+    views = [padded[a : a + rows, b : b + columns] for a in range(3) for b in range(3)]
     return np.logical_or.reduce(views)
 
 

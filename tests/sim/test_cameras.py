@@ -194,16 +194,20 @@ def eyes(robot, name, monkeypatch):
     ("name", "world"), sampled([(n, w) for w in ("yard", "empty", "rough") for n in ("front", "arm")], 2, several=True)
 )
 def test_ray_casting_and_gl_agree(world, name, monkeypatch):
-    """Sky, floor, lights, and the gripper, which is near and of simple shapes to rays; edges and what is far differ."""
+    """Sky, floor, lights, and the gripper, which is near and of simple shapes to rays; edges and what is far differ.
+
+    So does what is only drawn: in the yard paint, plants, and the front of the workshop.
+    """
     model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT, ARM), quality=Quality.LOW)
     robot = SimulatedRobot.open(model, world)
     seen = [eye.look(160, 120).image.astype(int) for eye in eyes(robot, name, monkeypatch)]
     robot.close()
     different = np.abs(seen[0] - seen[1]).max(axis=2) > 24
-    assert different.mean() < (0.2 if name == "arm" else 0.1)
-    sky = seen[0][2, 80]
-    assert sky[2] > sky[1] > sky[0] > 80
-    assert np.abs(seen[1][2, 80] - sky).max() < 16
+    assert different.mean() < (0.3 if world == "yard" else 0.2 if name == "arm" else 0.1)
+    if (name, world) != ("arm", "yard"):  # there the workshop is before the sky
+        sky = seen[0][2, 80]
+        assert sky[2] > sky[1] > sky[0] > 80
+        assert np.abs(seen[1][2, 80] - sky).max() < 16
 
 
 def test_a_gradient_of_the_sky_is_lighter_towards_the_horizon():

@@ -26,7 +26,7 @@ def robots():
     if choose_gl() is None:
         pytest.skip("there is neither libegl1 nor libosmesa6")
     model = dataclasses.replace(robot_model(load("inc1")), cameras=(FRONT,))
-    opened = {quality: SimulatedRobot.open(dataclasses.replace(model, quality=quality), "yard") for quality in Quality}
+    opened = {quality: SimulatedRobot.open(dataclasses.replace(model, quality=quality), "house") for quality in Quality}
     yield opened
     for robot in opened.values():
         robot.close()

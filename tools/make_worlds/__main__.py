@@ -10,8 +10,9 @@ from .house import house
 from .rubble import rubble
 from .scene import Scene
 from .street import street
+from .yard import yard
 
-MADE: Final[dict[str, Callable[[], Scene]]] = {"house": house, "rubble": rubble, "street": street}
+MADE: Final[dict[str, Callable[[], Scene]]] = {"house": house, "rubble": rubble, "street": street, "yard": yard}
 
 
 def main() -> None:

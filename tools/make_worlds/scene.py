@@ -59,6 +59,11 @@ class Part:
         """A capsule that collides."""
         self.add("geom", class_="solid", type="capsule", size=[radius], fromto=[*start, *end], **more)
 
+    def region(self, name: str) -> Part:
+        """A part of the same body with meshes of its own: cameras that see nothing of it do not draw it."""
+        self.parts.append(Part(self.element, name))
+        return self.parts[-1]
+
     def body(self, name: str, at: Vector, *, free: bool = True, euler: Vector = (0.0, 0.0, 0.0)) -> Part:
         """A body on this one; `euler` in degrees."""
         element = self.add("body", name=name, pos=at)
@@ -92,6 +97,12 @@ class Scene:
     def asset(self, tag: str, **attributes: str) -> None:
         """An asset of its own."""
         etree.SubElement(self.assets, tag, {key.rstrip("_"): value for key, value in attributes.items()})
+
+    def shape(self, name: str, mesh: Mesh) -> str:
+        """Add a mesh that is seen in several places, as a `geom` of class `seen` each; returns what to call it."""
+        self.files[f"{name}.obj"] = obj(mesh)
+        self.asset("mesh", name=f"{self.name}/{name}", file=f"assets/{self.name}/{name}.obj", inertia="shell")
+        return f"{self.name}/{name}"
 
     def section(self, tag: str) -> etree._Element:
         """A top-level element such as `equality`."""

@@ -6,11 +6,11 @@ import math
 from typing import Final
 
 import numpy as np
-from scipy.spatial import ConvexHull
 
 from .car import add_car
+from .plants import tree
 from .scene import Part, Scene
-from .shapes import Mesh, Vector, box, cylinder, foliage, lathe, picture, prism, ring, sheet, tube, wall_pieces
+from .shapes import Mesh, Vector, box, cylinder, lathe, picture, prism, ring, sheet, tube, wall_pieces
 from .solids import Field, block, solid, union
 from .street_things import add_bin, add_cartons, add_cone, add_pipe, add_rucksack
 
@@ -331,34 +331,10 @@ def _furniture(world: Part) -> None:
 
 
 def _tree(world: Part, at: Vector, seed: int) -> None:
-    x, y, z = at
-    random = np.random.default_rng(seed)
-    height = random.uniform(2.5, 3.0)
-    world.see("bark", tube([(x, y, z - 0.1), (x + 0.02, y, z + 1.2), (x - 0.04, y + 0.03, z + height)], 0.11, 10))
-    for turn in random.uniform(0.0, math.tau, 5):
-        tip = (x + 0.9 * math.cos(turn), y + 0.9 * math.sin(turn), z + height + random.uniform(0.3, 1.0))
-        world.see("bark", tube([(x, y, z + height - random.uniform(0.1, 0.9)), tip], 0.035, 6))
-    middle = (x, y, z + height + 0.75)
-    core = [_leafage(random).scaled(0.75, 0.75, 0.6).at(*middle, rpy=tuple(random.uniform(0, 6, 3))) for _ in range(4)]
-    world.see("leaves", *core, foliage(random, 420, 0.13).scaled(1.3, 1.3, 1.1).at(*middle))
-    world.see("leaves_light", foliage(random, 260, 0.13).scaled(1.35, 1.35, 1.15).at(*middle))
-    world.cylinder(0.11, (x, y, z), (x, y, z + height))
-
-
-def _leafage(random: np.random.Generator) -> Mesh:
-    """A rough ball of 80 triangles, shaded flat."""
-    golden = (1 + math.sqrt(5)) / 2
-    points = np.array([(s * 1.0, t * golden, 0.0) for s in (-1, 1) for t in (-1, 1)])
-    points = np.concatenate([points, np.roll(points, 1, axis=1), np.roll(points, 2, axis=1)])
-    points /= np.linalg.norm(points, axis=1)[:, None]
-    points *= random.uniform(0.7, 1.25, len(points))[:, None]
-    hull = ConvexHull(points)
-    faces = []
-    for simplex, equation in zip(hull.simplices, hull.equations, strict=True):
-        a, b, c = points[simplex]
-        flip = float(np.cross(b - a, c - a) @ equation[:3]) < 0.0
-        faces.append(simplex[::-1] if flip else simplex)
-    return Mesh(points, np.array(faces)).flat()
+    look, height = tree(at, seed)
+    for material, mesh in look.items():
+        world.see(material, mesh)
+    world.cylinder(0.11, at, (at[0], at[1], at[2] + height))
 
 
 def _far_side(world: Part) -> None:
