@@ -92,7 +92,7 @@ def test_trials_need_a_rate(given: dict[str, bool], tmp_path: Path) -> None:
 def test_an_unknown_task_is_named(given: dict[str, bool]) -> None:
     found = runner.invoke(app, ["cell", "trials", "sing"])
     assert found.exit_code == 2
-    assert "is no task" in found.output
+    assert "is not a task" in found.output
 
 
 def test_kitting_says_from_when_on_building_pays(given: dict[str, bool], tmp_path: Path) -> None:

@@ -62,7 +62,10 @@ def test_what_is_printed_may_follow_anything(folder, capsys, before):
         ("[operators]\na = 1", "operators.a = 1"),
         ('[operators]\na = { role = "king", key = "KEY" }', "the roles are: observer, operator, supervisor"),
         ('[operators]\na = { role = "operator", key = "ed25519:AAAA" }', "operators.a.key: a public key has 32 bytes"),
-        ('[operators]\na = { role = "operator", key = "KEY" }\nb = { role = "operator", key = "KEY" }', "also the key"),
+        (
+            '[operators]\na = { role = "operator", key = "KEY" }\nb = { role = "operator", key = "KEY" }',
+            "is also that of",
+        ),
         ("[operators]\n[roles]\nking = 256", "roles.king = 256"),
     ],
 )

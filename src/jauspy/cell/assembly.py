@@ -52,7 +52,7 @@ CHECK_TIME: Final = 0.5
 PUT_DOWN: Final = ((-0.45, 0.0), (-0.45, 0.12), (-0.45, -0.12), (0.5, 0.0), (0.0, 0.45), (0.0, -0.45))
 """Places on the floor where parts are put down that could not be joined, metres."""
 PUT_DOWN_HEIGHT: Final = 0.2
-"""Of the gripper above the floor, metres."""
+"""Height of the gripper above the floor, metres."""
 PARKED: Final = np.array([-2.6, -1.9, 2.1, -1.77, -1.57, 0.0])
 """The UR10's posture away from platforms and conveyor, in radians."""
 WHEEL_TURNS: Final = 12
@@ -93,7 +93,7 @@ class PartResult:
     fetch_time: float = 0.0
     join_time: float = 0.0
     attempts: list[str] = field(default_factory=list)
-    """What failed, in words."""
+    """Texts of the failed attempts."""
     grasp_force: float = 0.0
     """Newtons that the gripper measured while the part hung still."""
     joint_force: float = 0.0

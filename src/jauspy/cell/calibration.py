@@ -42,7 +42,7 @@ class Parameters:
     """What calibration finds."""
 
     offsets: Array
-    """Of the joints' zeros, base to tip, rad."""
+    """Offsets of the joints' zeros, base to tip, rad."""
     connectors: Array
     """For each connector from base to tip: translation (m), then rotation vector (rad), of the part on it."""
     quarters: Array

@@ -54,9 +54,9 @@ ALL_FIELDS: Final = 0xFFFFFFFF
 GENTLE: Final = 0.05
 """Fraction of the joints' acceleration in motions that speed up slowly."""
 POLL: Final = 0.02
-"""Seconds between two looks at the joints at the end of a motion."""
+"""Seconds between two queries of the joints at the end of a motion."""
 ARRIVED: Final = 0.0015
-"""Radians off the goal at which a joint has arrived, and rad between two looks at which it stands still."""
+"""Radians from the goal within which a joint has arrived, and radians between two queries within which it stands."""
 LATE: Final = 0.8
 """Seconds after which a motion that is not quite there counts as ended."""
 BLOCKED: Final = 0.03
@@ -64,7 +64,7 @@ BLOCKED: Final = 0.03
 SAMPLES: Final = 6
 """Observations of a part that are averaged."""
 WATCH_PERIOD: Final = 0.1
-"""Seconds between two looks for a new observation."""
+"""Seconds between two queries for a new observation."""
 MOVED: Final = 0.008
 """Metres, or a tenth of a radian, between two observations that say that the part has moved."""
 APPEAR_TIME: Final = 5.0
@@ -72,7 +72,7 @@ APPEAR_TIME: Final = 5.0
 
 
 class MotionFailed(RequestError):
-    """A motion did not arrive; the message says by how much."""
+    """A motion did not arrive; the message contains the distance."""
 
 
 class CellClient:

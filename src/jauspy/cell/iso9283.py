@@ -220,7 +220,7 @@ class Report:
 
     @property
     def improvement(self) -> float:
-        """By what factor calibration improves the accuracy of the position."""
+        """The factor by which calibration improves the accuracy of the position."""
         return self.assembled.worst.accuracy / self.calibrated.worst.accuracy
 
     @property
@@ -253,7 +253,7 @@ class Report:
 async def measure(
     seed: int, cycles: int = CYCLES, samples: int = SAMPLES, report: Callable[[str], None] = lambda _: None
 ) -> Report:
-    """Measure both arms, each in a simulated cell of its own."""
+    """Measure both arms, each in a separate simulated cell."""
     tracker = LaserTracker(np.random.default_rng(seed))
     report("UR10")
     async with simulated(seed, NONE) as session:

@@ -1,4 +1,4 @@
-"""What was measured of one run, as plain values for tables and files, and the text of a value with its unit."""
+"""The measurements of one run, as plain values for tables and files, and the text of a value with its unit."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ class Measured:
     task: str
     success: bool = False
     failure: str = ""
-    """Why it did not succeed, in words."""
+    """Why the run failed; empty after a success."""
     duration: float = 0.0
     """Seconds of the cell's time."""
     wall: float = 0.0

@@ -22,9 +22,9 @@ from jauspy.errors import RequestError
 STEP: Final = 0.04
 """Radians of the fastest joint between two postures that are checked: at most 5 cm at the end of a UR10."""
 REACH: Final = 0.35
-"""Radians that a tree grows by at once."""
+"""Radians of one extension of a tree."""
 MAX_NODES: Final = 900
-"""Of both trees together."""
+"""Nodes of both trees together."""
 SHORTCUTS: Final = 60
 """Random shortcuts that are tried on a detour."""
 MAX_LINE_ERROR: Final = 0.0015
@@ -34,7 +34,7 @@ CANDIDATES: Final = 4
 
 
 class NoPath(RequestError):
-    """There is no posture for a pose, or no free way to it; the message says which, and what is in the way."""
+    """There is no posture for a pose, or no free path to it; the message names the reason and the obstacle."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,4 +1,4 @@
-"""A schedule: actions that need others done before, and resources for themselves; what may run at once does."""
+"""A schedule of actions with prerequisites and exclusive resources; actions that may run in parallel do."""
 
 from __future__ import annotations
 

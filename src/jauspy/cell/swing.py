@@ -156,7 +156,7 @@ async def swing(session: Session, controller: ArmController) -> Swing:
 
 
 async def compare(seed: int, report: Callable[[str], None] = lambda _: None) -> SwingComparison:
-    """The swing by both controllers, each in a simulated cell of its own with the arm prepared."""
+    """The swing with both controllers, each in a separate simulated cell with the arm prepared."""
     found = {}
     for controller in ArmController:
         report(f"swing with the controller {controller.value}")

@@ -118,7 +118,7 @@ def known() -> list[str]:
 def find(name: str) -> Profile:
     """The profile with a name or location, as in `acme.brakes:PROFILE`.
 
-    Raises `ConfigError` that lists the profiles, or says why one cannot be loaded.
+    Raises `ConfigError` that lists the profiles, or names why one cannot be loaded.
     """
     if re.fullmatch(r"[\w.]+:\w+", name):
         return _loaded(EntryPoint(name, name, GROUP))

@@ -26,7 +26,7 @@ class Verdict(StrEnum):
     MALFORMED = "malformed"
     """The right message id with bytes that its definition does not allow."""
     SKIPPED = "skipped"
-    """Not run; the reason says why."""
+    """Not run, for the given reason."""
 
 
 MAX_CAME: Final = 3
@@ -109,7 +109,7 @@ class Result:
 
 @dataclass(frozen=True, slots=True)
 class Report:
-    """A whole run. `began` is in seconds since 1970; `problem` says why the run could not go on, if it could not."""
+    """A whole run. `began` is in seconds since 1970; `problem` is the reason if the run ended early."""
 
     profile: str
     title: str
@@ -204,6 +204,6 @@ class Malformed(StepOutcome):
 
 
 class Skipped(StepOutcome):
-    """The step cannot be run; the text says why."""
+    """The step cannot be run; the text is the reason."""
 
     verdict = Verdict.SKIPPED

@@ -102,7 +102,10 @@ def _parameters(settings: VideoSettings) -> dict[str, object]:
 
 
 class H264Decoder:
-    """Decodes pictures at once. Counters: `decoded`, `undecodable` (pictures without an image, or with an error)."""
+    """Decodes pictures without delay.
+
+    Counters: `decoded`, `undecodable` (pictures without an image, or with an error).
+    """
 
     def __init__(self) -> None:
         self.counters: Counter[str] = Counter()

@@ -16,7 +16,7 @@ from jauspy.video.h264_payload import PPS, SPS, Depacketiser, Picture, nal_type
 from jauspy.video.rtp import CLOCK_RATE, RtpPacket, SenderClock, picture_loss_indication, sender_clock
 
 MAX_DATAGRAMS: Final = 256
-"""Datagrams that are read at once."""
+"""Datagrams that are read in one call."""
 
 RECEIVE_BUFFER: Final = 1 << 20
 """Bytes of the socket's receive buffer, enough for a large picture."""
