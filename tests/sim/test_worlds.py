@@ -11,6 +11,7 @@ import numpy as np
 
 from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
+from jauspy_sim.assembly import build
 from jauspy_sim.robot import SimulatedRobot
 
 BLIND = dataclasses.replace(robot_model(load("inc1")), lidars=(), cameras=())
@@ -74,6 +75,18 @@ def test_things_of_the_street_can_be_lifted_opened_and_tipped(opened: SimulatedR
     data.xfrc_applied[lid] = 0.0
     opened.advance(1.0)
     assert abs(data.body("bin").xmat[8]) < 0.5, "it lies"
+
+
+def test_the_joints_of_the_kerb_are_filled() -> None:
+    """Through open ones, cameras see the sky below the ground."""
+    model = build(BLIND, "street")
+    data = mujoco.MjData(model)
+    mujoco.mj_forward(model, data)
+    shown, hit = np.array([0, 1, 0, 0, 0, 0], np.uint8), np.zeros(1, np.int32)
+    for y in (-9.0, -1.0, 1.0, 6.0):
+        for x in (2.075, -5.075):
+            far = mujoco.mj_ray(model, data, [x, y, 1.0], [0.0, 0.0, -1.0], shown, True, -1, hit)
+            assert 0.9 <= far < 0.93
 
 
 @pytest.mark.slow

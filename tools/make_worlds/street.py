@@ -85,6 +85,10 @@ def _ground(world: Part) -> None:
         for low, high in spans:
             paving = sheet(far - near, high - low, 2.0)
             world.see("paving_uv", paving.at((near + far) / 2.0, (low + high) / 2.0, KERB))
+    # mortar in the joints of the kerbs and behind their bevelled edges, where one would see through the ground
+    for low, high in ((-HALF, -5.6), (-2.4, HALF)):
+        world.see("concrete_uv", box(0.4, high - low, 0.1).at(EDGE + 0.212, (low + high) / 2.0, KERB - 0.064))
+    world.see("concrete_uv", box(0.4, 2 * HALF, 0.1).at(-5.212, 0.0, KERB - 0.064))
     # below the joints of the lowered kerb
     world.see("concrete_uv", box(0.4, 3.2, 0.1).at(EDGE + 0.27, -4.0, LOWERED - 0.06))
     left, right = EDGE + 0.15, FRONT
