@@ -90,7 +90,7 @@ async def test_query_without_known_report_is_an_error(own: Registry, world: Any,
     file.write_text(LAMP.read_text().replace("ReportLamp", "TellLamp"))
     with pytest.raises(ConfigError, match=r"no message called ReportLamp .* is known to answer QueryLamp"):
         await ocu.query("101.1.7", jauspy.load(file).by_name("QueryLamp")())
-    with pytest.raises(ConfigError, match="SetLamp is no query"):
+    with pytest.raises(ConfigError, match="SetLamp is not a query"):
         await ocu.query("101.1.7", own.by_name("SetLamp")(1))
 
 

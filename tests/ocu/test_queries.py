@@ -219,7 +219,7 @@ async def test_close_ends_pending_queries(world):
 
 async def test_other_messages_need_expects(world):
     ocu = await world.ocu()
-    with pytest.raises(ConfigError, match="Resume is no query"):
+    with pytest.raises(ConfigError, match="Resume is not a query"):
         await ocu.query(ROBOT, Resume())
     with pytest.raises(ConfigError, match="timeout 0 s must be above 0"):
         await ocu.query(ROBOT, QueryStatus(), timeout=0)

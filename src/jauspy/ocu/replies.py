@@ -1,4 +1,4 @@
-"""Which message answers a query, and who receives an incoming message."""
+"""Matches replies with queries, and passes incoming messages to their receivers."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def reply_class(
 def report_of(registry: Registry, query: Message) -> type[Message]:
     """The class of the report that answers a query, of the same service and version."""
     if not query.IS_QUERY:
-        raise ConfigError(f"{query.NAME} is no query; say with `expects` which message answers it, or send it")
+        raise ConfigError(f"{query.NAME} is not a query; name the class of its answer with `expects`, or use `send()`")
     if (report := getattr(query, "REPORT", None)) is not None:
         return report  # type: ignore[no-any-return]  # set on queries whose report is of the same service
     code = query.CODE + REPORT_OFFSET
@@ -47,7 +47,7 @@ def report_of(registry: Registry, query: Message) -> type[Message]:
             return each
     if not found:
         what = f"with id {code:04X}" if code in REPORT_CODES else f"called {report_name(query)} of {query.SERVICE}"
-        raise ConfigError(f"no message {what} is known to answer {query.NAME}; say with `expects` which one does")
+        raise ConfigError(f"no message {what} is known to answer {query.NAME}; name its class with `expects`")
     return found[0]
 
 

@@ -1,4 +1,4 @@
-"""Clients of a discovered subsystem and of its components; what a robot does is in driving, arm, gripper and camera."""
+"""Clients of a discovered subsystem and its components; the verbs are implemented in driving, arm, gripper and camera."""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says where the robot is
 
@@ -32,7 +32,7 @@ DEFAULT_SPEED: Final = 0.5
 
 
 class ComponentClient:
-    """The client of one discovered component; `info` describes it as it was discovered."""
+    """The client of one discovered component; `info` is its description at the time of discovery."""
 
     def __init__(self, connection: Connection, info: ComponentInfo) -> None:
         self.info = info
@@ -66,7 +66,7 @@ class ComponentClient:
 
 
 class Robot:
-    """The client of a discovered subsystem; `info` describes it as it was discovered.
+    """The client of a discovered subsystem; `info` is its description at the time of discovery.
 
     Its verbs use metres, radians and seconds with the axes of REP-103 (x forward, y left, z up), and need `control()`
     where they move something. They raise `ConfigError` when the robot offers no service for them.
@@ -144,18 +144,18 @@ class Robot:
     async def drive(self, linear: float = 0.0, angular: float = 0.0, *, seconds: float | None = None) -> None:
         """Drive at `linear` m/s forward and `angular` rad/s counterclockwise; until the next command, or for `seconds`.
 
-        The command is repeated while the program's event loop turns (dead-man): when the program hangs for a second,
-        or ends, the robot stops. Raises `ConfigError` for velocities that the robot does not reach, `ControlRejected`
-        without control, and `RequestError`, which says why, when the robot is not Ready.
+        The command is repeated while the program's event loop runs (dead-man's switch): when the program hangs for a
+        second, or ends, the robot stops. Raises `ConfigError` for velocities that the robot does not reach,
+        `ControlRejected` without control, and `RequestError` with the reason when the robot is not Ready.
         """
         await self._driving.drive(linear, angular, seconds)
 
     async def speed_limits(self) -> tuple[float, float]:
-        """The greatest velocities that `drive` takes, in m/s and rad/s, as the robot reports them; else infinite."""
+        """The greatest velocities for `drive` that the robot reports, in m/s and rad/s; infinite if it reports none."""
         return await self._driving.speed_limits()
 
     async def stop(self) -> None:
-        """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
+        """Stop the robot; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
         await self._driving.stop()
 
     async def go_to(
@@ -170,18 +170,18 @@ class Robot:
         timeout: float = 120.0,
         progress: Callable[[Progress], None] | None = None,
     ) -> RobotPose:
-        """Drive to a point and wait until the robot stands there; returns its pose. Nothing is driven around.
+        """Drive to a point (metres) and wait until the robot has arrived; returns its pose.
 
-        `frame`: "local", in which `pose()` is, or "robot", forward and left of where it is now. `progress` is called
-        five times a second with the distance that is left. Raises `RequestError` when the robot does not arrive within
-        `timeout` seconds. If the call is cancelled, the robot stops.
+        Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the present
+        pose. `progress` is called five times a second with the remaining distance. Raises `RequestError` when the robot
+        does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
         """
         return await self._driving.go_to(
             x, y, yaw, frame, speed=speed, tolerance=tolerance, timeout=timeout, progress=progress
         )
 
     async def pose(self) -> RobotPose:
-        """Where the robot is, in its local frame."""
+        """The present pose in the robot's local frame, metres and radians."""
         return await self._driving.pose()
 
     async def joints(self) -> Joints:
@@ -317,9 +317,9 @@ class RobotControl:
             each.check()
 
     async def resume(self) -> None:
-        """Resume the components again, as after the link was lost, an emergency, or a Standby from somewhere else.
+        """Resume the components again, as after a lost link, an emergency, or a Standby of another client.
 
-        They obey commands that come from now on; nothing that was under way goes on by itself.
+        They accept new commands; interrupted motions are not continued.
         """
         self.check()
         await _together(self._resume(each) for each in self._controls)
@@ -339,7 +339,7 @@ class RobotControl:
         self.ids += tuple(each.id for each in new)
 
     async def exclude(self, ids: Iterable[JausID]) -> None:
-        """Control these no more: they are put in Standby and released, if they still answer."""
+        """End control of these components: they are put in Standby and released, if they still answer."""
         gone = set(ids)
         self.ids = tuple(each for each in self.ids if each not in gone)
         await self._drop(gone, None)

@@ -1,7 +1,7 @@
-"""The operator of an OCU: seals what it commands, for components that take seals. See docs/security.md.
+"""Seals the commands of an OCU with its operator's key, for components with CommandSeal. See docs/security.md.
 
-A component gives a challenge, to which the seals of the next commands refer. One that gives none, since it knows no
-operators, is sent commands without a seal; so are all when a wildcard id is meant.
+A component gives a challenge, to which the seals of the next commands refer. A component that gives none, since it has
+no CommandSeal, is sent commands without a seal, as are wildcard ids.
 """
 
 from __future__ import annotations
@@ -27,9 +27,9 @@ from jauspy.user_files import read_file
 _LOG: Final = get_logger("jauspy.ocu")
 
 REFRESH_AFTER: Final = 60.0
-"""Seconds after which another challenge is asked for, while the old one is still used."""
+"""Seconds after which another challenge is requested, while the old one is still used."""
 RETRY_AFTER: Final = 10.0
-"""Seconds after which a component that gave no challenge is asked again; its commands do not wait for that."""
+"""Seconds after which a component that gave no challenge is queried again; its commands do not wait for that."""
 MAX_COMPONENTS: Final = 1024
 """Components whose challenges are known; the oldest is forgotten first."""
 
@@ -50,7 +50,7 @@ _NEED_CHALLENGE: Final = frozenset(
 
 
 def load_key(path: str | Path) -> OperatorKey:
-    """The key of a file that only its owner may read; `ConfigError` says what is wrong with another one."""
+    """Read a key from a file that only its owner may read; raises `ConfigError` for any other file."""
     path = Path(path)
     try:
         mode = path.stat().st_mode
@@ -79,7 +79,7 @@ class CommandSealer:
         self._components: OrderedDict[JausID, _Component] = OrderedDict()
 
     async def prepare(self, destination: JausID, message: Message) -> None:
-        """Have a challenge of the destination before this command is sent; a stop does not wait for that."""
+        """Get a challenge of the destination before this command is sent; a stop does not wait for it."""
         if destination.is_wildcard or not needs_seal(message):
             return
         component = self._component(destination)
@@ -115,7 +115,7 @@ class CommandSealer:
         return reject.reason in _NEED_CHALLENGE
 
     def on_reject(self, reject: RejectCommand, source: JausID) -> bool:
-        """Ask for another challenge if that helps; false when it does not."""
+        """Request another challenge if that helps; false when it does not."""
         if not self.can_help(reject):
             return False
         component = self._components.get(source)
@@ -187,7 +187,7 @@ class _Component:
         """When the challenge arrived."""
         self.counter = 0
         self.outdated = False
-        """The component has refused what referred to this challenge."""
+        """The component has refused a seal with this challenge."""
         self.asking: asyncio.Task[None] | None = None
         self.asked_at = -math.inf
         self.ask_at = -math.inf

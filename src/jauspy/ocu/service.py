@@ -105,16 +105,16 @@ class ServiceClient:
         """Send a command and wait until it has been carried out, for example until an arm has reached its target.
 
         It may take `within` seconds. Raises `RequestError` when the component gave the command up, `EventRejected` when
-        it does not take the command or has no command events (Events 1.1 has), `ControlRejected` and `ResponseTimeout`.
+        it does not take the command or has no command events (Events 1.1), `ControlRejected` and `ResponseTimeout`.
         Cancelling this call does not stop the command. The command is sent again when no answer arrives: components of
         jauspy recognise it, others may execute it twice.
         """
         await perform(self._connection, self.id, command, within)
 
     def streaming(self, rate: float = 20.0) -> CommandStream:
-        """`async with driver.streaming(rate=20) as stream: await stream.send(command)`: a command that stays fresh.
+        """`async with driver.streaming(rate=20) as stream: await stream.send(command)`: a repeated command.
 
-        It is sent again at `rate` Hz only while the event loop of the program turns, so that the robot stops when the
+        It is sent again at `rate` Hz only while the event loop of the program runs, so that the robot stops when the
         program hangs. Needs control.
         """
         return CommandStream(self._connection, self.id, rate)
@@ -203,11 +203,17 @@ class ServiceClient:
         return (await self.query(QueryStatus(), expects=ReportStatus)).status
 
     async def resume(self, timeout: float = 3.0) -> None:
-        """To Ready: commands take effect. Needs control; raises `RequestError` if `timeout` seconds pass first."""
+        """Enter Ready, in which commands take effect.
+
+        Needs control; raises `RequestError` if `timeout` seconds pass first.
+        """
         await self._change(Resume(), ReportStatus.Status.READY, timeout)
 
     async def standby(self, timeout: float = 3.0) -> None:
-        """To Standby: motion stops. Needs control; raises `RequestError` if `timeout` seconds pass first."""
+        """Enter Standby, in which motion stops.
+
+        Needs control; raises `RequestError` if `timeout` seconds pass first.
+        """
         await self._change(Standby(), ReportStatus.Status.STANDBY, timeout)
 
     async def _change(self, command: Message, wanted: ReportStatus.Status, timeout: float) -> None:

@@ -369,16 +369,16 @@ class ServiceClient(Facade[_ServiceClient]):
         """Send a command and wait until it has been carried out, for example until an arm has reached its target.
 
         It may take `within` seconds. Raises `RequestError` when the component gave the command up, `EventRejected` when
-        it does not take the command or has no command events (Events 1.1 has), `ControlRejected` and `ResponseTimeout`.
+        it does not take the command or has no command events (Events 1.1), `ControlRejected` and `ResponseTimeout`.
         Cancelling this call does not stop the command. The command is sent again when no answer arrives: components of
         jauspy recognise it, others may execute it twice.
         """
         self._portal.run(self._async.perform(command, within=within))
 
     def streaming(self, rate: float = 20.0) -> CommandStream:
-        """`with driver.streaming(rate=20) as stream: stream.send(command)`: a command that stays fresh.
+        """`with driver.streaming(rate=20) as stream: stream.send(command)`: a repeated command.
 
-        It is sent again at `rate` Hz only while the program calls the OCU at least once a second, so that the robot stops when the
+        It is sent again at `rate` Hz only while the event loop of the program runs, so that the robot stops when the
         program hangs. Needs control.
         """
         return CommandStream(self._portal, self._async.streaming(rate))
@@ -470,11 +470,17 @@ class ServiceClient(Facade[_ServiceClient]):
         return self._portal.run(self._async.status())
 
     def resume(self, timeout: float = 3.0) -> None:
-        """To Ready: commands take effect. Needs control; raises `RequestError` if `timeout` seconds pass first."""
+        """Enter Ready, in which commands take effect.
+
+        Needs control; raises `RequestError` if `timeout` seconds pass first.
+        """
         self._portal.run(self._async.resume(timeout))
 
     def standby(self, timeout: float = 3.0) -> None:
-        """To Standby: motion stops. Needs control; raises `RequestError` if `timeout` seconds pass first."""
+        """Enter Standby, in which motion stops.
+
+        Needs control; raises `RequestError` if `timeout` seconds pass first.
+        """
         self._portal.run(self._async.standby(timeout))
 
 
@@ -712,9 +718,9 @@ class RobotControl(Facade[_RobotControl]):
         self._async.check()
 
     def resume(self) -> None:
-        """Resume the components again, as after the link was lost, an emergency, or a Standby from somewhere else.
+        """Resume the components again, as after a lost link, an emergency, or a Standby of another client.
 
-        They obey commands that come from now on; nothing that was under way goes on by itself.
+        They accept new commands; interrupted motions are not continued.
         """
         self._portal.run(self._async.resume())
 
@@ -726,7 +732,7 @@ class RobotControl(Facade[_RobotControl]):
         self._portal.run(self._async.include(ids))
 
     def exclude(self, ids: Iterable[JausID]) -> None:
-        """Control these no more: they are put in Standby and released, if they still answer."""
+        """End control of these components: they are put in Standby and released, if they still answer."""
         self._portal.run(self._async.exclude(ids))
 
     def until_lost(self) -> None:
@@ -747,7 +753,7 @@ class RobotControl(Facade[_RobotControl]):
 
 
 class ComponentClient(Facade[_ComponentClient]):
-    """The client of one discovered component; `info` describes it as it was discovered."""
+    """The client of one discovered component; `info` is its description at the time of discovery."""
 
     @property
     def info(self) -> ComponentInfo:
@@ -774,7 +780,7 @@ class ComponentClient(Facade[_ComponentClient]):
 
 
 class Robot(Facade[_Robot]):
-    """The client of a discovered subsystem; `info` describes it as it was discovered.
+    """The client of a discovered subsystem; `info` is its description at the time of discovery.
 
     Its verbs use metres, radians and seconds with the axes of REP-103 (x forward, y left, z up), and need `control()`
     where they move something. They raise `ConfigError` when the robot offers no service for them.
@@ -826,18 +832,18 @@ class Robot(Facade[_Robot]):
     def drive(self, linear: float = 0.0, angular: float = 0.0, *, seconds: float | None = None) -> None:
         """Drive at `linear` m/s forward and `angular` rad/s counterclockwise; until the next command, or for `seconds`.
 
-        The command is repeated while the program calls the OCU at least once a second (dead-man): when the program hangs for a second,
-        or ends, the robot stops. Raises `ConfigError` for velocities that the robot does not reach, `ControlRejected`
-        without control, and `RequestError`, which says why, when the robot is not Ready.
+        The command is repeated while the program's event loop runs (dead-man's switch): when the program hangs for a
+        second, or ends, the robot stops. Raises `ConfigError` for velocities that the robot does not reach,
+        `ControlRejected` without control, and `RequestError` with the reason when the robot is not Ready.
         """
         self._portal.run(self._async.drive(linear, angular, seconds=seconds))
 
     def speed_limits(self) -> tuple[float, float]:
-        """The greatest velocities that `drive` takes, in m/s and rad/s, as the robot reports them; else infinite."""
+        """The greatest velocities for `drive` that the robot reports, in m/s and rad/s; infinite if it reports none."""
         return self._portal.run(self._async.speed_limits())
 
     def stop(self) -> None:
-        """Stand still; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
+        """Stop the robot; resent until acknowledged. Needs control; `jauspy estop` stops any robot."""
         self._portal.run(self._async.stop())
 
     def go_to(
@@ -852,16 +858,16 @@ class Robot(Facade[_Robot]):
         timeout: float = 120.0,
         progress: Callable[[Progress], None] | None = None,
     ) -> RobotPose:
-        """Drive to a point and wait until the robot stands there; returns its pose. Nothing is driven around.
+        """Drive to a point (metres) and wait until the robot has arrived; returns its pose.
 
-        `frame`: "local", in which `pose()` is, or "robot", forward and left of where it is now. `progress` is called
-        five times a second with the distance that is left. Raises `RequestError` when the robot does not arrive within
-        `timeout` seconds. If the call is cancelled, the robot stops.
+        Obstacles are not avoided. `frame`: "local", the frame of `pose()`, or "robot", forward and left of the present
+        pose. `progress` is called five times a second with the remaining distance. Raises `RequestError` when the robot
+        does not arrive within `timeout` seconds. If the call is cancelled, the robot stops.
         """
         return self._portal.run(self._async.go_to(x, y, yaw, frame=frame, speed=speed, tolerance=tolerance, timeout=timeout, progress=progress))
 
     def pose(self) -> RobotPose:
-        """Where the robot is, in its local frame."""
+        """The present pose in the robot's local frame, metres and radians."""
         return self._portal.run(self._async.pose())
 
     def joints(self) -> Joints:
