@@ -1,4 +1,4 @@
-"""Clients of a discovered subsystem and its components; the verbs are implemented in driving, arm, gripper and camera."""
+"""Clients of a discovered subsystem and its components. The verbs are in driving, arm, gripper and camera."""
 
 # ruff: noqa: ASYNC109 - a timeout ends in an error that says where the robot is
 
