@@ -59,8 +59,8 @@ class ModelPaths:
             folder = place / name
             if not folder.exists():
                 continue
-            target = (folder / rest).resolve()
-            if not target.is_relative_to(folder.resolve()):
+            target = Path(os.path.normpath(folder / rest))  # links are kept: some packages are installed as links
+            if not target.is_relative_to(os.path.normpath(folder)):
                 raise ConfigError(f"{uri}: leads out of the model {name!r}")
             if target.exists():
                 return target

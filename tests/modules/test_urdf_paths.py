@@ -54,6 +54,16 @@ def test_packages_are_searched_in_the_given_paths_and_those_of_ros(arm: Path, tm
     assert paths.file("package://wheels/wheel.obj", arm) == wheels / "wheel.obj"
 
 
+def test_an_installed_package_may_be_links_to_its_sources(arm: Path, tmp_path: Path) -> None:
+    """As `colcon build --symlink-install` makes them."""
+    share = tmp_path / "install" / "share" / "wheels"
+    share.mkdir(parents=True)
+    (share / "package.xml").symlink_to(arm.parents[1] / "package.xml")
+    (share / "meshes").symlink_to(arm.parents[1] / "meshes")
+    found = PackagePaths((), {"AMENT_PREFIX_PATH": str(share.parents[1])}).file("package://wheels/meshes/it.stl", arm)
+    assert found.read_text() == "arm_description"
+
+
 @pytest.mark.parametrize(
     ("name", "said"),
     [

@@ -60,8 +60,8 @@ class PackagePaths:
         if scheme in ("package", "model"):
             package, _, path = unquote(rest).lstrip("/").partition("/")
             folder = self.package(package, near)
-            target = (folder / path).resolve()
-            if not target.is_relative_to(folder.resolve()):
+            target = Path(os.path.normpath(folder / path))  # links are kept: some packages are installed as links
+            if not target.is_relative_to(os.path.normpath(folder)):
                 raise ConfigError(f"{name}: leads out of the package {package!r}")
             return _existing(target, name)
         raise ConfigError(f"{name}: {scheme}:// is not read; known are package://, file:// and paths")
