@@ -391,6 +391,13 @@ def hazard() -> Array:
     return _small(picture)
 
 
+def paint() -> Array:
+    """Lines on a road, worn where tyres roll: asphalt shows through; a material's colour tints it."""
+    worn = noise(0.9, 181, low=4.0) + 0.5 * noise(0.3, 182)
+    value = 0.93 + 0.03 * noise(0.8, 183)
+    return np.clip(mixed(tinted(value, (1.0, 1.0, 1.0)), (0.40, 0.40, 0.40), 0.9 * edge(worn, 1.35, 0.5)), 0.0, 1.0)
+
+
 def sign() -> Array:
     """A notice on a wall, 10 : 7: no entry while devices are tested."""
     picture, draw = _large(320, 224, (232, 232, 228))
@@ -506,6 +513,7 @@ TEXTURES: Final[dict[str, tuple[Callable[[], Array], int]]] = {
     "carpet": (carpet, 24),
     "stripes": (stripes, 24),
     "hazard": (hazard, 24),
+    "paint": (paint, 12),
     "sign": (sign, 16),
     "sky": (sky, 0),
 }

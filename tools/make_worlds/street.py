@@ -36,7 +36,6 @@ def street() -> Scene:
         ("lamp", "0.93 0.94 0.90 1", "0.8"),
         ("trim", "0.04 0.04 0.045 1", "0.5"),
         ("plate", "0.88 0.89 0.86 1", "0.3"),
-        ("marking", "0.80 0.80 0.77 1", "0.1"),
         ("soot", "0.17 0.17 0.175 1", "0.1"),
         ("orange", "0.90 0.30 0.05 1", "0.2"),
         ("leaves", "0.16 0.30 0.10 1", "0.05"),
@@ -147,7 +146,7 @@ def _ground(world: Part) -> None:
     zebra = [box(0.5, 3.0, 0.004).at(x, -4.0, 0.002) for x in np.arange(-4.55, 2.0, 1.0)]
     bay = [box(0.10, 0.9, 0.004).at(-0.35, y, 0.002) for y in np.arange(2.0, 8.0, 1.5)]
     bay += [box(2.3, 0.10, 0.004).at(0.85, y, 0.002) for y in (1.9, 7.85)]
-    world.see("marking", *line, *zebra, *bay)
+    world.see("marking_uv", *line, *zebra, *bay)
     world.see("concrete_uv", sheet(0.34, 2 * HALF, 2.0).at(EDGE - 0.17, 0.0, 0.002))
     bars = [box(0.34, 0.018, 0.012, 0.002).at(EDGE - 0.2, 1.05 + 0.045 * n, 0.006) for n in range(11)]
     bars += [box(0.03, 0.50, 0.012).at(EDGE - 0.2 + dx, 1.275, 0.006) for dx in (-0.17, 0.0, 0.17)]

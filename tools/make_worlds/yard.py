@@ -39,8 +39,6 @@ def yard() -> Scene:
     """The whole yard."""
     scene = Scene("yard", ABOUT, middle=(1.0, 0.0, 0.5), extent=6.0)
     for name, rgba, shine in (
-        ("marking", "0.80 0.80 0.77 1", "0.1"),
-        ("marking_yellow", "0.80 0.62 0.12 1", "0.1"),
         ("grip", "0.22 0.22 0.225 1", "0.1"),
         ("iron", "0.16 0.155 0.15 1", "0.4"),
         ("dark", "0.05 0.05 0.055 1", "0.2"),
@@ -136,11 +134,11 @@ def _ground(world: Part) -> None:
         bar(x, y + sy * 0.13, line, 0.18)
     for y in np.arange(-5.0, 3.9, 2.2):  # bays before the workshop
         bar(10.9, float(y), 2.0, line)
-    world.see("marking", *white)
+    world.see("marking_uv", *white)
     hatch = [box(3.3, 0.09, 0.004).at(5.05, y, 0.002) for y in (2.35, 3.85)]
     hatch += [box(0.09, 1.5, 0.004).at(x, 3.1, 0.002) for x in (3.45, 6.65)]
     hatch += [box(0.09, 1.75, 0.004).at(x, 3.1, 0.002, rpy=(0.0, 0.0, -0.62)) for x in np.arange(4.1, 6.2, 0.62)]
-    world.see("marking_yellow", *hatch)
+    world.see("marking_yellow_uv", *hatch)
     # a drain along the yard, a manhole, repairs
     y = -4.75
     world.see("concrete_uv", *(sheet(14.4, 0.07, 2.0).at(4.6, y + side, 0.003) for side in (-0.11, 0.11)))
@@ -191,7 +189,7 @@ def _ramp(
 
     edges = [on(length / 2, side, box(length, 0.05, 0.004)) for side in (-half + 0.025, half - 0.025)]
     edges += [box(deck, 0.05, 0.004).at(end + deck / 2, y + side, high) for side in (-half + 0.025, half - 0.025)]
-    world.see("marking_yellow", *edges)
+    world.see("marking_yellow_uv", *edges)
     strips = [on(float(at), 0.0, box(0.035, 2 * half - 0.24, 0.003)) for at in np.arange(0.16, length - 0.05, 0.12)]
     world.see("grip", *strips)
     for side in (-half - 0.003, half + 0.003):  # angle irons and anchors on the cheeks

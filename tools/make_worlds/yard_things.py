@@ -91,7 +91,7 @@ def add_container(world: Part, at: Vector, yaw: float) -> None:
     world.see("container_frame_uv", *(place(mesh) for mesh in frame))
     world.see("steel", *(place(mesh) for mesh in rods))
     world.see("plastic", *(place(mesh) for mesh in castings))
-    world.see("marking", *(place(mesh) for mesh in plate))
+    world.see("paint_white", *(place(mesh) for mesh in plate))
     c, s = abs(math.cos(yaw)), abs(math.sin(yaw))
     world.box(
         (length * c + width * s, length * s + width * c, height),
