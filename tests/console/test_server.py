@@ -7,8 +7,10 @@ import json
 import re
 import signal
 import socket
+import urllib.error
 import urllib.request
 from collections.abc import Iterator
+from contextlib import suppress
 
 import pytest
 from tests.helpers.command_line import robot_in_thread, start
@@ -85,6 +87,30 @@ async def test_sockets_are_refused_to_other_sites_and_without_a_token(console: s
         with pytest.raises((InvalidStatus, ConnectionClosed)):
             async with connect(base + path, origin=origin) as refused:
                 await refused.recv()
+
+
+async def test_the_world_of_a_robot_is_sent(console: str) -> None:
+    token = token_of(await page(console))
+    base = console.replace("http", "ws") + "/ws/world"
+    async with asyncio.timeout(60.0):
+        while True:
+            with suppress(ConnectionClosed):  # until the robot is found
+                async with connect(f"{base}/101/{token}", origin=console) as world:
+                    shown = json.loads(await world.recv())["model"]
+                    while "pose" not in (state := json.loads(await world.recv())):
+                        pass
+                    break
+            await asyncio.sleep(0.1)
+        with pytest.raises(ConnectionClosed, match="there is no such robot"):
+            async with connect(f"{base}/7/{token}", origin=console) as other:
+                await other.recv()
+    assert shown["root"] == "base_link"
+    assert "arm_link_4_to_arm_link_5" in {each["name"] for each in shown["joints"]}
+    assert len(state["joints"]) == sum(each["kind"] != "fixed" for each in shown["joints"])
+    assert state["pose"][:2] == pytest.approx([0.0, 0.0], abs=0.5)
+    for path in (f"101/{token}/9999", "101/guessed/0", f"7/{token}/0"):
+        with pytest.raises(urllib.error.HTTPError, match="404"):
+            await page(f"{console}/world/mesh/{path}")
 
 
 @pytest.mark.parametrize(("host", "said"), [("0.0.0.0", "only with TLS and a login"), ("127.0.0.1", "choose another")])
