@@ -47,8 +47,9 @@ test: dev
 	@$(MAKE) --no-print-directory -j2 --output-sync=target check wheel-test
 	@$(MAKE) --no-print-directory unit
 
+# slow tests too: the others run neither the console's pages nor whole tasks of the cell
 coverage: dev
-	$(PYTEST) --cov --cov-report=term $(PYTEST_ARGS)
+	$(PYTEST) -m '' --cov --cov-report=term $(PYTEST_ARGS)
 
 test-slow: dev
 	$(PYTEST) -m slow $(PYTEST_ARGS)
