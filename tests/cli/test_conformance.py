@@ -208,7 +208,7 @@ def test_user_defined_profile_runs(tmp_path, monkeypatch):
     listed = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=60, check=False)
     assert (listed.returncode, "says how it is" in listed.stdout) == (0, True)
     monkeypatch.syspath_prepend(tmp_path)
-    for name, problem in (("my_test:NONE", "is no Profile"), ("my_tset:PROFILE", "No module named 'my_tset'")):
+    for name, problem in (("my_test:NONE", "is not a Profile"), ("my_tset:PROFILE", "No module named 'my_tset'")):
         result = invoke(name, "--list")
         assert (result.exit_code, problem in " ".join(result.output.split())) == (2, True)
 

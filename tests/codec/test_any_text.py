@@ -167,15 +167,15 @@ _CONTAINERS = {
 @pytest.mark.parametrize(("tag", "start"), _CONTAINERS.items())
 def test_deep_messages_are_refused(tmp_path: Path, tag: str, start: str) -> None:
     file = _written(tmp_path, _nested(200, start, f"</{tag}>"))
-    with pytest.raises(SchemaError, match="more than 64 elements one inside the other; flatten them"):
+    with pytest.raises(SchemaError, match="more than 64 levels of nested elements; flatten them"):
         load_own([file])
 
 
 @pytest.mark.parametrize(
     ("levels", "uses", "reason"),
     [
-        (70, 1, "'T62' has more than 64 levels, one inside the other"),
-        (5000, 1, "'T62' has more than 64 levels, one inside the other"),
+        (70, 1, "'T62' has more than 64 nested levels"),
+        (5000, 1, "'T62' has more than 64 nested levels"),
         (40, 2, "has more than 20000 fields; divide it into several messages"),
     ],
 )

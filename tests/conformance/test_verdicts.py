@@ -195,7 +195,7 @@ def test_profiles_of_other_packages(monkeypatch):
     monkeypatch.setattr(profile, "entry_points", entry_points)
     assert set(known()) >= {"mine", "wrong", "gone", "igvc-2015"}
     assert find("mine").title == "of somebody else"
-    with pytest.raises(ConfigError, match="is no Profile"):
+    with pytest.raises(ConfigError, match="is not a Profile"):
         find("wrong")
     with pytest.raises(ConfigError, match="cannot be loaded"):
         find("gone")

@@ -46,7 +46,7 @@ def test_chain_from_base_to_tip() -> None:
         (
             'type="revolute"',
             'type="ball"',
-            "'shoulder' is 'ball'; jauspy knows: revolute, continuous, prismatic, fixed",
+            "'shoulder' is 'ball'; jauspy supports: revolute, continuous, prismatic, fixed",
         ),
         (LIMIT, "", "'shoulder' has no <limit>"),
         ('<child link="tool"/>', "", "'flange' has no <child"),

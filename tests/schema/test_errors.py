@@ -112,13 +112,13 @@ BODIES = {
     ),
     "endless array": (
         f'<record name="R">\n<array name="A">{HERE}{BYTE}<dimension name="d" size="1048577"/></array></record>',
-        "array 'A' takes 1048577 bytes; 1048576 are the most",
+        "array 'A' takes 1048577 bytes; at most 1048576 are allowed",
     ),
     "more arms than tags": (
         f'<variant name="V">{HERE}\n<vtag_field {U8}/>'
         + "".join(RECORD.replace('"R"', f'"R{number}"') for number in range(257))
         + "</variant>",
-        "257 arms, but its tag knows only 256; take a larger type",
+        "257 arms, but its tag has only 256 values; use a larger type",
     ),
     "values sent as distances": (
         (
@@ -126,7 +126,7 @@ BODIES = {
             f'<value_set offset_to_lower_limit="true">{HERE}<value_enum enum_index="5" enum_const="A"/></value_set>'
             "</fixed_field></record>"
         ),
-        "distance from 5 are not supported; say false if they are sent as they are",
+        "distance from 5 are not supported; set it to false if they are sent as they are",
     ),
     "empty array": (
         f'<record name="R"><array name="A">{BYTE}\n<dimension name="d" size="0"/>{HERE}</array></record>',
@@ -263,7 +263,7 @@ def test_one_code_with_two_meanings(jsidl):
     path = jsidl.service(outputs=jsidl.message(f'<record name="R">{BYTE}</record>', name="Other"))
     error = jsidl.error()
     assert (error.file, error.line) == (str(path), 1)
-    assert_matches(error, "message_id '1234' means two things: Msg and Other")
+    assert_matches(error, "message_id '1234' has two meanings: Msg and Other")
 
 
 def test_header_that_is_not_a_message_id(jsidl):

@@ -148,7 +148,7 @@ def test_receivers_are_bounded_and_addresses_numeric(sender):
     sender.add(("127.0.0.1", 2000))
     with pytest.raises(ConfigError, match="8 receivers watch front already"):
         sender.add(("127.0.0.1", 4000))
-    with pytest.raises(ConfigError, match="'localhost' is no IP address"):
+    with pytest.raises(ConfigError, match="'localhost' is not an IP address"):
         RtpSender().add(("localhost", 4000))
     with pytest.raises(ConfigError, match="port 0"):
         RtpSender().add(("127.0.0.1", 0))

@@ -45,7 +45,7 @@ MAX_TILT: Final = math.radians(2.0)
 MAX_SHIFT: Final = 0.0025
 """Metres and radians off the connector above which a part is taken off again and joined anew."""
 WEIGHT_TOLERANCE: Final = 0.5
-"""By which fraction of a part's weight the gripper's force may differ while it hangs still."""
+"""Fraction of a part's weight by which the gripper's force may differ while it hangs still."""
 CHECK_ANGLE: Final = 0.06
 """Radians that a joint turns to and fro when it is checked."""
 CHECK_TIME: Final = 0.5
@@ -68,7 +68,7 @@ class Slot:
     name: str
     types: tuple[str, ...]
     connector: str = "output"
-    """Of the part in this place, to which the next one is attached."""
+    """The connector of the part in this place to which the next one is attached."""
 
 
 FIVE_JOINTS: Final = (
@@ -156,7 +156,7 @@ class Assembler:
     async def build(
         self, base: str = "platform_1", connector: str = "top", slots: tuple[Slot, ...] = FIVE_JOINTS
     ) -> AssemblyResult:
-        """Build an arm on a base. The result says why when it could not be finished; the UR10 then stands still."""
+        """Build an arm on a base. If it fails, `failure` of the result is the reason, and the UR10 stands still."""
         result = AssemblyResult(base)
         begun = self.cell.now()
         tip = Tip(f"{base}/{connector}", base, await self._base_pose(base) * self._connector(base, connector))
@@ -215,7 +215,7 @@ class Assembler:
             raise
 
     async def _make_safe(self) -> None:
-        """Leave the UR10 at rest. What it holds stays held: to let go of it would drop it."""
+        """Leave the UR10 at rest; it keeps holding its part, which would fall otherwise."""
         self.at = await self.cell.posture()
         if self.held is None:
             try:
@@ -480,7 +480,7 @@ class Tip:
         self.connector = connector
         self.part = part
         self.frame = frame
-        """In the world."""
+        """Its frame in the world."""
         self.square = pin.SE3.Identity()
         """The turn about the connector's axis after which a part is square to the base."""
 

@@ -123,7 +123,7 @@ class CellClient:
         return asyncio.get_running_loop().time()
 
     async def sleep(self, seconds: float) -> None:
-        """Wait."""
+        """Wait for a number of seconds."""
         await asyncio.sleep(seconds)
 
     async def compute(self, function: Callable[[], T]) -> T:

@@ -35,7 +35,7 @@ class Cell(Protocol):
         ...
 
     async def sleep(self, seconds: float) -> None:
-        """Wait on that clock."""
+        """Wait for a number of seconds on that clock."""
         ...
 
     async def compute(self, function: Callable[[], T]) -> T:

@@ -29,7 +29,7 @@ from jauspy.geometry.vectors import rotation_about
 from jauspy.platform.modular.graph import Attachment, find_chain
 
 CYCLES: Final = 30
-"""As the standard demands."""
+"""Approaches of each pose, as the standard requires."""
 ALONG_DIAGONAL: Final = 0.1
 """P2 to P5 are that far from the ends of the plane's diagonals, as a fraction of their length."""
 UR10_CUBE, ARM_CUBE = 0.3, 0.2
@@ -64,14 +64,14 @@ class LaserTracker:
     """Radians."""
 
     def measure(self, pose: pin.SE3) -> pin.SE3:
-        """One measurement."""
+        """Measure a pose once."""
         turn = pin.exp3(self.random.normal(0.0, self.angle, 3))
         return pin.SE3(pose.rotation @ turn, pose.translation + self.random.normal(0.0, self.position, 3))
 
 
 @dataclass(frozen=True, slots=True)
 class Accuracy:
-    """Of one pose: metres and radians."""
+    """Accuracy and repeatability of one pose, metres and radians."""
 
     accuracy: float
     """AP of the position."""

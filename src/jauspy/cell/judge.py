@@ -19,7 +19,7 @@ from jauspy.platform.modular.connector import VacuumConnector
 
 
 class Truth(Protocol):
-    """What is really the case in a simulation."""
+    """The true state of a simulation."""
 
     def pose(self, part: str) -> Pose:
         """The pose of a part's frame in the world."""
@@ -44,11 +44,11 @@ class KnowsTruth(Protocol):
 
     @property
     def truth(self) -> Truth:
-        """What is really the case."""
+        """The true state."""
         ...
 
     def prepare(self, connector: str, parts: Sequence[str], errors: Mapping[str, Transform] | None = None) -> None:
-        """Have an arm there before a task starts: put parts on a connector and on each other, attached.
+        """Assemble an arm before a task starts: put parts on a connector and on each other, attached.
 
         `errors` are poses of parts on their connectors, by part.
         """
@@ -77,7 +77,7 @@ class Judge:
         self._truth = robot.truth
         self._robot: Robot = robot
         self.prepare = robot.prepare
-        """Has an arm there before a task starts; for tasks of which the assembly is no part."""
+        """Assembles an arm before a task starts, for tasks that do not include the assembly."""
 
     @property
     def time(self) -> float:

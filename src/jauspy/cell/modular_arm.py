@@ -55,14 +55,14 @@ class ArmOperator:
         self.base_name = ""
         """Its name."""
         self.last_goal: Array = np.zeros(sum(each.type.servo is not None for each in self.members))
-        """Where the last motion went."""
+        """Goal of the last motion."""
         self.clearance = Clearance(1.0)
         self.stand(Chain(base, self.members))
         self.tip = f"{self.members[-1].name}/{self.members[-1].connector}"
         """The connector at the end."""
 
     def stand(self, chain: Chain) -> None:
-        """Plan for the arm standing as this chain does from now on."""
+        """Plan for the arm as this chain describes it, from now on."""
         self.chain = chain
         self.scene = self._make_scene()
         self.planner = MotionPlanner(self.scene, chain, margin=0.01)

@@ -108,7 +108,7 @@ def _shape(solid: Solid) -> Any:
 
 @dataclass(slots=True)
 class _Object:
-    """A shape with its name, as the broad phase knows it."""
+    """A shape with its name, as the broad phase uses it."""
 
     name: str
     shape: Any
@@ -166,7 +166,7 @@ class PlanningScene:
         ]
 
     def put(self, name: str, pieces: Iterable[Piece], pose: pin.SE3) -> None:
-        """Put a thing somewhere, or put it elsewhere."""
+        """Add a thing at a pose, or move it there."""
         self.remove(name)
         objects = [_Object(name, each.shape, each.frame) for each in pieces]
         for each in objects:
@@ -183,13 +183,13 @@ class PlanningScene:
             self._unregister(objects)
 
     def hold(self, name: str, pieces: Iterable[Piece], frame: pin.SE3) -> None:
-        """The arm holds a thing, whose frame is `frame` in that of the tool; it is no longer an obstacle."""
+        """Attach a thing to the tool, with `frame` in the tool's frame; it is no longer an obstacle."""
         self.remove(name)
         self._held = [_Object(name, each.shape, frame * each.frame) for each in pieces]
         self._held_name = name
 
     def release(self) -> None:
-        """The arm holds nothing."""
+        """Remove the thing that the arm holds."""
         self._held, self._held_name = [], ""
 
     @property
@@ -198,7 +198,7 @@ class PlanningScene:
         return self._held_name, self._held
 
     def restore(self, held: tuple[str, Sequence[Any]]) -> None:
-        """Hold again what `held` was."""
+        """Restore a value of `held`."""
         self._held_name, self._held = held[0], list(held[1])
 
     @contextmanager

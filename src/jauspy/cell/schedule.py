@@ -10,7 +10,7 @@ from jauspy.errors import ConfigError, JausError
 
 
 class TaskFailed(JausError):
-    """A task cannot be carried out; the message says why and what was tried."""
+    """A task cannot be carried out; the message contains the reason and the attempts."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +63,7 @@ class Schedule:
     def add(
         self, name: str, run: Callable[[], Awaitable[None]], *, after: Iterable[str] = (), uses: Iterable[str] = ()
     ) -> str:
-        """Add an action; returns its name. Raises `ConfigError` for a name that is taken or not there."""
+        """Add an action; returns its name. Raises `ConfigError` if the name is taken, or one of `after` is unknown."""
         if name in self._actions:
             raise ConfigError(f"the schedule has an action {name!r} already")
         for other in after:

@@ -25,7 +25,7 @@ ATTACH_TIME: Final = 0.4
 RAISED: Final = 0.12
 """Metres to which the free end is raised before the arm stands up."""
 SHARE: Final = 0.35
-"""Of the joints' speed."""
+"""Fraction of the joints' speed."""
 UPRIGHT_MARGIN: Final = 0.0
 PARTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2", "servo_10", "servo_5")
 """The arm that steps: its fourth joint carries all others when the arm stands on its other end."""
@@ -128,7 +128,7 @@ class Stepper:
         raise TaskFailed(f"{connector} does not hold {part}: {state.last_error or 'nothing attaches'}")
 
     async def _release(self, connector: str, *, holds: str, part: str) -> None:
-        """Release one end. The other one is asked again before."""
+        """Release one end, after a further query that the other one holds."""
         state = await self.cell.connector(holds)
         if state.attached_to != part:
             raise TaskFailed(f"{connector} stays enabled: {holds} holds {state.attached_to or 'nothing'}, not {part}")

@@ -72,7 +72,7 @@ class Swing:
 
     @property
     def came_to_rest(self) -> bool:
-        """Whether it did within the time that was observed."""
+        """True if the last module came to rest within the observed time."""
         return bool(self.speeds[-1] < AT_REST)
 
     @property

@@ -19,7 +19,7 @@ from jauspy.errors import ConfigError
 
 
 def run_seed(task: str, seed: int, disturbances: Disturbances | None) -> Measured:
-    """One run, in whichever process this is called."""
+    """Run a task once, in the calling process."""
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     return asyncio.run(run_one(task, seed, disturbances))
 
@@ -78,7 +78,7 @@ class Summary:
     speed: float
     """Times real time, of all runs together on this machine."""
     failures: tuple[tuple[int, str], ...]
-    """Seed and reason."""
+    """Seed and reason of each failed run."""
 
     @property
     def rate(self) -> float:

@@ -52,7 +52,7 @@ MAX_LOOPS: Final = 16
 """Maximal nesting of lists and arrays; Python allows 20 nested blocks."""
 
 PRESENCE_VECTOR: Final = "presence_vector"
-"""The field of queries that says which optional fields the report is to have."""
+"""The field of queries that selects the optional fields of the report."""
 NO_DEFAULTS: Final[Mapping[str, int]] = {}
 
 _OWN_NAMES: Final = frozenset({"CODE", "NAME", "SERVICE", "VERSION", "IS_COMMAND", "IS_QUERY", "REPORT"})
@@ -150,7 +150,7 @@ def _module_name(service: m.Service) -> str:
 
 
 def asks(message: m.Message, service: m.Service) -> bool:
-    """True for a query: by its id if below 6000h (AS5710), else for an input that is no command.
+    """True for a query: by its id if below 6000h (AS5710), else for an input that is not a command.
 
     Clients of a service have its outputs as inputs, so names such as `Query...` take precedence.
     """

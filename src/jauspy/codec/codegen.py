@@ -1,7 +1,7 @@
 """Shared parts of the generated encoders and decoders: names, offsets, items of fixed size, value sets.
 
 Source is made of fixed text, numbers and identifiers only. Whatever else the code needs (classes, packers, registries,
-constants that are no finite number) goes into its namespace as an object, so no text of a definition is ever executed.
+constants that are not finite) goes into its namespace as an object, so no text of a definition is ever executed.
 """
 
 from __future__ import annotations
@@ -150,7 +150,7 @@ class Namespace:
 
 
 def identifier(name: str) -> str:
-    """Return a name that is safe in source; `ValueError` if it is no identifier, or one that Python normalises."""
+    """Return a name that is safe in source. Raises `ValueError` unless it is an identifier in normal form."""
     if not name.isidentifier() or iskeyword(name) or unicodedata.normalize("NFKC", name) != name:
         raise ValueError(f"{name!r} is not an identifier")
     return name
@@ -193,7 +193,7 @@ class Position:
         return f"({self.here()})" if self._base and self._offset else self.here()
 
     def skip(self, size: int) -> None:
-        """Go on by a known number of bytes."""
+        """Advance by a known number of bytes."""
         self._offset += size
 
     def move(self, base: str) -> None:

@@ -128,7 +128,7 @@ class Message(Struct):
     VERSION: ClassVar[str]
     IS_COMMAND: ClassVar[bool]
     IS_QUERY: ClassVar[bool]
-    """True for a query: by its id, or, for user-defined ids, an input that is no command."""
+    """True for a query: by its id, or, for user-defined ids, an input that is not a command."""
 
     @classmethod
     def _unpack(cls, data: bytes, nesting: Nesting | None) -> Self:

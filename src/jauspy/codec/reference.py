@@ -104,7 +104,7 @@ def _count(this: Any) -> int:
 
 
 class _Padded(io.BytesIO):
-    """The bytes of a message, and zeros after its end: damaged messages are read by it."""
+    """The bytes of a message, followed by zeros without end, so that damaged messages can be read."""
 
     @property
     def left(self) -> int:
@@ -112,7 +112,7 @@ class _Padded(io.BytesIO):
         return max(0, len(self.getbuffer()) - self.tell())
 
     def read(self, size: int | None = -1) -> bytes:
-        """As many bytes as are asked for."""
+        """The next `size` bytes, padded with zeros."""
         assert size is not None
         found = super().read(size)
         if len(found) < size:
@@ -153,9 +153,9 @@ class Row:
     raw: int | float | bytes
     value: Any
     problem: str = ""
-    """What the definition has instead of this value or of these bytes."""
+    """What the definition requires instead of this value or these bytes."""
     damaged: bool = False
-    """True for the field that cannot be read, after which nothing can."""
+    """True for the field that cannot be read; no field after it can be read, either."""
 
 
 class Explainer:
@@ -205,7 +205,7 @@ class Explainer:
         self._unusual = reason
 
     def end(self, offset: int) -> None:
-        """The message ends here; raises `DecodeError` if bytes follow."""
+        """Raise `DecodeError` if bytes follow the end of the message."""
         if offset < self._size:
             rest = self._size - offset
             self._damaged(f"{rest} byte{'s' * (rest != 1)} more than the definition has", offset, rest, "")
@@ -282,7 +282,7 @@ class Explainer:
         return {name: wrapped(arm, inner)}
 
     def _known(self, leaf: Container, known: Collection[int], path: str, what: str) -> None:
-        """Raise `DecodeError` for the number of an alternative that there is not; what follows it cannot be read."""
+        """Raise `DecodeError` for the number of an unknown alternative; the fields after it cannot be read."""
         if leaf.offset1 < self._size and leaf.value not in known:
             numbers = ", ".join(map(str, known))
             self._damaged(f"{what} {leaf.value} is not defined, only {numbers}", leaf.offset1, leaf.length, path)

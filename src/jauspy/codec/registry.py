@@ -185,7 +185,7 @@ class Registry:
 
         `decode` raises `DecodeError` for them unless `service` is given, or `message` where one service uses an id
         twice. A newer version of a message, in its own service or in another one of the same set of the standard,
-        replaces the older one and is no collision.
+        replaces the older one and is not a collision.
         """
         found = map(self.collision, sorted(self._codes))
         return tuple(collision for collision in found if collision)

@@ -1,6 +1,6 @@
 """Message classes as Python source, for `jauspy.messages` and `jauspy schema generate`.
 
-Written are declarations only: constants, nested classes, fields, layouts. Texts of a definition become string literals
+Only declarations are written: constants, nested classes, fields, layouts. Texts of a definition become string literals
 and docstrings.
 """
 

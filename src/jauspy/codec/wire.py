@@ -127,7 +127,7 @@ def nearest_raw(value: float, lower: Fraction, upper: Fraction, top: int, functi
 def exact_raw(value: float, scaling: Scaling) -> int:
     """The raw value of a real within the range; the limits mean their shortest decimal form.
 
-    What a raw value is decoded to becomes that raw value again, also where floor or ceiling would take its neighbour.
+    The decoded value of a raw one is encoded as that raw value, also where floor or ceiling would give a neighbour.
     """
     lower, upper = Fraction(repr(scaling.lower)), Fraction(repr(scaling.upper))
     nearest = nearest_raw(value, lower, upper, scaling.top)

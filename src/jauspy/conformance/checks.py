@@ -1,4 +1,4 @@
-"""Checks of an answer. Each has a name, so that a report can say which one does not hold."""
+"""Checks of an answer. Each has a name, so that a report can name those that fail."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def carries_only(*fields: str) -> Check:
 
 
 def that(name: str, holds: Callable[[Any], bool]) -> Check:
-    """A check by a function; `name` says what holds."""
+    """A check by a function; `name` is the condition that holds."""
     return Check(name, lambda message: "" if holds(message) else f"does not hold: {name}")
 
 

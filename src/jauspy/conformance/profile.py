@@ -137,7 +137,7 @@ def _loaded(entry: EntryPoint) -> Profile:
         what = f"{type(error).__name__}: {error}"
         raise ConfigError(f"conformance profile {which} cannot be loaded: {what}") from error
     if not isinstance(profile, Profile):
-        raise ConfigError(f"conformance profile {which} is no Profile")
+        raise ConfigError(f"conformance profile {which} is not a Profile")
     return profile
 
 

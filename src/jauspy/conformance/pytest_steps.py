@@ -58,7 +58,7 @@ def pytest_steps(
 class _Session:
     """One target for all steps. The steps before a requested one are run first, in any order of pytest's calls.
 
-    After the last one, or when the process ends, the target is left in order.
+    After the last one, or when the process ends, the target is left in Standby without a controller.
     """
 
     def __init__(self, wire: Callable[[], Wire], target: JausID, settings: Settings, steps: Sequence[Step]) -> None:

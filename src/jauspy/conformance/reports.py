@@ -191,7 +191,7 @@ def summary_json(report: Report) -> dict[str, Any]:
 TESTER: Final = ("192.0.2.42", judp.PORT)
 OTHER_PORT: Final = ("192.0.2.42", 49152)
 TARGET: Final = ("192.0.2.1", judp.PORT)
-"""Addresses for documentation (RFC 5737): a run knows bytes and times, not addresses."""
+"""Addresses for documentation (RFC 5737): a run records bytes and times, not addresses."""
 
 
 def capture(report: Report) -> bytes:

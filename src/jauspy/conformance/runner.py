@@ -164,7 +164,7 @@ def run(
 ) -> Report:
     """Run a profile and return the report. `began`: wall clock, seconds since 1970. A missing answer never raises.
 
-    `offers` are the services of a target without Discovery; by default the target is asked for them.
+    `offers` are the services of a target without Discovery; by default the target is queried for them.
     Ctrl-C raises `Interrupted`, which has the report of what was done so far.
     """
     settings = settings or Settings()

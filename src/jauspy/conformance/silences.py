@@ -20,7 +20,7 @@ MAX_SILENCES: Final = 2
 
 
 class Silences:
-    """The queries of the tester that one component leaves unanswered, and the inputs of steps that it does."""
+    """The queries of the tester that one component leaves unanswered, and the inputs of steps without an answer."""
 
     def __init__(self, tester: Tester, component: JausID) -> None:
         self._tester = tester
@@ -32,7 +32,7 @@ class Silences:
     def ask(self, query: Message, report: type[M]) -> M | None:
         """The answer to the observer; None if the query was given up.
 
-        Raises `Silent` at the first silence; from the second in a row on, steps go on without the answer.
+        Raises `Silent` at the first silence; from the second in a row on, steps continue without the answer.
         """
         kind = type(query)
         if self._queries[kind] >= MAX_SILENCES:

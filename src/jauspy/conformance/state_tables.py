@@ -1,7 +1,7 @@
 """State tables of services, written by hand from AS5710 and AS6009: state, message, answer, next state.
 
 They use neither the JSIDL definitions nor the merged state machine, so they find a mistake in these that the engine and
-the generated state tests share. Each row is one step. What the tables leave out, the generated tests try.
+the generated state tests share. Each row is one step. The generated tests cover what the tables leave out.
 """
 
 from __future__ import annotations
@@ -533,7 +533,7 @@ def _settled(test: RowTest, tester: Tester, state: State) -> str:
 
 
 def _difference(test: RowTest, tester: Tester, state: State) -> str:
-    """The reported state if it is not this one, else an empty string. What the component does not report is right."""
+    """The reported state if it is not this one, else an empty string. A value that is not reported counts as right."""
     silences = silences_of(test.component, tester)
     report = silences.ask(QueryStatus(), ReportStatus) if MANAGEMENT in test.services else None
     status = report.status if report else state.status

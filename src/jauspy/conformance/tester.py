@@ -236,7 +236,7 @@ class Client:
     def ask_until_right(
         self, message: Message, answer: type[M], *checks: Check | Iterable[Check], to: JausID | None = None
     ) -> M:
-        """As `ask`, but a wrong answer is asked for again until the timeout.
+        """As `ask`, but the query is repeated after a wrong answer, until the timeout.
 
         The services of a component may notify each other asynchronously, so that what they report is right a little
         later.
@@ -456,11 +456,11 @@ class Tester:
         self.restore_notes(notes)
 
     def notes_of_step(self) -> StepNotes:
-        """What the report has of this step by now."""
+        """The notes of this step so far."""
         return StepNotes(tuple(self.why), tuple(self.expected), tuple(self.checks))
 
     def restore_notes(self, notes: StepNotes) -> None:
-        """Leave out of the report what came since."""
+        """Restore earlier notes of this step; later ones are left out of the report."""
         self.why, self.expected, self.checks = list(notes.why), list(notes.expected), list(notes.checks)
 
     def record_check(self, name: str, problem: str = "") -> None:
@@ -480,7 +480,7 @@ class Tester:
     def pump(self, until: float, done: Callable[[], bool]) -> bool:
         """Receive until `done` is true or the time is over; returns whether it was done.
 
-        Raises `TransportError` when so much comes that the time is never over.
+        Raises `TransportError` when datagrams arrive faster than they can be read.
         """
         behind = 0
         while not done():

@@ -1,6 +1,6 @@
 """A target in memory on virtual time: components and their node manager, and a `Wire` to them without a network.
 
-Used by tests of components. Virtual time costs no time itself, only what happens in it.
+Used by tests of components. Virtual time passes without waiting.
 """
 
 from __future__ import annotations

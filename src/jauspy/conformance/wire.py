@@ -225,7 +225,7 @@ async def open_wire(connect: str | None) -> Wire:
 
 
 class LinkWire:
-    """Clients as components of a node manager; drives an event loop of its own while it waits."""
+    """Clients as components of a node manager; runs a separate event loop while it waits."""
 
     features: Collection[str] = ()
 

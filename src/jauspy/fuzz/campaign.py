@@ -53,7 +53,7 @@ class Fuzzer:
     ) -> None:
         self.targets = targets(registry, schema, only)
         self.identity: tuple[FuzzFinding, ...] = ()
-        """What a generated package says otherwise than its definitions."""
+        """Differences between a generated package and its definitions."""
         made = list(from_schemas(self.targets))
         self._seeds = [*from_payloads(self.targets, payloads), *made]
         self._seed = seed
@@ -145,7 +145,7 @@ class Fuzzer:
 
 
 CASES_PER_CHUNK: Final = 500
-"""Cases that a process does before it reports."""
+"""Cases that a process runs before it reports."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -275,7 +275,7 @@ def load_package(name: str) -> Registry:
 
 
 def identity_findings(package: Registry, defined: Registry) -> Iterator[FuzzFinding]:
-    """What a package says otherwise than the definitions: messages that are missing or others, ids, versions."""
+    """Differences between a package and the definitions: missing or additional messages, ids, versions."""
     right = {_key(entry): entry for entry in defined.own}
     made = {_key(entry): entry for entry in package.own}
     for key, entry in right.items():
@@ -305,7 +305,7 @@ def _instead(entry: MessageEntry, defined: Registry) -> str:
 
 
 def _class_findings(entry: MessageEntry) -> Iterator[FuzzFinding]:
-    """What the class of an entry says otherwise than the table of the package."""
+    """Differences between the class of an entry and the table of the package."""
     try:
         cls = entry.load()
     except (ImportError, AttributeError, AssertionError) as error:

@@ -208,7 +208,7 @@ def memory_problem(size: int, call: Callable[[], object]) -> str | None:
 
 
 def _time_per_byte(target: Target, data: bytes) -> list[float]:
-    """Empty for a message that cannot be decoded; the checks report that."""
+    """Nanoseconds per byte; empty for a message that cannot be decoded, which the checks report."""
     try:
         with cpu_limited():
             return [min(spent_on(lambda: target.cls.decode(data)) for _ in range(5)) / len(data)]

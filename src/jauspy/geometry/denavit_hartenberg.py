@@ -2,7 +2,7 @@
 
 The z axis of frame i lies along joint i; its x axis along the common normal of joints i and i + 1. From frame i to
 frame i + 1: along x by the link's length and about x by its twist, then along z by the joint's offset and about z by
-its angle. A revolute joint's angle and a prismatic joint's offset are what moves; they are counted from these axes,
+its angle. A revolute joint's angle and a prismatic joint's offset are variable; they are counted from these axes,
 so they differ by a constant from a URDF's positions: `DHLink.zero_position`.
 """
 
@@ -43,9 +43,9 @@ class DHLink:
     length: float
     twist: float
     offset: float
-    """Of a prismatic joint: at position zero."""
+    """Metres; for a prismatic joint, the offset at position zero."""
     angle: float
-    """Of a revolute joint: at position zero."""
+    """Radians; for a revolute joint, the angle at position zero."""
 
     @property
     def is_revolute(self) -> bool:
@@ -83,11 +83,11 @@ class ManipulatorGeometry:
         return frame
 
     def from_urdf(self, positions: Sequence[float]) -> tuple[float, ...]:
-        """Converts positions of the URDF to the standard's."""
+        """Convert positions (rad or m) of the URDF to the standard's."""
         return tuple(position + link.zero_position for position, link in zip(positions, self.links, strict=True))
 
     def to_urdf(self, positions: Sequence[float]) -> tuple[float, ...]:
-        """Converts positions of the standard to the URDF's."""
+        """Convert positions (rad or m) of the standard to the URDF's."""
         return tuple(position - link.zero_position for position, link in zip(positions, self.links, strict=True))
 
 

@@ -148,7 +148,7 @@ class HoldingEfforts:
         ]
 
     def at(self, positions: Mapping[str, float]) -> dict[str, float]:
-        """N m or N of each joint that moves by itself and of those that mimic it, by name; the root link is level."""
+        """Efforts (N m or N) of independent joints and of those that mimic them, by name; the root link is level."""
         frames = self._tree.poses(positions)
         masses, moments = dict.fromkeys(frames, 0.0), dict.fromkeys(frames, (0.0, 0.0, 0.0))
         for link, mass, middle in self._bodies:

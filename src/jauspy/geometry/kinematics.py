@@ -93,12 +93,12 @@ class Solution:
 
     @property
     def reaches_point(self) -> bool:
-        """The tool point is at the goal, whatever the attitude."""
+        """True if the tool point is at the goal, whatever the attitude."""
         return self.distance <= POSITION_TOLERANCE
 
     @property
     def reaches_pose(self) -> bool:
-        """Point and attitude are at the goal."""
+        """True if point and attitude are at the goal."""
         return self.reaches_point and self.angle <= ATTITUDE_TOLERANCE
 
     def better(self, other: Solution) -> Solution:
@@ -202,7 +202,7 @@ class InverseKinematics:
 
 
 class _Candidate:
-    """Positions, and how far they leave the tool from the goal."""
+    """Positions, and the remaining errors of the tool."""
 
     def __init__(self, state: KinematicState, positions: tuple[float, ...], goal: Transform, weight: float) -> None:
         self.state, self.positions = state, positions
@@ -216,7 +216,7 @@ class _Candidate:
 def halton_point(index: int, limits: Sequence[tuple[float, float]]) -> tuple[float, ...]:
     """A point of the Halton sequence, which fills the space between limits evenly; `index` counts from 1.
 
-    Of a joint without limits, it fills one turn.
+    For a joint without limits, it covers one turn.
     """
     rows = zip((_one_turn(*each) for each in limits), cycle(HALTON_BASES), strict=False)
     return tuple(low + (high - low) * _radical_inverse(index, base) for (low, high), base in rows)

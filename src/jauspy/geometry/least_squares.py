@@ -52,7 +52,7 @@ class _Problem:
         return self._x
 
     def _go(self, free: Sequence[int]) -> int | None:
-        """Move the free values to their optimum, or to the first bound on the way; returns the number of that one."""
+        """Move the free values to their optimum, or to the first bound on the way; returns the index of its value."""
         x, share, stopped = self._x, 1.0, None
         best = self._best(free)
         for number, value in zip(free, best, strict=True):
@@ -84,7 +84,7 @@ class _Problem:
 
 
 def _solve(lower_half: Sequence[Row], right: list[float]) -> list[float]:
-    """Solves a symmetric positive definite system by Cholesky factorisation."""
+    """Solve a symmetric positive definite system by Cholesky factorisation."""
     factors: list[list[float]] = []
     for row in lower_half:
         line: list[float] = []

@@ -126,7 +126,7 @@ PLACE: Final = "jauspy.place"
 """Attribute with the file and line of an element, where the text of a URDF is not that of a file."""
 
 MAX_ELEMENTS: Final = 200_000
-"""Of a URDF: XML elements."""
+"""XML elements of a URDF."""
 
 
 def place(element: Element) -> str:
@@ -240,7 +240,7 @@ def _joint(element: Element) -> Joint:
     name, type_ = str(element.get("name")), str(element.get("type"))
     kind = JointKind.FIXED if type_ in UNGUIDED else KINDS.get(type_)
     if kind is None:
-        raise ConfigError(f"{place(element)}: joint {name!r} is {type_!r}; jauspy knows: {', '.join(KINDS)}")
+        raise ConfigError(f"{place(element)}: joint {name!r} is {type_!r}; jauspy supports: {', '.join(KINDS)}")
     limit, dynamics, mimic = element.find("limit"), element.find("dynamics"), element.find("mimic")
     if kind in (JointKind.REVOLUTE, JointKind.PRISMATIC) and limit is None:
         raise ConfigError(

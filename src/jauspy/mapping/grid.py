@@ -30,7 +30,7 @@ OCCUPIED_THRESHOLD: Final = 0.65
 FREE_THRESHOLD: Final = 0.196
 """Probabilities above and below which a cell is occupied or free: the thresholds of ROS's map_server."""
 MAX_CELLS: Final = 4000
-"""Along a side."""
+"""Cells along a side."""
 
 
 class OccupancyGrid:

@@ -24,7 +24,7 @@ _ANY_TRIGGER = ""
 
 
 def read_behavior(element: Element | None) -> Behavior | None:
-    """The protocol behaviour of a service."""
+    """Read the protocol behaviour of a service."""
     if element is None:
         return None
     machines = tuple(_machine(part) for part in element.iterchildren("state_machine"))

@@ -22,7 +22,7 @@ from jauspy.schema.model import Location
 Value = TypeVar("Value")
 
 MAX_DEPTH: Final = 64
-"""Elements one inside the other, and levels of a message; the deepest public definitions have 13 and 9."""
+"""Levels of nested elements, and of a message; the deepest public definitions have 13 and 9."""
 
 MAX_ATTRIBUTE: Final = 1000
 """Characters of an attribute; the longest guard of a public definition has 203. Descriptions may be longer."""
@@ -34,7 +34,7 @@ def file_of(element: Element) -> str:
 
 
 def line_of(element: Element) -> int:
-    """The line of the start tag; 0 if libxml2 does not know it."""
+    """The line of the start tag; 0 if libxml2 has none."""
     line: object = element.sourceline
     return line if isinstance(line, int) else 0
 
@@ -308,7 +308,7 @@ def check(root: Element) -> None:
 
 
 def problems(root: Element) -> Iterator[tuple[Element, SchemaError]]:
-    """Everything that breaks the grammar, in the order of the file, and where; unknown elements are not entered."""
+    """All violations of the grammar, in the order of the file; the content of unknown elements is not checked."""
     waiting = [root]
     while waiting:
         element = waiting.pop()
@@ -365,7 +365,7 @@ def read(data: bytes, path: Path) -> tuple[Element, str]:
 
 
 def parse(data: bytes, path: Path) -> tuple[Element, str]:
-    """As `read`, but what is below the root may be against the grammar."""
+    """As `read`, but only the root is checked against the grammar."""
     root = _parse(data, path)
     if root.getroottree().docinfo.doctype:  # type: ignore[attr-defined]  # lxml-stubs lacks it
         raise wrong(root, "a document type declaration is not allowed")
@@ -382,7 +382,7 @@ def parse(data: bytes, path: Path) -> tuple[Element, str]:
 
 
 def is_jsidl(data: bytes, path: Path) -> bool:
-    """False for well-formed XML of another kind, such as a package manifest; what cannot be read counts as JSIDL."""
+    """False for well-formed XML of another kind, such as a package manifest; malformed XML counts as JSIDL."""
     try:
         root = _parse(data, path)
     except SchemaError:
@@ -392,7 +392,11 @@ def is_jsidl(data: bytes, path: Path) -> bool:
 
 
 def _refuse_doctype(data: bytes, path: Path) -> None:
-    """Before parsing, because libxml2 expands entities in attributes while it reads; without NULs for UTF-16."""
+    """Raise `SchemaError` for a document type declaration.
+
+    This is done before parsing, because libxml2 expands entities in attributes while it reads. NUL bytes are ignored,
+    so that declarations in UTF-16 are found, too.
+    """
     plain = data.replace(b"\0", b"")
     found = _DOCTYPE.search(plain)
     if found:
@@ -418,14 +422,14 @@ def _parse(data: bytes, path: Path) -> Element:
 
 
 _TOO_DEEP: Final = "/".join("*" * MAX_DEPTH)
-"""The path from a root to what is one level too deep."""
+"""The path from a root to an element that is one level too deep."""
 
 
 def _refuse_deep(root: Element) -> None:
-    """Everything that reads elements calls itself for those inside."""
+    """Raise `SchemaError` for elements that are nested too deeply, because the readers are recursive."""
     element = root.find(_TOO_DEEP)
     if element is not None:
-        raise wrong(element, f"more than {MAX_DEPTH} elements one inside the other; flatten them")
+        raise wrong(element, f"more than {MAX_DEPTH} levels of nested elements; flatten them")
 
 
 def _strip_namespace(element: Element) -> None:

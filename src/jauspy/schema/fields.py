@@ -76,7 +76,7 @@ def unsigned(element: Element) -> Unsigned:
 
 
 def read_count(element: Element, scope: Scope) -> Count:
-    """A count or tag field; without limits all values of its type are allowed."""
+    """Read a count or tag field; without limits all values of its type are allowed."""
     kind = unsigned(element)
     largest = 2 ** BITS[kind] - 1
     minimum = scope.integer(element, "min_count") if "min_count" in element.attrib else 0
@@ -87,7 +87,7 @@ def read_count(element: Element, scope: Scope) -> Count:
 
 
 def read_scale(parent: Element, scope: Scope) -> Scale | None:
-    """The scale range inside a field, if there is one."""
+    """Read the scale range inside a field, if there is one."""
     element = parent.find("scale_range")
     if element is None:
         return None
@@ -98,19 +98,19 @@ def read_scale(parent: Element, scope: Scope) -> Scale | None:
 
 
 def read_limits(element: Element, scope: Scope) -> tuple[float, float]:
-    """Both ends of a scale range, as written."""
+    """Read both ends of a scale range, as written."""
     return float(scope.number(element, "real_lower_limit")), float(scope.number(element, "real_upper_limit"))
 
 
 def read_values(parent: Element, scope: Scope) -> ValueSet | None:
-    """The value set inside a field, if there is one, written out or declared."""
+    """Read the value set inside a field, if there is one, written out or declared."""
     for element in parent.iterchildren("value_set", "declared_value_set"):
         return read_value_set(element, scope)
     return None
 
 
 def read_value_set(element: Element, scope: Scope) -> ValueSet:
-    """A value set, written out or declared."""
+    """Read a value set, written out or declared."""
     if element.tag == "declared_value_set":
         home, found = scope.find(element)
         return home.once(required(found, "name"), element, lambda: read_value_set(found, home))
@@ -122,7 +122,7 @@ def read_value_set(element: Element, scope: Scope) -> ValueSet:
     lowest = min([*(enum.value for enum in values.enums), *(each.lower for each in values.ranges)])
     if values.offset_to_lower_limit and lowest:
         reason = f"offset_to_lower_limit: values that are sent as their distance from {lowest} are not supported"
-        raise wrong(element, f"{reason}; say false if they are sent as they are")
+        raise wrong(element, f"{reason}; set it to false if they are sent as they are")
     return values
 
 
@@ -144,7 +144,7 @@ LARGEST: Final = 1 << 20
 
 
 def read_field(element: Element, scope: Scope) -> Field:
-    """A field of a record, written out or declared."""
+    """Read a field of a record, written out or declared."""
     if element.tag == "array":
         return _array(element, scope)
     if element.tag == "declared_array":
@@ -153,7 +153,7 @@ def read_field(element: Element, scope: Scope) -> Field:
 
 
 def read_simple(element: Element, scope: Scope) -> SimpleField:
-    """A field that is no array, written out or declared."""
+    """Read a field that is not an array, written out or declared."""
     reader = _READERS.get(element.tag)
     return scope.declared(element, read_simple) if reader is None else reader(element, scope)
 
@@ -256,7 +256,7 @@ def _array(element: Element, scope: Scope) -> Array:
     )
     size, _ = sizes(array)
     if size > LARGEST:
-        raise wrong(element, f"array '{array.name}' takes {size} bytes; {LARGEST} are the most")
+        raise wrong(element, f"array '{array.name}' takes {size} bytes; at most {LARGEST} are allowed")
     return array
 
 
@@ -283,13 +283,13 @@ _MAX_EMPTY_ARMS = 256
 
 
 def read_composite(element: Element, scope: Scope) -> Composite:
-    """A composite, written out or declared."""
+    """Read a composite, written out or declared."""
     reader = _COMPOSITE_READERS.get(element.tag)
     return scope.declared(element, read_composite) if reader is None else reader(element, scope)
 
 
 def read_content(part: Element, scope: Scope) -> Composite | None:
-    """The content of a header, body or footer, written out or declared; None if it is empty."""
+    """Read the content of a header, body or footer, written out or declared; None if it is empty."""
     if part.tag in DECLARED:
         home, found = scope.find(part)
         return read_content(found, home)
@@ -325,7 +325,7 @@ def _sequence(element: Element, scope: Scope) -> Sequence:
 
 
 def _presence(element: Element, members: Iterable[Node]) -> Unsigned | None:
-    """The presence vector of a container. One that is too small is accepted, because public definitions have some."""
+    """Read the presence vector of a container. One that is too small is accepted: some public definitions have one."""
     _check_names(element, members)
     vector = element.find("presence_vector")
     if vector is not None:
@@ -359,7 +359,7 @@ def _variant(element: Element, scope: Scope) -> Variant:
     arms = tuple(read_composite(member, scope) for member in _members(element))
     _check_names(element, arms)
     if len(arms) > 2 ** BITS[tag.type]:
-        raise wrong(element, f"{len(arms)} arms, but its tag knows only {2 ** BITS[tag.type]}; take a larger type")
+        raise wrong(element, f"{len(arms)} arms, but its tag has only {2 ** BITS[tag.type]} values; use a larger type")
     if not arms:  # a public definition has a variant that consists of its tag only
         arms = tuple(Record(name=f"Empty{index}", fields=()) for index in range(min(tag.maximum + 1, _MAX_EMPTY_ARMS)))
     return Variant(

@@ -18,7 +18,7 @@ ParentOf: TypeAlias = Callable[[T], T | None]
 
 
 def parents_among(services: Iterable[Service]) -> ParentOf[Service]:
-    """Parents by id and version; what is returned raises `SchemaError` for a parent that is not in `services`."""
+    """Parents by id and version; the returned function raises `SchemaError` for a parent that is not in `services`."""
     by_key = {service.key: service for service in services}
 
     def parent_of(service: Service) -> Service | None:

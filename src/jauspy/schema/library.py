@@ -72,7 +72,7 @@ def evaluate(text: str, lookup: Lookup) -> Number:
 
 
 def _literal(text: str) -> Number | None:
-    """Most limits are plain numbers."""
+    """The value of a text that is a plain number, as most limits are; None for any other."""
     for kind in (int, float):
         try:
             number: Number = kind(text)
@@ -210,7 +210,7 @@ def bounded_node(node: AnyNode, element: Element) -> AnyNode:
             case List(element=only):
                 inner = (only,)
         if inner and depth == MAX_DEPTH:
-            raise wrong(element, f"'{node.name}' has more than {MAX_DEPTH} levels, one inside the other; flatten it")
+            raise wrong(element, f"'{node.name}' has more than {MAX_DEPTH} nested levels; flatten it")
         if len(waiting) + len(inner) > MAX_PARTS:
             raise wrong(element, f"'{node.name}' has more than {MAX_PARTS} fields; divide it into several messages")
         waiting += [(part, depth + 1) for part in inner]

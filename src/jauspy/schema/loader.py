@@ -42,7 +42,7 @@ _VERSION: Final = re.compile(rb'\bversion="([^"]*)"')
 
 
 def read_bytes(path: Path) -> bytes:
-    """The content of a file; `SchemaError` for one that cannot be read, or is larger than any definition."""
+    """The content of a file. Raises `SchemaError` if it cannot be read or has more than `MAX_FILE_SIZE` bytes."""
     try:
         with path.open("rb") as file:
             data = file.read(MAX_FILE_SIZE + 1)
@@ -54,16 +54,16 @@ def read_bytes(path: Path) -> bytes:
 
 
 def parse_file(path: Path) -> Element:
-    """The root element of a JSIDL file; what is below it may be against the grammar."""
+    """The root element of a JSIDL file; only the root is checked against the grammar."""
     return parse(read_bytes(path), path)[0]
 
 
 def load_files(paths: Iterable[str | Path], *, base: Schema | None = None, states: bool = True) -> Schema:
-    """Read JSIDL files that may refer to each other, in any order; `SchemaError` says what is wrong where.
+    """Read JSIDL files, in any order, that may refer to each other. Raises `SchemaError` with file and line.
 
     New services may inherit from those of `base`, which are part of the result except where a file defines the
-    same id and version. Type sets are those of the files alone. Without `states`, what behaviour refers to is
-    not checked: messages can be used although one state is misspelt.
+    same id and version. Type sets are those of the files alone. Without `states`, the
+    references of behaviour are not checked, so that messages can be used although a state is misspelt.
     """
     library = Library()
     versions: dict[Key, str] = {}
@@ -135,7 +135,7 @@ def load_builtin() -> Schema:
 
 
 def find_files(sources: Iterable[str | Path]) -> list[Path]:
-    """The files of these files, folders and patterns; other XML in a folder, such as a manifest, is left out.
+    """The files that paths and patterns select; other XML in a folder, such as a manifest, is left out.
 
     Raises `ConfigError` for a source that gives no file.
     """
@@ -159,7 +159,7 @@ def _is_jsidl_file(path: Path) -> bool:
     try:
         return is_jsidl(read_bytes(path), path)
     except SchemaError:
-        return True  # reading it says what is wrong
+        return True  # reading it raises the error
 
 
 def _matching(pattern: str) -> list[Path]:

@@ -61,8 +61,8 @@ class ValueRange:
 class ValueSet:
     """The allowed values of a number: names and intervals; empty means any.
 
-    `offset_to_lower_limit` is kept as written; the loader takes it only where the lowest value is 0,
-    so that it means nothing.
+    `offset_to_lower_limit` is kept as written; the loader accepts it only where the lowest value is 0,
+    so that it has no effect.
     """
 
     enums: tuple[ValueEnum, ...] = ()
@@ -309,7 +309,7 @@ class State:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class StateMachine:
-    """A state machine; its dotted name says which parent's machine it extends (`events.transport.ReceiveFSM`)."""
+    """A state machine; its name contains the path to the parent that it extends (`events.transport.ReceiveFSM`)."""
 
     name: str
     states: tuple[State, ...]

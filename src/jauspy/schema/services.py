@@ -18,9 +18,9 @@ _CODE = re.compile(r"[0-9A-Fa-f]{4}")
 
 
 def read_messages(message_set: Element, direction: str, scope: Scope) -> tuple[Message, ...]:
-    """The messages of an `input_set` or `output_set`.
+    """Read the messages of an `input_set` or `output_set`.
 
-    Names are unique in it, and so are codes, except for those with the same content: a public definition has such.
+    Names are unique. Codes are, too, except for messages with the same content, which a public definition has.
     """
     names: dict[str, Element] = {}
     codes: dict[int, tuple[Message, Element]] = {}
@@ -38,7 +38,7 @@ def read_messages(message_set: Element, direction: str, scope: Scope) -> tuple[M
 
 
 def read_message(element: Element, scope: Scope) -> Message:
-    """A message, written out or declared."""
+    """Read a message, written out or declared."""
     if element.tag == "message_def":
         return _message(element, scope)
     home, found = scope.find(element)
@@ -84,7 +84,7 @@ def _check_header(header: Element, scope: Scope) -> None:
 
 
 def read_events(events: Element | None, scope: Scope) -> tuple[InternalEvent, ...]:
-    """The internal events of a service."""
+    """Read the internal events of a service."""
     if events is None:
         return ()
     seen: set[str] = set()
@@ -99,7 +99,7 @@ def read_events(events: Element | None, scope: Scope) -> tuple[InternalEvent, ..
 
 
 def read_event(element: Element, scope: Scope) -> InternalEvent:
-    """An internal event, written out or declared."""
+    """Read an internal event, written out or declared."""
     if element.tag == "declared_event_def":
         home, found = scope.find(element)
         event = home.once(required(found, "name"), element, lambda: read_event(found, home))
@@ -119,7 +119,7 @@ def version_key(version: str) -> tuple[int, ...]:
 
 
 def read_service(element: Element, jsidl: str, scope: Scope) -> Service:
-    """One service; its `inherits_from` is as written, see `resolve_parents`."""
+    """Read a service; its `inherits_from` is as written, see `resolve_parents`."""
     urn, version = identity(element)
     if not _VERSION.fullmatch(version):
         raise wrong(element, f"version: expected major.minor, got {version!r}")
@@ -155,7 +155,7 @@ def _check_both_ways(element: Element, inputs: Sequence[Message], outputs: Seque
         other = codes.get(message.code)
         if other is not None and other.body != message.body:
             names = f"{other.name} and {message.name}"
-            raise wrong(element, f"message_id '{message.code:04X}' means two things: {names}")
+            raise wrong(element, f"message_id '{message.code:04X}' has two meanings: {names}")
 
 
 def resolve_parents(

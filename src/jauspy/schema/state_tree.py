@@ -162,7 +162,7 @@ class MergedMachine:
         return found.leaf()
 
     def check_initials(self) -> None:
-        """Raise `ConfigError` when a state with children does not say which of them is entered."""
+        """Raise `ConfigError` when the child that is entered with a state is undefined."""
         for state in self.root.all():
             named = state.initial is None or state.initial in state.children
             if state.path and state.children and not (named and state.entered()):

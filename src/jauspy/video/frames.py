@@ -1,4 +1,4 @@
-"""Frames of a video as NumPy arrays that know when they were taken. Import it after `need_video`."""
+"""Frames of a video as NumPy arrays with the time at which they were taken. Import it after `need_video`."""
 
 from __future__ import annotations
 
@@ -56,5 +56,5 @@ class FrameReader:
         return None if seconds is None else datetime.fromtimestamp(seconds, UTC)
 
     def close(self) -> None:
-        """Give the ports back; twice is fine."""
+        """Close the sockets; without effect when closed."""
         self.receiver.close()

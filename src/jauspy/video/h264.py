@@ -1,4 +1,4 @@
-"""Pictures to H.264 by libx264, with no picture of delay. Import it after `extra.need_video`."""
+"""Pictures to H.264 by libx264, without a delay of pictures. Import it after `extra.need_video`."""
 
 from __future__ import annotations
 

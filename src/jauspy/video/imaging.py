@@ -44,7 +44,7 @@ BRIGHT: Final = 0.7
 """Mean light between which the automatic exposure leaves a picture as it is."""
 
 METERED: Final = 8
-"""The automatic exposure measures each so-many-th row and column."""
+"""Step, in rows and columns, between the pixels that the automatic exposure measures."""
 
 ADAPTATION: Final = 0.3
 """Fraction of the way to the right exposure, in stops, that each picture takes."""
@@ -68,7 +68,7 @@ NOISE_MARGIN: Final = 61
 
 
 class Imaging:
-    """The lens and the sensor of one camera: takes pictures of a session as the settings ask.
+    """The lens and the sensor of one camera: takes pictures of a session with the present settings.
 
     Each step that the settings do not need is left out: with initial settings and an ideal lens, a picture in daylight
     stays as it is.
@@ -195,7 +195,7 @@ def _straightened(bent: NDArray[np.float64], coefficients: tuple[float, ...]) ->
 
 
 class _Noise:
-    """Noise of a sensor: photons come by chance, and reading a pixel adds to it; amplification shows both."""
+    """Noise of a sensor: the number of photons is random, and reading a pixel adds an error; both are amplified."""
 
     def __init__(self, seed: int) -> None:
         self._random = np.random.default_rng(seed)
@@ -242,7 +242,7 @@ def enlarged(image: Image, factor: float) -> Image:
 
 
 def _metered(image: Image, light: NDArray[np.float32] | float, mode: MeteringMode) -> float:
-    """The mean light of the part of the picture that counts, of what the display can show."""
+    """The mean light, limited to what the display can show, of the part of the picture that is measured."""
     height, width = image.shape[:2]
     share = {MeteringMode.AUTO: 1.0, MeteringMode.CENTER_WEIGHTED: 0.5, MeteringMode.SPOT: 0.125}[mode]
     rows, columns = (
@@ -255,7 +255,7 @@ def _metered(image: Image, light: NDArray[np.float32] | float, mode: MeteringMod
 
 
 def _blurred(image: Image, circles: NDArray[np.float32]) -> Image:
-    """The picture with each pixel blurred as its circle asks, in four steps."""
+    """The picture with each pixel blurred by its circle, in four steps."""
     made = image.copy()
     largest = float(circles.max())
     for diameter, size in BLUR_SIZES:

@@ -23,14 +23,14 @@ RECEIVE_BUFFER: Final = 1 << 20
 
 
 MAX_CANDIDATES: Final = 8
-"""Sources that are followed while none is chosen for good; one more replaces the one that was silent for longest."""
+"""Sources that are followed until one is chosen; one more replaces the one that was silent for longest."""
 MAX_HELD: Final = 1 << 20
 """Bytes of pictures that are kept of such a source."""
 
 CONFIRMED: Final = 8
-"""Pictures of a source after which it is chosen for good."""
+"""Pictures of a source after which its choice is final."""
 UNCONFIRMED_TIMEOUT: Final = 0.2
-"""Seconds without a packet after which a source that is not may be replaced by one that has sent more pictures."""
+"""Seconds without a packet after which a source that is not final may be replaced by one that has sent more."""
 SOURCE_TIMEOUT: Final = 2.0
 """Seconds without a packet of the source after which another one of its host may take its place."""
 HOST_TIMEOUT: Final = 10.0
@@ -67,8 +67,8 @@ class RtpReceiver:
     """Receives at an address from its creation until `close`; port 0 stands for any free one.
 
     Anybody can send there. The source is the first one (address and SSRC) that sends a whole picture with which a
-    decoder can start, and goes on; packets of others are dropped until it is silent for `SOURCE_TIMEOUT`. After a loss,
-    a whole picture is requested at the address from which the sender's reports arrive. `clock`: seconds, monotonic.
+    decoder can start, and continues; packets of others are dropped until it is silent for `SOURCE_TIMEOUT`. After a
+    loss, a whole picture is requested at the address from which the sender's reports arrive. `clock`: seconds.
     """
 
     def __init__(self, host: str = "127.0.0.1", port: int = 0, *, clock: Callable[[], float] = time.monotonic) -> None:
@@ -89,7 +89,7 @@ class RtpReceiver:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """Those of `Depacketiser` for the source.
+        """The counters of `Depacketiser` for the source.
 
         Also `not_rtp` datagrams, `foreign` ones (of other sources), and how often whole pictures were `asked` for.
         """
@@ -100,7 +100,7 @@ class RtpReceiver:
         return self._rtp.fileno()
 
     def take(self) -> list[Picture]:
-        """The pictures that what has arrived completes; never waits."""
+        """The pictures that are complete with the datagrams that have arrived; never waits."""
         pictures: list[Picture] = []
         for _ in range(MAX_DATAGRAMS):
             try:
@@ -121,7 +121,7 @@ class RtpReceiver:
         return self._clock.utc + since / CLOCK_RATE
 
     def close(self) -> None:
-        """Give the ports back; twice is fine."""
+        """Close the sockets; without effect when closed."""
         self._rtp.close()
         self._rtcp.close()
 

@@ -1,4 +1,4 @@
-"""Writes received pictures to a film, as they came: nothing is encoded again. Import it after `extra.need_video`."""
+"""Writes received pictures to a file without encoding them again. Import it after `extra.need_video`."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ _FRAGMENTS: Final = {
     "cluster_time_limit": "500",  # milliseconds, of Matroska
     "flush_packets": "1",
 }
-"""Options of the containers: what was written can be read although the end is missing."""
+"""Options of the containers: a file without its end can be read."""
 
 
 class Recorder:
@@ -58,7 +58,7 @@ class Recorder:
         self.ended = False
 
     def add(self, picture: Picture) -> None:
-        """Write a picture at the time of its time stamp; that the file cannot be written is raised by `close`."""
+        """Write a picture at the time of its time stamp; `close` raises errors of the file."""
         if self.ended:
             return
         parameters = h264_payload.join_nals(

@@ -15,7 +15,7 @@ CLOCK_RATE: Final = 90_000
 """Ticks per second of video time stamps (RFC 6184, 8.1)."""
 
 PAYLOAD_TYPE: Final = 96
-"""The first dynamic payload type; the session description says what it stands for."""
+"""The first dynamic payload type; the session description defines its meaning."""
 
 HEADER: Final = struct.Struct("!BBHII")
 
@@ -126,7 +126,7 @@ def requests_picture(data: bytes) -> bool:
 def session_description(name: str, address: str, port: int, parameter_sets: Sequence[bytes] = ()) -> str:
     """The session description (SDP, RFC 8866, RFC 6184 8.2.1) with which a player receives the stream.
 
-    With the stream's parameter sets (SPS first, then PPS), a player that joins late knows size and profile before the
+    With the stream's parameter sets (SPS first, then PPS), a player that joins late has size and profile before the
     next IDR picture.
     """
     family = "IP6" if ":" in address else "IP4"

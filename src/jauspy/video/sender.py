@@ -77,7 +77,7 @@ MIN_IDR_INTERVAL: Final = 0.5
 """Seconds between two IDR pictures that receivers request."""
 
 SEND_BUFFER: Final = 1 << 20
-"""Bytes of the socket's send buffer: a picture is sent at once."""
+"""Bytes of the socket's send buffer: a picture is sent in one burst."""
 
 MAX_FEEDBACK_PACKETS: Final = 64
 """RTCP packets of receivers that are read after each picture."""
@@ -202,7 +202,7 @@ class RtpSender:
             self.counters["packets"] += 1
 
     def _listen(self) -> None:
-        """Read the feedback of receivers; whoever else asks for whole pictures is ignored."""
+        """Read the feedback of receivers; requests of others are ignored."""
         hosts = {receiver.rtcp[0] for receiver in self._receivers.values()}
         for opened in self._sockets.values():
             for _ in range(MAX_FEEDBACK_PACKETS):
@@ -223,5 +223,5 @@ def _resolve(host: str, port: int) -> tuple[int, tuple[object, ...]]:
     try:
         found = socket.getaddrinfo(host, port, type=socket.SOCK_DGRAM, flags=socket.AI_NUMERICHOST)
     except (OSError, UnicodeError) as error:
-        raise ConfigError(f"video: {host!r} is no IP address; names are not looked up here: {error}") from error
+        raise ConfigError(f"video: {host!r} is not an IP address; host names are not resolved here: {error}") from error
     return found[0][0], found[0][4]

@@ -263,7 +263,7 @@ def stream(request: int, query: Message, report: type[Message]) -> Action:
 
 
 def end_and_drive(tester: Tester) -> None:
-    """Step 80: the first stream ends, and the robot drives; the other streams go on meanwhile."""
+    """Step 80: the first stream ends, and the robot drives; the other streams continue."""
     judge = tester.client(COP)
     event = tester.recall("stream 1", "step 75 got no event")
     event_streams.cancel(judge, 1, event, to=tester.component)

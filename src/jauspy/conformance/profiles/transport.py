@@ -79,7 +79,7 @@ def duplicated(sender: RawSender) -> None:
 
 
 def repeated(sender: RawSender) -> None:
-    """The same query under a new sequence number is no duplicate."""
+    """The same query under a new sequence number is not a duplicate."""
     sender.send(sender.packet())
     sender.send(sender.packet())
     sender.expect(2, "two answers to the same query under two numbers")
@@ -255,7 +255,7 @@ def with_size(change: int) -> Callable[[RawSender], bytes]:
 
 
 def payload(data: bytes) -> Callable[[RawSender], bytes]:
-    """A valid header with a payload that is no message."""
+    """A valid header with a payload that is not a message."""
     return lambda sender: b"\x02" + header.pack(sender.packet(data))
 
 
@@ -298,7 +298,7 @@ def packed_for_two(sender: RawSender) -> None:
 
 
 def followed_by_garbage(sender: RawSender) -> None:
-    """A packet followed by bytes that are no packet."""
+    """A packet followed by bytes that are not a packet."""
     sender.raw(b"\x02" + header.pack(sender.packet()) + b"\x00\x01\x00")
     sender.expect(1, "an answer to the packet before the garbage")
 

@@ -202,7 +202,7 @@ class BehaviourModel:
 
 
 def _readings(outcome: Prediction, before: str | None) -> Iterator[Prediction]:
-    """The outcome, and what else is right of a definition that contradicts itself.
+    """The outcome, and further right ones where the definition contradicts itself.
 
     In version 1.0 the notice of a lost control goes to the client that takes it; components notify that or the other.
     """

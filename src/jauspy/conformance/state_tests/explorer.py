@@ -39,7 +39,7 @@ from jauspy.schema import behavior
 
 STOP: Final = SetEmergency.EmergencyCode.STOP
 SLOW_PAUSE: Final = 1 / 8
-"""Timeouts between two inputs if the component did not follow them at once."""
+"""Timeouts between two inputs if the component did not follow them immediately."""
 WAIT_FOR_NOTHING: Final = 0.1
 """Timeouts in which an answer would come, if no query is answered that would show it."""
 MIN_AUTHORITY: Final = 200

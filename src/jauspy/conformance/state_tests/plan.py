@@ -234,7 +234,7 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
 def _generations(offered: frozenset[ServiceKey]) -> dict[str, frozenset[ServiceKey]]:
     """The services of a component by the version of the core services that they inherit from.
 
-    A component may offer version 1.0 of its services beside the newer ones: then each version is tested by itself, the
+    A component may offer version 1.0 of its services beside the newer ones: then each version is tested separately, the
     older one under the label `1.0`.
     """
     older = frozenset(key for key in offered if key in _inheriting_from(TRANSPORT_1_0))

@@ -93,7 +93,7 @@ def _incomplete(line: Sequence[Element]) -> bool:
 
 
 def unknown_send(context: LintContext) -> Iterator[Problem]:
-    """Sends of messages that are no output of the service or its ancestors."""
+    """Sends of messages that are not an output of the service or its ancestors."""
     for service in context.services():
         behavior = context.behavior(service)
         line = context.lineage(service)
@@ -123,7 +123,7 @@ def _sent(action: Action) -> str:
 
 
 def guard_parameter(context: LintContext) -> Iterator[Problem]:
-    """Arguments of guards that are no parameters of their transition."""
+    """Arguments of guards that are not parameters of their transition."""
     for service in context.services():
         behavior = context.behavior(service)
         for transition in transitions_of(behavior) if behavior is not None else ():

@@ -183,7 +183,7 @@ Severity: TypeAlias = Literal["error", "warning", "hint"]
 """An error breaks a tool or the encoding, a warning may do so, a hint makes the definition harder to use."""
 
 Problem: TypeAlias = tuple[Location, str]
-"""The location, and a sentence that says what to do."""
+"""The location, and a sentence with the problem and its solution."""
 
 
 @dataclass(frozen=True, slots=True, order=True)
