@@ -86,7 +86,7 @@ FIVE_JOINTS: Final = (
 
 @dataclass(slots=True)
 class PartResult:
-    """What was measured of one part."""
+    """Measurements of one part."""
 
     slot: str
     part: str = ""
@@ -105,7 +105,7 @@ class PartResult:
 
 @dataclass(slots=True)
 class AssemblyResult:
-    """What was measured of the whole task."""
+    """Measurements of the whole task."""
 
     base: str
     parts: list[PartResult] = field(default_factory=list)

@@ -39,14 +39,14 @@ AXES: Final = ("PX", "PY", "PZ", "RX", "RY", "RZ")
 
 @dataclass(frozen=True, slots=True)
 class Parameters:
-    """What calibration finds."""
+    """The errors of an arm of n joints and m connectors, as calibration finds them."""
 
     offsets: Array
-    """Offsets of the joints' zeros, base to tip, rad."""
+    """Shape (n,): offsets of the joints' zeros, base to tip, rad."""
     connectors: Array
-    """For each connector from base to tip: translation (m), then rotation vector (rad), of the part on it."""
+    """Shape (m, 6): translation (m) and rotation vector (rad) of the part on each connector, base to tip."""
     quarters: Array
-    """Rotation of each connector about its normal by whole quarters of a turn, rad; before the above."""
+    """Shape (m,): rotation about each connector's normal by whole quarters of a turn, rad; before the above."""
     compliance: float = 0.0
     """Radians per newton metre that each connector gives way."""
 

@@ -49,11 +49,11 @@ NOD_TIME: Final = 1.5
 
 @dataclass(slots=True)
 class CarResult:
-    """What was measured of building and driving the car."""
+    """Measurements of building and driving the car."""
 
     parts: list[PartResult] = field(default_factory=list)
     failed_grasps: list[str] = field(default_factory=list)
-    """Why the gripper did not hold the car or the arm, for each attempt that failed."""
+    """Reasons of the attempts in which the gripper did not hold the car or the arm."""
     build_time: float = 0.0
     load_time: float = 0.0
     """Seconds in which car and arm were put on the conveyor."""

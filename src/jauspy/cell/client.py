@@ -227,7 +227,7 @@ class CellClient:
         return time + self._offset, pose
 
     async def connector(self, name: str) -> ConnectorState:
-        """What a connector, or the gripper, measures. One whose module has no power reports nothing."""
+        """Measurements of a connector or the gripper. One whose module has no power reports nothing."""
         id, number = self._connector(name)
         service = await self._service(id, "VacuumConnector")
         report: ReportConnectorState = await service.query(QueryConnectorState(ALL_FIELDS, number))
@@ -256,7 +256,7 @@ class CellClient:
         await service.send(SetModulePower([record(name, int(on)) for name in names]), ack=True)
 
     async def servo(self, name: str) -> ReportServoState:
-        """What a servo module measures."""
+        """Measurements of a servo module."""
         service = await self._service(self._module("CM-SRV", name), "ServoModule")
         report: ReportServoState = await service.query(QueryServoState(ALL_FIELDS))
         return report

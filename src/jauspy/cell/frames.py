@@ -13,6 +13,7 @@ from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector
 
 Array: TypeAlias = NDArray[np.float64]
+"""Values of joints have the shape (n,), base to tip: radians, rad/s or rad/s^2. Points have the shape (3,), metres."""
 
 
 def se3(frame: Transform) -> pin.SE3:

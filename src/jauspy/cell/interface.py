@@ -1,4 +1,4 @@
-"""What tasks need of a cell. `CellClient` is the one over JAUS; tests have another that fails on purpose."""
+"""The interface of a cell for tasks. `CellClient` implements it over JAUS; tests have one that fails on purpose."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class Cell(Protocol):
         ...
 
     async def connector(self, name: str) -> ConnectorState:
-        """What a connector, or the gripper, measures."""
+        """Measurements of a connector or the gripper."""
         ...
 
     async def enable(self, name: str, enabled: bool) -> None:

@@ -119,7 +119,7 @@ def _elbows(p: URParameters, elbow: Array, fourth: pin.SE3) -> list[tuple[float,
 
 @dataclass(frozen=True, slots=True)
 class URFrames:
-    """Where the maker's frames are in a URDF: of the base in the world, and of the tool on the flange."""
+    """The maker's frames in a URDF: of the base in the world, and of the tool on the flange."""
 
     parameters: URParameters
     base: pin.SE3

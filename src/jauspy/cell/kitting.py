@@ -110,7 +110,7 @@ class Kitter:
     # --- poses ----------------------------------------------------------------------------------------------------
 
     def thickness(self, part: str) -> float:
-        """How high a part lies with its grasp upward, in metres."""
+        """Height of a part that lies with its grasp upward, metres."""
         solid = self.layout.type_of(part).solids[0]
         if solid.shape is Shape.CYLINDER:
             return solid.size[2]

@@ -41,7 +41,7 @@ POLL: Final = 0.01
 
 @dataclass(slots=True)
 class LiftResult:
-    """What was measured of one lift and throw."""
+    """Measurements of one lift and throw."""
 
     box: str = ""
     attempts: int = 0
@@ -99,7 +99,7 @@ class Lifter:
         return [box for _, box in sorted(found)]
 
     def _place(self) -> tuple[float, float]:
-        """Where boxes are taken: on the line of the belt, as close to the arm's base as possible."""
+        """The point where boxes are taken: on the line of the belt, as close to the arm's base as possible."""
         base = self.arm.chain.root
         return self.belt.pose.x, float(base[1])
 
@@ -164,7 +164,7 @@ class Lifter:
 
 
 def _rest(place: Array, velocity: Array, forward: Array, drop: float) -> float:
-    """How far along `forward` a thrown box comes to rest, in metres; `drop` is the base's height above the landing."""
+    """Metres along `forward` at which a thrown box comes to rest; `drop`: the base's height above the landing."""
     rise, fall = float(velocity[2]), float(place[2]) + drop
     time = (rise + math.sqrt(max(0.0, rise * rise + 2.0 * GRAVITY * fall))) / GRAVITY
     speed = float(velocity @ forward)

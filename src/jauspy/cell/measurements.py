@@ -24,7 +24,7 @@ SMALL: Final = 0.1
 
 @dataclass(slots=True)
 class Measured:
-    """What was measured of one run."""
+    """Measurements of one run."""
 
     seed: int
     task: str

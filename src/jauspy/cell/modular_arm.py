@@ -89,7 +89,7 @@ class ArmOperator:
         return arm
 
     def _make_scene(self) -> PlanningScene:
-        """What stands around the arm: the cell without the arm's own parts, and the UR10 at rest."""
+        """The obstacles around the arm: the cell without the arm's own parts, and the UR10 at rest."""
         whole = self.layout.scene()
         scene = PlanningScene(self.chain, self.chain.links, wrist=None)
         own = {member.name for member in self.members}
@@ -152,7 +152,7 @@ class ArmOperator:
         return max(MIN_TIME, 1.9 * float(np.max(np.abs(goal - start) / (self.chain.speeds * share))))
 
     async def move(self, goal: Array, duration: float) -> None:
-        """Move straight in joint space, unchecked, and wait until the arm is there."""
+        """Move straight in joint space for `duration` seconds, unchecked, and wait until the arm is there."""
         self.last_goal = goal
         await self.cell.move_arm(await self.vector(goal), duration)
 
@@ -252,7 +252,7 @@ class Chain:
 
     @property
     def root(self) -> Array:
-        """Where the first joint is, in the world."""
+        """Position of the first joint in the world, metres."""
         return np.array(self.model.jointPlacements[1].translation)
 
     def solve_from(self, goal: pin.SE3, start: Array) -> Array | None:

@@ -128,7 +128,7 @@ class _Object:
 
 
 class PlanningScene:
-    """What may collide with the arm. Things are named; each consists of convex shapes and has a pose in the world."""
+    """The obstacles of the arm. Things are named; each consists of convex shapes and has a pose in the world."""
 
     def __init__(self, kinematics: Kinematics, links: Iterable[LinkPiece], *, wrist: int | None = HAND) -> None:
         self.kinematics = kinematics
@@ -244,7 +244,7 @@ class PlanningScene:
         return self.clearance(positions, enough=margin).distance >= margin
 
     def along(self, path: Sequence[Array], step: float, *, enough: float = FAR) -> Clearance:
-        """The smallest distance along straight joint motions, looked at every `step` radians."""
+        """The smallest distance along straight joint motions, checked every `step` radians."""
         best, where = Clearance(enough), None
         for a, b in pairwise(path):
             count = max(1, math.ceil(float(np.max(np.abs(b - a))) / step))
@@ -382,5 +382,5 @@ class Layout:
         return scene
 
     def grasp(self, part: str) -> pin.SE3:
-        """Where the gripper is in the part's frame when it holds the part."""
+        """The gripper's pose in the part's frame when it holds the part."""
         return se3(self.type_of(part).grasp)

@@ -37,7 +37,7 @@ class Entry:
 
 @dataclass(slots=True)
 class Timeline:
-    """What ran when."""
+    """The actions that ran, with their times."""
 
     entries: list[Entry] = field(default_factory=list)
 

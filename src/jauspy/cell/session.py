@@ -33,7 +33,7 @@ OCU_ID: Final = "42.1.1"
 
 @dataclass(frozen=True, slots=True)
 class Disturbances:
-    """What differs from the file: largest errors of the parts' poses (m, rad), and the fraction of grasps that fail."""
+    """Differences from the file: largest errors of the parts' poses (m, rad), and the fraction of grasps that fail."""
 
     position: float = 0.010
     angle: float = math.radians(5.0)

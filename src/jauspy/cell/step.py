@@ -33,13 +33,13 @@ PARTS: Final = ("servo_1", "bracket_1", "servo_2", "tube_1", "servo_3", "tube_2"
 
 @dataclass(slots=True)
 class StepResult:
-    """What was measured of a step forth and back."""
+    """Measurements of a step forth and back."""
 
     steps: int = 0
     times: list[float] = field(default_factory=list)
     """Seconds of each step, from upright to upright."""
     attempts: int = 0
-    """How often an end was pressed on further until it held."""
+    """Number of further presses until an end held."""
     log: list[str] = field(default_factory=list)
     """Which connectors held when one was released, in order."""
 

@@ -51,16 +51,17 @@ class Swing:
 
     controller: ArmController
     times: Array
+    """Shape (n,)."""
     rates: Array
-    """Angular velocity about x, y, z of the last module's housing at each time, rad/s."""
+    """Shape (n, 3): angular velocity about x, y, z of the last module's housing at each time, rad/s."""
     end: float
-    """When the commanded motion ended."""
+    """End of the commanded motion."""
     payload: float
     """Mass of the box as the arm estimated it before the swing, in kilograms."""
 
     @property
     def speeds(self) -> Array:
-        """Magnitude of the angular velocity at each time, rad/s."""
+        """Shape (n,): magnitude of the angular velocity at each time, rad/s."""
         found: Array = np.linalg.norm(self.rates, axis=1)
         return found
 
@@ -95,7 +96,7 @@ class SwingComparison:
 
     @property
     def sooner(self) -> float:
-        """How many times sooner after the release the arm is at rest with the model-based controller."""
+        """The factor by which the arm is sooner at rest after the release with the model-based controller."""
         return self.pid.settled / max(self.model.settled, PERIOD)
 
     @property

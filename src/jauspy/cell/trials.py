@@ -64,7 +64,7 @@ def _on_cluster(address: str, task: str, seeds: list[int], disturbances: Disturb
 
 @dataclass(frozen=True, slots=True)
 class Summary:
-    """What many runs have shown."""
+    """Results of many runs."""
 
     task: str
     runs: int

@@ -106,7 +106,7 @@ def _case(suite: ET.Element, report: Report, result: Result) -> None:
 
 
 def explanation(result: Result) -> list[str]:
-    """What a failed step expected, which check does not hold, and what came."""
+    """The expectation of a failed step, the check that does not hold, and the messages that came."""
     return [
         *(f"expected: {each}" for each in result.expected),
         *(f"failed check: {each.name}: {each.problem}" for each in result.failed_checks),
@@ -115,7 +115,7 @@ def explanation(result: Result) -> list[str]:
 
 
 def transcript(result: Result) -> list[str]:
-    """What was sent and received, with times, hex and fields."""
+    """The datagrams that were sent and received, with times, hex and fields."""
     lines = []
     for entry in result.entries:
         lines.append(f"{entry.at:10.4f} {entry.direction} {entry.data.hex()}")

@@ -52,7 +52,7 @@ class LivenessMonitor:
 
     @property
     def reason(self) -> str:
-        """Why the remaining steps are skipped."""
+        """The reason for which the remaining steps are skipped."""
         return silent_since(self._tester.silent_since)
 
     def judged(self, result: Result) -> Result:
@@ -336,7 +336,7 @@ def _where(error: Exception) -> str:
 
 
 def _obstacle(step: Step, tester: Tester, settings: Settings) -> str:
-    """Why a step is skipped; empty if it is run."""
+    """The reason for which a step is skipped; empty if it is run."""
     missing = step.wants.difference(tester.wire.features)
     if missing:
         return f"this way of connecting cannot do it ({', '.join(sorted(missing))}); use udp://HOST, or multicast"

@@ -1,4 +1,4 @@
-"""What a component leaves unanswered: learned in the first steps, so that a run does not wait for it in all others."""
+"""Messages that a component leaves unanswered: found in the first steps, so that a run does not wait in all others."""
 
 from __future__ import annotations
 
@@ -65,7 +65,7 @@ class Silences:
 
 
 def silences_of(component: JausID, tester: Tester) -> Silences:
-    """What is known of this component in this run."""
+    """The one record of this component in this run."""
     known: dict[JausID, Silences] = tester.memory.setdefault("silences", {})
     if component not in known:
         known[component] = Silences(tester, component)

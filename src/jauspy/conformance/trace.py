@@ -120,5 +120,5 @@ class Trace:
 
     @property
     def omitted_in_step(self) -> int:
-        """How many datagrams of this step are not kept."""
+        """Number of datagrams of this step that are not kept."""
         return self.omitted - self._omitted_before

@@ -48,10 +48,10 @@ class Wire(Protocol):
 
     @property
     def first_sequence(self) -> int:
-        """Where the sequence numbers of clients begin, below `MAX_FIRST_SEQUENCE`."""
+        """The first sequence number of clients, below `MAX_FIRST_SEQUENCE`."""
 
     def now(self) -> float:
-        """The time."""
+        """Seconds of the wire's clock."""
 
     def join(self, id: JausID) -> None:
         """Become reachable as `id`. Raises `TransportError` if that is not possible."""

@@ -243,7 +243,7 @@ class Checks:
         self.accepted = 0
 
     def problem(self, target: Target, data: bytes, *, valid: bool = False, memory: bool = True) -> Problem | None:
-        """What is wrong with these bytes; `valid` when they are known to be a message."""
+        """The first problem with these bytes, or None; `valid` when they are a message by construction."""
         try:
             with cpu_limited():
                 self._run(target, data, valid=valid, memory=memory)

@@ -101,7 +101,7 @@ class _Attempts:
         self.left = tries
 
     def shows(self, data: bytes) -> bool:
-        """Whether the bytes reproduce the problem; always false once all attempts are used."""
+        """True if the bytes reproduce the problem; always false once all attempts are used."""
         if not self.left:
             return False
         self.left -= 1

@@ -60,7 +60,7 @@ MAX_NESTING: Final = 3
 
 
 class Style(Enum):
-    """How large and complete messages are."""
+    """Size and completeness of messages."""
 
     SHORTEST = 0
     FULL = 1

@@ -38,7 +38,7 @@ class Joint:
     parent: str
     child: str
     origin: Pose = ORIGIN
-    """Where the joint's frame is in the parent link's, at position zero."""
+    """The joint's frame in the parent link's, at position zero."""
     axis: tuple[float, float, float] = (1.0, 0.0, 0.0)
     """Of unit length, in the joint's frame."""
     lower: float = 0.0
@@ -54,7 +54,7 @@ class Joint:
     multiplier: float = 1.0
     offset: float = 0.0
     place: str = field(default="", compare=False)
-    """Where its limits are, as `arm.urdf:12`; empty for a joint that is not from a file."""
+    """Location of its limits, as `arm.urdf:12`; empty for a joint that is not from a file."""
 
     @property
     def turns(self) -> bool:
@@ -130,7 +130,7 @@ MAX_ELEMENTS: Final = 200_000
 
 
 def place(element: Element) -> str:
-    """Where an element is, as `arm.urdf:12`, or `line 12` if the file is not known."""
+    """Location of an element, as `arm.urdf:12`, or `line 12` if the file is not known."""
     return element.get(PLACE) or f"line {element.sourceline}"
 
 

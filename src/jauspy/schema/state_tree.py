@@ -140,7 +140,7 @@ class MergedMachine:
     name: str
     root: MergedState
     starts: tuple[tuple[str, Service], ...]
-    """Where definitions start the machine (dotted path down to their own innermost state), most derived first."""
+    """The states in which definitions start the machine (path to their own innermost state), most derived first."""
 
     def start(self) -> MergedState:
         """The state in which the machine starts: the deepest that a definition names, down to its initial states.
@@ -218,7 +218,7 @@ def _merged(path: tuple[str, ...], parent: MergedState | None, parts: Sequence[O
 
 
 def _innermost(machines: Sequence[StateMachine], start: Start) -> str:
-    """Where one definition starts a machine, down to its own innermost state."""
+    """The state in which one definition starts a machine, down to its own innermost state."""
     states = [state for machine in machines if machine.name == start.machine for state in machine.states]
     path, found = start.state.split("."), None
     for name in path:

@@ -63,7 +63,7 @@ class CameraProcess(SupervisedWorker):
 
     @property
     def settings(self) -> VideoSettings:
-        """How the stream is encoded."""
+        """The settings of the encoder."""
         return self._settings
 
     @settings.setter
@@ -73,7 +73,7 @@ class CameraProcess(SupervisedWorker):
 
     @property
     def imaging(self) -> ImagingSettings:
-        """How lens and sensor are set."""
+        """The settings of lens and sensor."""
         return self._imaging
 
     @imaging.setter

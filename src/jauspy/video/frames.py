@@ -17,7 +17,7 @@ class Frame(np.ndarray[tuple[int, int, int], np.dtype[np.uint8]]):
     """An image of shape (height, width, 3) in blue, green and red, as OpenCV has them."""
 
     time: datetime | None
-    """When the picture was taken, by the robot's clock; None before its first report."""
+    """Time of the picture by the robot's clock; None before its first report."""
 
     def __new__(cls, image: NDArray[np.uint8], time: datetime | None) -> Self:
         """A frame of an image in the same order of colours."""

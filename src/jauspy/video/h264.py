@@ -41,7 +41,7 @@ class H264Encoder:
 
     @property
     def settings(self) -> VideoSettings:
-        """How it encodes from the next picture on."""
+        """The settings of the encoder from the next picture on."""
         return self._settings
 
     @settings.setter
@@ -51,7 +51,10 @@ class H264Encoder:
             self._codec = None
 
     def encode(self, image: Image, *, idr: bool = False) -> list[bytes]:
-        """The NAL units of an image of the size of `settings`; with `idr`, decoders can start with this picture."""
+        """The NAL units of an image in red, green and blue, of shape (height, width, 3) as in `settings`.
+
+        With `idr`, decoders can start with this picture. Raises `ConfigError` for an image of another size.
+        """
         size = self._settings.height, self._settings.width
         if image.shape[:2] != size:
             raise ConfigError(f"video: a picture of {image.shape[1]}x{image.shape[0]} for {size[1]}x{size[0]}")

@@ -84,7 +84,7 @@ class RtpReceiver:
 
     @property
     def port(self) -> int:
-        """Where RTP is to be sent."""
+        """The UDP port that receives RTP."""
         return int(self._rtp.getsockname()[1])
 
     @property
@@ -114,7 +114,7 @@ class RtpReceiver:
         return pictures
 
     def taken(self, picture: Picture) -> float | None:
-        """When the picture was taken, in seconds since 1970 of the sender's clock; None before its first report."""
+        """Time of the picture, in seconds since 1970 of the sender's clock; None before its first report."""
         if self._clock is None:
             return None
         since = (picture.timestamp - self._clock.timestamp + (1 << 31)) % (1 << 32) - (1 << 31)

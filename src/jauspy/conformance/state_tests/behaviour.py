@@ -35,7 +35,7 @@ TruthValue: TypeAlias = bool | None
 
 @dataclass(frozen=True, slots=True)
 class Situation:
-    """What the tester knows about the component: its state, the pushed states, the controller and the emergencies."""
+    """The known state of the component, with the pushed states, the controller and the emergencies."""
 
     state: tuple[str, ...]
     pushed: tuple[tuple[str, ...], ...] = ()
