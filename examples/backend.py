@@ -91,7 +91,7 @@ class TrackedBackend:
 
     def open(self, robot: RobotModel, world: str) -> TrackedRobot:
         if world != "real":
-            raise ConfigError(f"the backend 'tracked' knows no world {world!r}; it knows: real")
+            raise ConfigError(f"the backend 'tracked' has no world {world!r}; it has: real")
         if robot.groups or robot.lidars or robot.force_torque or robot.cameras:
             raise ConfigError("the backend 'tracked' moves two tracks only; the robot has other joints or sensors")
         return TrackedRobot(chassis_of(robot))

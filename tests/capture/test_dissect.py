@@ -11,7 +11,7 @@ def test_ambiguous_id_is_not_decoded() -> None:
     assert content.message is None
     assert content.problem == (
         "message F92Ah is CBRNScanWindowConfigurationCommand of iop:CBRNSensor 1.1 or "
-        "QueryMeasurement of iop:MeasurementSensor 1.1; say which service is meant"
+        "QueryMeasurement of iop:MeasurementSensor 1.1; specify the service"
     )
 
 

@@ -69,7 +69,7 @@ def test_options_select_a_definition():
     assert decoded("0306010100000000", "--service", "ManipulatorJointVelocitiesDriver")["version"] == "1.0"
     # what has no such version is read as ever
     assert decoded("0f0000", "--service", "manipulatorjointvelocitiesdriver")["message"] == "ConfirmControl"
-    assert decoded("2af900", status=1)["problem"].endswith("say which service is meant")
+    assert decoded("2af900", status=1)["problem"].endswith("specify the service")
     assert decoded("2af900", "--service", "MeasurementSensor", status=1)["message"] == "QueryMeasurement"
 
 
@@ -78,7 +78,7 @@ def test_option_message_selects_one_of_two():
     found = decoded(data, status=1)
     assert found["message"] is None
     assert "RNDetailedMeasurement of iop:CBRNSensor 1.1 or CBDetailedMeasurement" in found["problem"]
-    assert found["problem"].endswith("say which message is meant")
+    assert found["problem"].endswith("specify the message")
     assert decoded(data, "--message", "cbdetailedmeasurement", status=1)["message"] == "CBDetailedMeasurement"
     explained = run("decode", data[:-2], "--message", "CBDetailedMeasurement", "--explain").stdout
     assert explained.startswith("CBDetailedMeasurement")

@@ -77,7 +77,9 @@ def test_lint_of_a_clean_file(lamp):
 def test_lint_hints_are_no_failure(lamp):
     change(lamp, "<description>A lamp.</description>", "")
     result = run("lint", lamp)
-    assert result.stdout == (f"{lamp}:1: hint: no-description: service 'Lamp' has no description; say what it is for\n")
+    assert result.stdout == (
+        f"{lamp}:1: hint: no-description: service 'Lamp' has no description; describe its purpose\n"
+    )
     assert result.stderr == "1 hint\n"
 
 

@@ -101,8 +101,8 @@ def test_mimics_of_mimics_follow_the_independent_joint() -> None:
 @pytest.mark.parametrize(
     ("mimics", "said"),
     [
-        (['<mimic joint="j7"/>'], "'j0' mimics 'j7', which is no joint that moves"),
-        (["<mimic/>"], "'j0' mimics '', which is no joint"),
+        (['<mimic joint="j7"/>'], "'j0' mimics 'j7', which is not a moving joint"),
+        (["<mimic/>"], "'j0' mimics '', which is not a moving joint"),
         (['<mimic joint="j1"/>', '<mimic joint="j0"/>'], "'j0' mimics itself"),
         (['<mimic joint="j1" multiplier="x"/>', ""], "'x' is not 1 finite number"),
     ],

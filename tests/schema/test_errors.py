@@ -212,7 +212,7 @@ BEHAVIORS = {
             f'<transition name="transport.Receive">{HERE}<parameter type="Mgs" value="msg"/><internal/></transition>'
             "</state></state_machine>"
         ),
-        "a transition receives 'Mgs', which is no message here; did you mean Msg",
+        "a transition receives 'Mgs', which is not a message here; did you mean Msg",
     ),
     "guard that nobody can read": (
         (

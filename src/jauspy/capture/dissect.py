@@ -132,7 +132,7 @@ def _undecided(code: int, collision: Collision | None) -> str:
     if collision is None:
         return f"unknown message {code:04X}h"
     names = [f"{each.name} of {each.service.removeprefix(STANDARD)} {each.version}" for each in collision.entries]
-    return f"message {code:04X}h is {' or '.join(names)}; say which {collision.remedy} is meant"
+    return f"message {code:04X}h is {' or '.join(names)}; specify the {collision.remedy}"
 
 
 def is_old_header(data: bytes) -> bool:

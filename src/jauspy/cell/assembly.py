@@ -450,7 +450,7 @@ class Assembler:
         until = self.cell.now() + 3.0
         while part not in (state := await self.cell.arm()).joints:
             if self.cell.now() > until:
-                raise TaskFailed(f"{part} was joined and is no joint of the arm 3 s later; is it without power?")
+                raise TaskFailed(f"{part} was joined, but is not a joint of the arm 3 s later; has it power?")
             await self.cell.sleep(0.1)
         index = state.joints.index(part)
         for angle in (CHECK_ANGLE, 0.0):

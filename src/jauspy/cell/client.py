@@ -66,7 +66,7 @@ SAMPLES: Final = 6
 WATCH_PERIOD: Final = 0.1
 """Seconds between two queries for a new observation."""
 MOVED: Final = 0.008
-"""Metres, or a tenth of a radian, between two observations that say that the part has moved."""
+"""Metres, or a tenth of a radian, between two observations, from which on the part has moved."""
 APPEAR_TIME: Final = 5.0
 """Seconds in which a module that has got power must answer discovery."""
 

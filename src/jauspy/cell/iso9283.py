@@ -59,9 +59,9 @@ class LaserTracker:
 
     random: np.random.Generator
     position: float = 15e-6
-    """Metres."""
+    """Standard deviation of the position, metres."""
     angle: float = 1e-4
-    """Radians."""
+    """Standard deviation of the angles, radians."""
 
     def measure(self, pose: pin.SE3) -> pin.SE3:
         """Measure a pose once."""

@@ -513,7 +513,7 @@ def intervals(values: m.ValueSet, code: str) -> tuple[tuple[float, float], ...]:
 
 
 def loops(item: Item) -> int:
-    """The number of nested loops in its code; items with a method of their own count from zero."""
+    """The number of nested loops in its code; items with a separate method count from zero."""
     match item:
         case Repeat():
             return 1 + loops(item.item)
@@ -636,7 +636,7 @@ def load_schema(schema: Schema) -> Registry:
     registry.schema = schema
     for code in sorted({message.code for service in schema.services for message in service.messages}):
         if collision := registry.collision(code):
-            _log.warning("%s; decoding needs to know the %s", collision, collision.remedy)
+            _log.warning("%s; decoding needs the %s", collision, collision.remedy)
     return registry
 
 

@@ -99,7 +99,7 @@ class Namespace:
         return self._names[key]
 
     def packer(self, codes: Iterable[str]) -> str:
-        """A `struct.Struct`."""
+        """The name of a `struct.Struct`."""
         short = compact("".join(codes))
         return self._add(f"S_{short}", ("S", short), lambda: packer(short))
 
@@ -117,7 +117,7 @@ class Namespace:
         return self._add(f"E_{enum.__name__}", enum, lambda: enum._value2member_map_)
 
     def cls(self, cls: type) -> str:
-        """A class."""
+        """The name of a class."""
         return self._add(f"C_{cls.__name__}", ("C", cls), lambda: cls)
 
     def arms(self, classes: Iterable[type]) -> str:
@@ -131,11 +131,11 @@ class Namespace:
         return self._add("T", ("T", listed), lambda: {cls: tag for tag, cls in enumerate(listed)})
 
     def scaling(self, scaling: Scaling) -> str:
-        """A scale range."""
+        """The name of a scale range."""
         return self._add("R", scaling, lambda: scaling)
 
     def indices(self, numbers: frozenset[int]) -> str:
-        """A set of numbers."""
+        """The name of a set of numbers."""
         return self._add("F", numbers, lambda: numbers)
 
     def source(self, source: object) -> str:

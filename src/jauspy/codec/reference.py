@@ -53,7 +53,7 @@ def tree_of(message: m.Message) -> Tree:
 
 
 def number(kind: m.Scalar) -> Tree:
-    """A little-endian number."""
+    """The parser of a little-endian number."""
     code = {"u32": "L", "i32": "l"}.get(kind, CODES[kind])  # construct's names
     return FormatField("<", code)
 
@@ -455,7 +455,7 @@ def leaf(value: Any) -> dict[str, Any]:
 
 
 def counted(data: bytes) -> dict[str, Any]:
-    """Counted bytes."""
+    """The tree of counted bytes."""
     return {"count": leaf(len(data)), "bytes": leaf(data)}
 
 
@@ -515,7 +515,7 @@ def _within(r: m.ValueRange, raw: float, code: str) -> bool:
 
 
 def explain(message: Message, data: bytes) -> list[Row]:
-    """Every field of a message with its bytes; ids, presence vectors, counts and tags have rows of their own.
+    """Every field of a message with its bytes; ids, presence vectors, counts and tags have separate rows.
 
     When the structure cannot be read, the last row is the field at which that begins. Values outside their set are
     shown as they are, with the problem.

@@ -344,7 +344,7 @@ class Registry:
             return too_short(data)
         code = data[0] | data[1] << 8
         if collision := self.collision(code, hints):
-            return DecodeError(f"{collision}; say which {collision.remedy} is meant")
+            return DecodeError(f"{collision}; specify the {collision.remedy}")
         return DecodeError(f"unknown message id 0x{code:04X} {hints}".rstrip())
 
     def from_dict(self, data: Mapping[str, Any]) -> Message:

@@ -29,7 +29,7 @@ MAX_COUNTED: Final = 12
 COUNT_TOLERANCE: Final = 0.4
 """Allowed deviation of the number of events, relative to it."""
 MAX_WATCH_TIME: Final = 20.0
-"""s."""
+"""s; longest time for which a stream is watched."""
 
 Arrivals = Sequence[tuple[float, Event]]
 

@@ -304,7 +304,7 @@ class Client:
         return [self.name_of(each) for each in waiting if is_answer(each.code) and each.code not in besides]
 
     def name_of(self, received: ReceivedMessage) -> str:
-        """`ReportStatus 4002h`."""
+        """The name and id of a message, as in `ReportStatus 4002h`."""
         kinds = self.tester.registry.by_code(received.code)
         return message_name(kinds[0]) if kinds else f"{received.code:04X}h"
 

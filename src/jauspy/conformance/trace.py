@@ -65,7 +65,7 @@ def described(payload: bytes, registry: Registry) -> str:
 
 
 def message_name(kind: type[Message]) -> str:
-    """`ReportStatus 4002h`."""
+    """The name and id of a message, as in `ReportStatus 4002h`."""
     return f"{kind.NAME} {kind.CODE:04X}h"
 
 

@@ -79,7 +79,7 @@ class MessageMaker:
         self._out = bytearray()
 
     def message(self, target: Target) -> bytes:
-        """One message."""
+        """The bytes of one random message, with its id."""
         before, self._out = self._out, bytearray(target.id)
         self._item(target.layout)
         made, self._out = bytes(self._out), before

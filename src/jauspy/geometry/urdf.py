@@ -290,7 +290,7 @@ def _resolved(joint: Joint, known: Mapping[str, Joint], where: str) -> Joint:
             return joint
         followed = known.get(joint.mimics)
         if followed is None or followed.kind is JointKind.FIXED:
-            raise ConfigError(f"{where}: joint {joint.name!r} mimics {joint.mimics!r}, which is no joint that moves")
+            raise ConfigError(f"{where}: joint {joint.name!r} mimics {joint.mimics!r}, which is not a moving joint")
         if followed.mimics is None:
             return joint
         joint = replace(

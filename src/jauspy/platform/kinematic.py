@@ -42,7 +42,7 @@ class KinematicBackend:
             raise ConfigError("the kinematic backend has no factory cells: parts need physics; choose the backend sim")
         if world not in WORLDS:
             raise ConfigError(
-                f"the kinematic backend knows no world {world!r}; it knows: {', '.join(WORLDS)}, each a flat floor"
+                f"the kinematic backend has no world {world!r}; it has: {', '.join(WORLDS)}, each a flat floor"
             )
         return KinematicRobot(robot)
 

@@ -466,7 +466,7 @@ def _changes(one: Message, other: Message, before: Service, after: Service) -> I
     if one.name != other.name:
         yield Change("name", "", f"{one.name} is called {other.name} now")
     if one.is_command != other.is_command:
-        yield Change("name", "", "is a command now" if other.is_command else "is no command any more")
+        yield Change("name", "", "is a command now" if other.is_command else "is no longer a command")
     ways = _ways(one, before), _ways(other, after)
     if ways[0] != ways[1]:
         yield Change("wire", "", f"{ways[0]} -> {ways[1]}")

@@ -61,7 +61,7 @@ def suggestion(name: str, known: Iterable[str]) -> str:
 
 
 def required(element: Element, name: str) -> str:
-    """A mandatory attribute."""
+    """The text of a mandatory attribute."""
     text = element.get(name)
     if text is None:
         raise wrong(element, f"<{element.tag}> needs the attribute '{name}'")
@@ -81,7 +81,7 @@ def identity(element: Element) -> tuple[str, str]:
 
 
 def child(element: Element, tag: str) -> Element:
-    """A mandatory child."""
+    """The mandatory child with this tag."""
     found = element.find(tag)
     if found is None:
         raise wrong(element, f"<{element.tag}> needs <{tag}>")

@@ -275,7 +275,7 @@ def _check_trigger(transition: Transition, messages: Collection[str]) -> None:
     if short_name(transition.trigger) == "Receive" and transition.parameters:
         received = transition.parameters[0].type
         if received not in messages and "." not in received:
-            reason = f"a transition receives '{received}', which is no message here{suggestion(received, messages)}"
+            reason = f"a transition receives '{received}', which is not a message here{suggestion(received, messages)}"
             raise _error(reason, transition.where)
 
 

@@ -30,7 +30,7 @@ def send(message: str) -> str:
 TRIGGERS = {
     "no such message": (
         transition("events.transport.Receive", here=HERE, parameter="Mgs"),
-        "Mgs is no input of the service or its ancestors; did you mean Msg?; nothing fires this",
+        "Mgs is not an input of the service or its ancestors; did you mean Msg?; nothing fires this",
     ),
     "no such event": (
         transition("Timedout", here=HERE),
@@ -85,7 +85,7 @@ def test_sends(jsidl, message, here, count):
     jsidl.service(behavior=machine(inner), events=EVENT, references=TRANSPORT, outputs=outputs)
     found = jsidl.lint("unknown-send")
     assert len(found) == count
-    assert all("which is no output of the service or its ancestors" in message for message in found)
+    assert all("which is not an output of the service or its ancestors" in message for message in found)
 
 
 RECEIVE = "events.transport.Receive"

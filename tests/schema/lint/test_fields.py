@@ -87,7 +87,7 @@ RULES = {
     "presence-vector": (
         optionals(9, HERE),
         optionals(8),
-        "presence vector of 'Rec' has 8 bits for 9 optional members: 'F8' can never be sent; take a larger type",
+        "presence vector of 'Rec' has 8 bits for 9 optional members: 'F8' can never be sent; use a larger type",
     ),
     "bit-overlap": (
         bits((0, 3), (3, 5), here=1),
@@ -97,12 +97,12 @@ RULES = {
     "bit-range": (
         bits((0, 3), (4, 8), here=1),
         bits((0, 3), (4, 7)),
-        "'S1' has bits 4..8, but 'B' has only bits 0..7; move it or take a larger type",
+        "'S1' has bits 4..8, but 'B' has only bits 0..7; move it or use a larger type",
     ),
     "missing-count": (
         repeated("", here=HERE),
         repeated(GOOD_COUNT),
-        "count of 'L' has no min_count and no max_count, so up to 255 are allowed; say the limits",
+        "count of 'L' has no min_count and no max_count, so up to 255 are allowed; set the limits",
     ),
     "count-limits": (
         repeated('min_count="5" max_count="256"', here=HERE),

@@ -48,7 +48,7 @@ def test_derived_service_must_not_change_an_inherited_message(jsidl):
     messages = marked(jsidl.message(record("byte")))
     jsidl.service(name="Bad", urn="urn:test:Bad", references=inherits(), messages=messages)
     [message] = jsidl.lint("duplicate-message")
-    assert "a receiver cannot tell them apart" in message
+    assert "a receiver cannot distinguish them" in message
 
 
 def test_one_id_in_two_services(jsidl):
@@ -81,6 +81,6 @@ def test_missing_descriptions(jsidl):
     good = good.replace('name="MessageID"', 'name="MessageID" interpretation="What it is."')
     jsidl.service(messages=f"{marked(bad)}\n{good}")
     assert jsidl.lint("no-description") == [
-        "message 'Bad' has no description; say what it is for",
-        "no interpretation of MessageID, N in message 'Bad'; say what they mean",
+        "message 'Bad' has no description; describe its purpose",
+        "no interpretation of MessageID, N in message 'Bad'; describe their meaning",
     ]

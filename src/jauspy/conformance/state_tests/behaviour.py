@@ -279,7 +279,7 @@ def _evaluate(guard: behavior.Guard, decide: Callable[[behavior.Call], bool]) ->
 
 
 def _effect(action: str, situation: Situation, role: str) -> Situation:
-    """The situation after the actions of core services, as far as the tester can know it."""
+    """The situation after the actions of core services, as far as the tester can derive it."""
     match action.rpartition(".")[2].lower():
         case "storeaddress":
             return replace(situation, controller=role)

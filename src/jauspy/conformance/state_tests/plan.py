@@ -207,7 +207,7 @@ PREFIX: Final = ("Receiving", "Ready")
 def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
     """The profile for the services of one set, such as `core` 1.1, and for older versions of them that a target has.
 
-    Each service is tested as the definition of the offered version says.
+    Each service is tested by the definition of the offered version.
     """
 
     def steps(offers: Offers) -> Sequence[Step]:

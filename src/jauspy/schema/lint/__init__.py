@@ -30,7 +30,10 @@ RULES: tuple[LintRule, ...] = (
     LintRule("dangling-set", "error", "a reference to a type set or constant set in no file", references.dangling_set),
     LintRule("dangling-reference", "error", "a reference to a type that is not there", references.dangling_type),
     LintRule(
-        "dangling-constant", "error", "a number that is no expression of known constants", references.dangling_constant
+        "dangling-constant",
+        "error",
+        "a number that is not an expression of known constants",
+        references.dangling_constant,
     ),
     LintRule("missing-parent", "error", "a service that inherits from one in no file", references.missing_parent),
     LintRule(
@@ -65,7 +68,7 @@ RULES: tuple[LintRule, ...] = (
         "guard-parameter", "error", "a guard with a parameter that its transition lacks", behavior.guard_parameter
     ),
     LintRule("uncontrolled-command", "warning", "a command that any client may give", behavior.uncontrolled_command),
-    LintRule("unknown-send", "error", "a Send of a message that is no output", behavior.unknown_send),
+    LintRule("unknown-send", "error", "a Send of a message that is not an output", behavior.unknown_send),
     LintRule("unknown-state", "error", "a start, initial or end state that does not exist", behavior.unknown_state),
     LintRule("unreachable-state", "warning", "a state that nothing leads to", behavior.unreachable_state),
     LintRule("no-description", "hint", "a message or field without a description", messages.no_description),

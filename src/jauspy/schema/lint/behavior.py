@@ -68,7 +68,7 @@ def _dead(transition: Transition, known: _Known) -> str:
         if wanted in known.inputs | known.outputs | known.events:
             return ""
         hint = suggestion(wanted, known.inputs)
-        return f"{wanted} is no input of the service or its ancestors{hint}; nothing fires this"
+        return f"{wanted} is not an input of the service or its ancestors{hint}; nothing fires this"
     if not event or event in known.events or event == RECEIVE:
         return ""
     if event in known.inputs:
@@ -103,7 +103,7 @@ def unknown_send(context: LintContext) -> Iterator[Problem]:
         for action, where in _actions(behavior):
             wanted = _sent(action)
             if wanted and wanted not in outputs:
-                reason = f"Send of {wanted}, which is no output of the service or its ancestors"
+                reason = f"Send of {wanted}, which is not an output of the service or its ancestors"
                 yield location_of(where), f"{reason}{suggestion(wanted, outputs)}; add it to the output_set"
 
 

@@ -58,7 +58,7 @@ def bits_beyond_type(context: LintContext) -> Iterator[Problem]:
                 yield where, f"{named(part)} ends at bit {last}, before its first bit {first}; swap them"
             elif first < 0 or last >= size:
                 reason = f"{named(part)} has bits {first}..{last}, but {named(field)} has only bits 0..{size - 1}"
-                yield where, f"{reason}; move it or take a larger type"
+                yield where, f"{reason}; move it or use a larger type"
 
 
 def overlapping_bits(context: LintContext) -> Iterator[Problem]:
@@ -108,7 +108,7 @@ def missing_count(context: LintContext) -> Iterator[Problem]:
             most = f", so up to {2 ** bits_of(element) - 1} are allowed" if "max_count" in missing else ""
             yield (
                 location(element),
-                f"count of {named(element)} has no {' and no '.join(missing)}{most}; say the limits",
+                f"count of {named(element)} has no {' and no '.join(missing)}{most}; set the limits",
             )
 
 
@@ -139,7 +139,7 @@ def small_presence_vector(context: LintContext) -> Iterator[Problem]:
         if size and len(optional) > size:
             lost = ", ".join(named(part) for part in optional[size:])
             reason = f"presence vector of {named(element)} has {size} bits for {len(optional)} optional members"
-            yield location(vector), f"{reason}: {lost} can never be sent; take a larger type"
+            yield location(vector), f"{reason}: {lost} can never be sent; use a larger type"
 
 
 def unbounded_list(context: LintContext) -> Iterator[Problem]:
@@ -272,7 +272,7 @@ def values_beyond_type(context: LintContext) -> Iterator[Problem]:
             )
             for what in _beyond(values or ValueSet(), *limits):
                 reason = f"{named(holder)}: {what} is outside {limits[0]}..{limits[1]}, which is all its type can carry"
-                yield location(element), f"{reason}; correct it or take a larger type"
+                yield location(element), f"{reason}; correct it or use a larger type"
 
 
 def _value_limits(holder: Element) -> tuple[int, int] | None:

@@ -74,7 +74,7 @@ def _two_meanings(context: LintContext, service: Element) -> Iterator[Problem]:
             if first.name != message.name and _same_set(context, service, first, message):
                 continue  # reported as a duplicate
             reason = f"message_id {message.code:04X} of {message.name} also means {shown(first)}, with other content"
-            yield location(element), f"{reason}; a receiver cannot tell them apart, change one id"
+            yield location(element), f"{reason}; a receiver cannot distinguish them, change one id"
 
 
 def _same_set(context: LintContext, service: Element, one: Message, other: Message) -> bool:
@@ -128,14 +128,17 @@ def _conflicts(
         other, theirs = found[0]
         more = f", and of {len(found) - 1} more," if len(found) > 1 else ""
         reason = f"message_id {message.code:04X} of {message.name} is also {shown(theirs)} of {other.urn}{more}"
-        yield where, f"{reason} with other content; decoders have to know the service, or change one id"
+        yield where, f"{reason} with other content; decoders need the service as an argument, or change one id"
 
 
 def no_description(context: LintContext) -> Iterator[Problem]:
     """Services, messages and events without a description, and fields without an interpretation."""
     for element, _ in context.elements("service_def", "message_def", "event_def"):
         if not (element.findtext("description") or "").strip():
-            yield location(element), f"{_kind(element)} '{element.get('name')}' has no description; say what it is for"
+            yield (
+                location(element),
+                f"{_kind(element)} '{element.get('name')}' has no description; describe its purpose",
+            )
     undocumented: dict[Element, list[str]] = {}
     for element, _ in context.elements(*_FIELDS):
         if not element.get("interpretation", "").strip():
@@ -145,7 +148,7 @@ def no_description(context: LintContext) -> Iterator[Problem]:
         few = ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
         yield (
             location(holder),
-            f"no interpretation of {few} in {_kind(holder)} '{holder.get('name')}'; say what they mean",
+            f"no interpretation of {few} in {_kind(holder)} '{holder.get('name')}'; describe their meaning",
         )
 
 
