@@ -37,7 +37,7 @@ FAULTS: Final = {
 """Error code and error register of faults on demand."""
 
 BEHAVIOURS: Final = {"normal": 0, "silent": 1, "restart": 2, "deaf": 3}
-"""Other behaviours on demand: the drive sends nothing, restarts, or ignores SYNC."""
+"""Other behaviours on demand: the drive sends no PDO and no emergency, restarts, or ignores SYNC."""
 
 FAULT_OBJECT: Final = 0x2F00
 BEHAVIOUR_OBJECT: Final = 0x2F01
