@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import tomllib
 from pathlib import Path
 from typing import Any, Final
@@ -29,6 +30,15 @@ def read_file(path: Path, limit: int = MAX_FILE) -> bytes:
 def read_toml(path: Path) -> dict[str, Any]:
     """The keys of a TOML file; raises `ConfigError`."""
     return parse_toml(read_file(path), str(path))
+
+
+def below(folder: Path, path: str) -> Path | None:
+    """Return `folder / path` without `..`, or None if that leads out of the folder.
+
+    Symbolic links are not resolved: packages may be installed as links.
+    """
+    target = Path(os.path.normpath(folder / path))
+    return target if target.is_relative_to(os.path.normpath(folder)) else None
 
 
 def parse_toml(data: bytes, name: str) -> dict[str, Any]:

@@ -12,7 +12,7 @@ from urllib.parse import unquote
 from lxml import etree
 
 from jauspy.errors import ConfigError
-from jauspy.user_files import read_file
+from jauspy.user_files import below, read_file
 
 VARIABLES: Final = (
     "GZ_SIM_RESOURCE_PATH",
@@ -59,8 +59,8 @@ class ModelPaths:
             folder = place / name
             if not folder.exists():
                 continue
-            target = Path(os.path.normpath(folder / rest))  # links are kept: some packages are installed as links
-            if not target.is_relative_to(os.path.normpath(folder)):
+            target = below(folder, rest)
+            if target is None:
                 raise ConfigError(f"{uri}: leads out of the model {name!r}")
             if target.exists():
                 return target

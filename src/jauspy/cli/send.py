@@ -10,6 +10,7 @@ from typing import Annotated, Final
 import typer
 
 from jauspy.cli import client, console
+from jauspy.cli.client import configure
 from jauspy.cli.definitions import SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.fields import message_from
 from jauspy.cli.options import Connect, OperatorKey, OwnId, Timeout
@@ -19,7 +20,6 @@ from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus
-from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu import OCU
 from jauspy.ocu.explain import TAKE_CONTROL, needs_control
 from jauspy.ocu.service import ServiceClient
@@ -168,7 +168,7 @@ async def _commanded(client: ServiceClient, command: Message, within: float | No
         await client.perform(command, within=within)
         yield
     elif command.NAME not in CONTINUOUS_COMMANDS:
-        await (_configure if _is_confirmed(command) else ServiceClient.send)(client, command)
+        await (configure if _is_confirmed(command) else ServiceClient.send)(client, command)
         yield
     else:
         async with client.streaming(REPEAT_RATE) as stream:
@@ -179,13 +179,6 @@ async def _commanded(client: ServiceClient, command: Message, within: float | No
 def _is_confirmed(command: Message) -> bool:
     """True for the settings of sensors, which a component confirms or refuses."""
     return ":environmentSensing:" in command.SERVICE and hasattr(command, "request_id_rec")
-
-
-async def _configure(client: ServiceClient, command: Message) -> None:
-    answer = await client.query(command, expects=ConfirmSensorConfiguration)
-    for each in answer.confirm_sensor_list:
-        if text := getattr(each, "error_message", ""):
-            raise RequestError(f"{client.id} refused the settings: {text}")
 
 
 async def _has_management(client: ServiceClient) -> bool:

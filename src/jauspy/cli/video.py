@@ -28,7 +28,6 @@ from jauspy.messages.environment_sensing import (
     RemoveDigitalResourceEndpoint as Remove,
 )
 from jauspy.messages.environment_sensing.v2_0.digital_video import SetDigitalVideoSensorConfiguration
-from jauspy.messages.environment_sensing.v2_0.visual_sensor import ConfirmSensorConfiguration
 from jauspy.ocu import OCU
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import ComponentClient
@@ -396,7 +395,4 @@ async def change_stream(
     )
     async with service.control(authority):
         await service.resume()
-        answer = await service.query(order(order.RequestIdRec(1), [wanted]), expects=ConfirmSensorConfiguration)
-    for each in answer.confirm_sensor_list:
-        if text := getattr(each, "error_message", ""):
-            raise RequestError(f"{camera.id} refused the settings of its video: {text}")
+        await client.configure(service, order(order.RequestIdRec(1), [wanted]), "the settings of its video")

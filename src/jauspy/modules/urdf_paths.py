@@ -12,7 +12,7 @@ from urllib.parse import unquote
 from lxml import etree
 
 from jauspy.errors import ConfigError
-from jauspy.user_files import read_file
+from jauspy.user_files import below, read_file
 
 MANIFEST: Final = "package.xml"
 
@@ -60,8 +60,8 @@ class PackagePaths:
         if scheme in ("package", "model"):
             package, _, path = unquote(rest).lstrip("/").partition("/")
             folder = self.package(package, near)
-            target = Path(os.path.normpath(folder / path))  # links are kept: some packages are installed as links
-            if not target.is_relative_to(os.path.normpath(folder)):
+            target = below(folder, path)
+            if target is None:
                 raise ConfigError(f"{name}: leads out of the package {package!r}")
             return _existing(target, name)
         raise ConfigError(f"{name}: {scheme}:// is not read; known are package://, file:// and paths")
