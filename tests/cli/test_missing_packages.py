@@ -2,8 +2,13 @@
 
 import subprocess
 import sys
+import tomllib
+from pathlib import Path
 
 import pytest
+
+from jauspy.cli import EXTRA_OF_VERB
+from jauspy.cli.main import GROUPS, VERBS
 
 WITHOUT = """
 import sys
@@ -25,3 +30,33 @@ def test_one_sentence_names_the_extra(package: str, command: str, extra: str) ->
     [line] = done.stderr.splitlines()
     assert f"pip install 'jauspy[{extra}]'" in line
     assert done.returncode == 1
+
+
+EXTRAS: dict[str, list[str]] = tomllib.loads((Path(__file__).parents[2] / "pyproject.toml").read_text())["project"][
+    "optional-dependencies"
+]
+
+
+def packages(extra: str) -> set[str]:
+    """The requirements of an extra and of those that it includes."""
+    found: set[str] = set()
+    for requirement in EXTRAS[extra]:
+        if requirement.startswith("jauspy["):
+            for included in requirement.removeprefix("jauspy[").removesuffix("]").split(","):
+                found |= packages(included)
+        else:
+            found.add(requirement)
+    return found
+
+
+@pytest.mark.parametrize(("verb", "extra"), EXTRA_OF_VERB.items())
+def test_the_extra_of_a_verb_is_enough_for_it(verb: str, extra: str) -> None:
+    assert verb in VERBS or verb in GROUPS
+    assert packages("cli") <= packages(extra)
+
+
+def test_the_extra_all_includes_every_other_one() -> None:
+    every = {
+        requirement for extra in EXTRAS if extra not in ("cell-cluster", "teleop") for requirement in packages(extra)
+    }
+    assert packages("all") == every, "cell-cluster is for several machines, and evdev is compiled"

@@ -10,7 +10,22 @@ OPTIONAL_PACKAGES: Final = frozenset(
 )
 """Top-level packages that extras install and that verbs import."""
 
-EXTRA_OF_VERB: Final = {"demo": "all", "up": "robot", "node-manager": "node-manager", "map": "map", "tf": "robot"}
+EXTRA_OF_VERB: Final = {
+    "audit": "operators",
+    "can": "can",
+    "cell": "cell",
+    "conformance": "conformance",
+    "console": "console",
+    "demo": "all",
+    "keys": "operators",
+    "map": "map",
+    "node-manager": "node-manager",
+    "still": "video",
+    "teleop": "teleop",
+    "tf": "robot",
+    "up": "robot",
+    "video": "video",
+}
 """The extra that a verb needs; the others need `cli`."""
 
 

@@ -7,7 +7,7 @@ from jauspy.platform.modular import check_libraries
 
 
 def test_library_that_is_not_installed() -> None:
-    with pytest.raises(ConfigError, match=r"^the arm needs no_such_library: pip install 'jauspy\[cell,sim\]'$"):
+    with pytest.raises(ConfigError, match=r"^the arm needs no_such_library: pip install 'jauspy\[cell\]'$"):
         check_libraries("the arm", "json", "no_such_library")
 
 

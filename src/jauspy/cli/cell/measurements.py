@@ -13,6 +13,7 @@ from jauspy.cli import console
 from jauspy.cli.cell.options import OUTPUT, Out, Seed, check_extra
 from jauspy.cli.options import Json
 from jauspy.cli.processes import run
+from jauspy.platform.modular import check_libraries
 
 if TYPE_CHECKING:
     from jauspy.cell.measurements import Measured
@@ -51,6 +52,7 @@ def iso9283(
     Writes DIR/iso9283.json. Exit status 1 unless the calibration improves the accuracy at least five times.
     """
     check_extra()
+    check_libraries("`jauspy cell iso9283`", "scipy", extra="cell-measurements")
     from jauspy.cell.iso9283 import measure
 
     async def measured() -> Measured:
