@@ -61,6 +61,8 @@ def main() -> None:
         expect("pip install 'jauspy[cli]'", without.stderr)
         run(*install, f"{wheel}[cli]")
         expect("decode", run(jauspy, "--help", cwd=folder))
+        run(jauspy, "new", "example", "own_service", "-o", folder / "new")
+        expect("winch.xml", " ".join(path.name for path in (folder / "new").iterdir()))
         expect("QueryStatus", run(jauspy, "decode", QUERY_STATUS, cwd=folder))
         expect("PrimitiveDriver", run(python, "-c", "import jauspy.schema as s; print(s.load_builtin())", cwd=folder))
         without = subprocess.run([jauspy, "up", "inc1"], capture_output=True, text=True, check=False)

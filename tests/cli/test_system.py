@@ -92,7 +92,7 @@ def test_clouds_of_a_running_robot_are_saved(free_port, local_root, tmp_path):
     process = start("up", "inc1", "--backend", "kinematic", *options)
     try:
         family = wait_for(process, "stop it")
-        tool = Path(__file__).parents[2] / "tools" / "save_cloud.py"
+        tool = Path(__file__).parents[2] / "examples" / "save_cloud.py"
         for place, frame in ((address, b"lidar_link"), (depth, b"chassis_camera_link")):
             folder = tmp_path / frame.decode()
             command = [sys.executable, tool, place, folder, "3"]

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 
-UNIT = Path(__file__).resolve().parents[2] / "tools/systemd/jauspy-node-manager.service"
+UNIT = Path(__file__).resolve().parents[2] / "examples/jauspy-node-manager.service"
 VERIFY = ["systemd-analyze", "verify"]
 COMMAND = [sys.executable, "-m", "jauspy.cli.main", "node-manager"]
 WATCHDOG = 0.2

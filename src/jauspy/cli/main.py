@@ -67,6 +67,7 @@ NEW_VERBS: Final = {
         "jauspy.cli.new.component:component",
         "Write a package with a component that offers a service: methods, a program, tests and a README.",
     ),
+    "example": ("jauspy.cli.new.example:example", "Write an example program to begin with, or list the examples."),
     "definition": (
         "jauspy.cli.new.definition:definition",
         "Write the definition (JSIDL) of a service with a query and a report of numbers.",

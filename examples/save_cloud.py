@@ -1,6 +1,6 @@
-"""Subscribe to point clouds and save each: `save_cloud.py tcp://127.0.0.1:5565 FOLDER [COUNT] [pcd|ply]`.
+"""Subscribe to the point clouds of a lidar or depth camera, and save each.
 
-An example of a subscriber: `jauspy up inc1 --cloud tcp://127.0.0.1:5565` publishes.
+`python save_cloud.py tcp://127.0.0.1:5565 FOLDER [COUNT] [pcd|ply]`; `jauspy up inc1 --cloud tcp://127.0.0.1:5565` publishes.
 """
 
 from __future__ import annotations
