@@ -70,7 +70,7 @@ NEW_VERBS: Final = {
     "example": ("jauspy.cli.new.example:example", "Write an example program to begin with, or list the examples."),
     "definition": (
         "jauspy.cli.new.definition:definition",
-        "Write the definition (JSIDL) of a service with a query and a report of numbers.",
+        "Write the definition (JSIDL) of a service that reports numbers, takes commands and has states.",
     ),
     "robot": (
         "jauspy.cli.new.robot:robot",

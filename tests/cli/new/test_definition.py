@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from pathlib import Path
+from typing import Any
 
 import pytest
 from typer.testing import CliRunner
 
 import jauspy
 from jauspy.cli.main import app
+from jauspy.testing import VirtualNetwork
 
 run = CliRunner()
 
@@ -102,6 +104,87 @@ def test_invalid_arguments_are_rejected(arguments: list[str], problem: str):
 )
 def test_invalid_service_names_are_rejected(urn: str, problem: str):
     result = new(urn, "charge:percent")
+    assert result.exit_code == 2
+    assert problem in " ".join(result.output.replace("│", " ").split())
+    assert not list(Path().iterdir())
+
+
+WINCH = (
+    "urn:example:Winch",
+    "tension:newton",
+    "--states",
+    "Idle,Pulling,Locked",
+    "--command",
+    "PullCable(speed:meter per second) Idle->Pulling",
+    "--command",
+    "StopCable ->Idle",
+    "--command",
+    "LockDrum Idle->Locked",
+)
+
+
+async def test_commands_lead_from_state_to_state(virtual_network: VirtualNetwork, ocu: jauspy.OCU) -> None:
+    assert new(*WINCH).exit_code == 0
+    winch = jauspy.load("winch.xml")
+    done: list[str] = []
+
+    class Winch(jauspy.Service, urn="urn:example:Winch", definitions=winch):
+        def pull_cable(self, msg: Any) -> None:
+            done.append(f"pull at {msg.speed}")
+
+        def stop_cable(self) -> None:
+            done.append("stop")
+
+        def lock_drum(self) -> None:
+            done.append("lock")
+
+        def report_winch(self) -> Any:
+            return winch.by_name("ReportWinch")(tension=5.0)
+
+    async with virtual_network.component("101.1.120", [Winch()]):
+        service = (await ocu.discover(101)).service("Winch")
+        pull, stop, lock = (winch.by_name(name) for name in ("PullCable", "StopCable", "LockDrum"))
+        assert (await service.query(winch.by_name("QueryWinch")(1))).tension == 5.0
+        await service.send(pull(speed=1.0))  # without control
+        async with service.control():
+            await service.send(pull(speed=2.0))  # in Standby
+            await service.resume()
+            for command in (lock(), pull(speed=3.0), lock(), stop(), stop(), pull(speed=4.0), lock()):
+                await service.send(command)
+            await service.query(winch.by_name("QueryWinch")(1))
+    assert done == ["lock", "stop", "stop", "pull at 4.0"]
+
+
+@pytest.mark.parametrize("parent", ["Events", "accesscontrol", "core:Management"])
+@pytest.mark.parametrize("fields", [(), ("level:percent",)])
+def test_every_parent_gives_a_definition_without_findings(parent: str, fields: tuple[str, ...]) -> None:
+    result = new(
+        "urn:example:Lamp", *fields, "--inherits", parent, "--command", "SwitchLamp", "--command", "Dim(to:one)"
+    )
+    assert result.exit_code == 0, result.output
+    linted = run.invoke(app, ["schema", "lint", "lamp.xml"])
+    assert linted.exit_code == 0, linted.output
+    code = 0xD004 if fields else 0xD002
+    assert jauspy.load("lamp.xml").by_name("Dim").CODE == code
+
+
+@pytest.mark.parametrize(
+    ("arguments", "problem"),
+    [
+        ((), "needs fields to report, or commands"),
+        (("--command", "Pull (a:one"), "is not NAME[(FIELD:UNITS, ...)] [[STATE]->STATE]"),
+        (("--command", 'Pull"/><x'), "is not NAME"),
+        (("--command", "Pull ->Gone", "--states", "Idle"), "Pull names the state Gone, which is not in --states Idle"),
+        (("--command", "Pull ->Gone"), "not in --states (none)"),
+        (("--command", "Pull", "--states", "Idle,Idle"), "'Idle' is not the name of a state, or it is there twice"),
+        (("--command", "Pull", "--command", "Pull"), "Pull is there twice"),
+        (("--command", "SetWrenchEffort"), "SetWrenchEffort is the name of a public message"),
+        (("--command", "Pull", "--inherits", "Discovery"), "is not one of Events, AccessControl, Management"),
+        (("a:one", "--command", "P", "--command", "Q", "--first-id", "D735"), "D738 is "),
+    ],
+)
+def test_invalid_commands_are_rejected(arguments: tuple[str, ...], problem: str) -> None:
+    result = new("urn:example:Winch", *arguments)
     assert result.exit_code == 2
     assert problem in " ".join(result.output.replace("│", " ").split())
     assert not list(Path().iterdir())
