@@ -1,35 +1,50 @@
-"""ASGI middleware for all requests of the console, including NiceGUI's socket: login page, session cookies, origins.
+"""ASGI middleware for all requests of the console, including NiceGUI's socket: sessions, logins, origins, shares.
 
-Who operates a robot is decided in `operation`.
+With users, a session begins with a password. At a console without users, which serves its own machine only, it begins
+with the token in the address that `jauspy console` prints. Who operates a robot is decided in `operation`.
 """
 
 from __future__ import annotations
 
 import asyncio
+import hmac
+import secrets
 from collections.abc import Callable
 from html import escape
-from http.cookies import CookieError, SimpleCookie
 from typing import Any, Final
-from urllib.parse import parse_qs, urlsplit
+from urllib.parse import SplitResult, parse_qs, urlsplit
 
+from starlette.requests import cookie_parser
 from starlette.responses import HTMLResponse, PlainTextResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Receive, Scope, Send
 
-from jauspy.console.users import LIFETIME, NAME, LoginLimit, Session, Sessions, User, Users, current, local_session
+from jauspy.console.connections import Connections
+from jauspy.console.login_limit import LoginLimit, Turns
+from jauspy.console.users import LIFETIME, LOCAL, NAME, Session, Sessions, Users, current
 
 LOCAL_HOSTS: Final = frozenset({"127.0.0.1", "localhost", "::1"})
 """Hosts of a console without a login."""
-COOKIE: Final = "__Host-jauspy"
-"""A browser takes a cookie of this prefix only with Secure, for this host only, with the path `/`."""
 MAX_FORM: Final = 4096
 """Bytes of a login."""
-MAX_LOGINS: Final = 8
-"""Logins that wait for verification. They are verified one at a time, since each needs 64 MiB."""
-MAX_SOCKETS: Final = 64
-"""Sockets of one session."""
+MAX_SOCKETS: Final = 48
+"""Sockets of one session, beside those for stopping and driving."""
+MAX_SOCKETS_IN_ALL: Final = 256
+CONTROL_PATHS: Final = ("/ws/stop/", "/ws/drive/", "/ws/jog/")
+"""Sockets for stopping and driving, which have places of their own."""
+MAX_CONTROL_SOCKETS: Final = 24
+"""Sockets for stopping and driving of one session: three for each page."""
+MAX_CONTROL_SOCKETS_IN_ALL: Final = 256
+DEVICE_LIFETIME: Final = 180 * 24 * 3600
+"""Seconds for which a browser keeps the cookie of a device."""
 _OPEN_PATHS: Final = ("/static/theme.css",)
 """Paths that need no session: files of the login page."""
 _FOREIGN: Final = "this page of another site may not use the console"
+_EMBEDDED: Final = frozenset({"iframe", "frame", "embed", "object", "fencedframe"})
+"""Values of Sec-Fetch-Dest for a page within another one."""
+_CLOSED: Final = (
+    "This console opens only at the address with its token that `jauspy console` prints when it starts; "
+    "open that address, or start the console again."
+)
 HEADERS: Final = [
     (b"x-frame-options", b"DENY"),
     (b"x-content-type-options", b"nosniff"),
@@ -37,35 +52,62 @@ HEADERS: Final = [
 ]
 
 
+def cookie_name(port: int, *, secure: bool) -> str:
+    """The name of the session's cookie: cookies are shared by all ports of a host, so it contains the port.
+
+    A browser takes a cookie with `__Host-` only with Secure, for this host only, with the path `/`.
+    """
+    return f"{'__Host-' if secure else ''}jauspy-{port}"
+
+
 class LoginMiddleware:
     """Passes requests and WebSockets of users to `app`; refuses all others.
 
     With `users`, everything but the login page needs a session. Without, the host of a request must be one of
-    `LOCAL_HOSTS`, so that other sites cannot reach the console by DNS rebinding.
+    `LOCAL_HOSTS`, so that other sites cannot reach the console by DNS rebinding, and `token` begins a session.
     """
 
-    def __init__(self, app: ASGIApp, users: Users | None, note: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        app: ASGIApp,
+        users: Users | None,
+        note: Callable[[str], None],
+        *,
+        port: int,
+        token: str = "",
+        connections: Connections | None = None,
+    ) -> None:
         self._app = app
         self._users = users
         self._note = note
-        self._sessions = Sessions()
+        self._token = token.encode()
+        self._cookie = cookie_name(port, secure=users is not None)
+        self._connections = connections or Connections()
+        self._sessions = Sessions(lasting=users is None)
         self._limit = LoginLimit()
-        self._verifying = asyncio.Lock()
-        self._waiting = 0
-        self._local = local_session()
+        self._turns = Turns()
+        self._refused = 0
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Handle one connection, as ASGI defines."""
         if scope["type"] not in ("http", "websocket"):
             await self._app(scope, receive, send)
             return
+        with self._connections.request_of(scope.get("client")):
+            await self._handle(scope, receive, send)
+
+    async def _handle(self, scope: Scope, receive: Receive, send: Send) -> None:
         headers = {name.decode("latin-1"): value.decode("latin-1") for name, value in scope["headers"]}
         problem = self._foreign(scope, headers)
         if problem:
             await _refuse(scope, receive, send, PlainTextResponse(problem, 403))
             return
         session = self._session(headers)
-        if session is None:
+        if session is not None:
+            self._connections.is_of(scope.get("client"), session, is_socket=scope["type"] == "websocket")
+        if self._users is None and scope["type"] == "http" and (token := _token(scope)):
+            await _refuse(scope, receive, send, self._entered(token, session, headers))
+        elif session is None:
             await self._unknown(scope, receive, send)
         elif scope["type"] == "websocket":
             await self._socket(session, scope, receive, send)
@@ -74,7 +116,9 @@ class LoginMiddleware:
         elif self._users is not None and scope["path"] == "/logout" and scope["method"] == "POST":
             self._sessions.end(session)
             self._note(f"{session.user.name} has signed out")
-            await _refuse(scope, receive, send, _without_cookie(RedirectResponse("/login", 303)))
+            response = RedirectResponse("/login", 303)
+            response.delete_cookie(self._cookie, path="/", secure=True, httponly=True, samesite="strict")
+            await _refuse(scope, receive, send, response)
         else:
             current.set(session)
             await self._app(scope, receive, _with_headers(send))
@@ -82,31 +126,48 @@ class LoginMiddleware:
     def _foreign(self, scope: Scope, headers: dict[str, str]) -> str:
         """Why a request does not come from a page of this console; empty if it does."""
         host = headers.get("host", "")
-        if self._users is None and urlsplit(f"//{host}").hostname not in LOCAL_HOSTS:
+        if self._users is None and _split(f"//{host}").hostname not in LOCAL_HOSTS:
             return f"the console serves this machine only, by the name localhost, not {host[:100]!r}"
+        destination = headers.get("sec-fetch-dest", "document")
+        is_foreign = headers.get("sec-fetch-site", "none") in ("cross-site", "same-site")
+        is_link = scope.get("method") == "GET" and (headers.get("sec-fetch-mode"), destination) == (
+            "navigate",
+            "document",
+        )
+        if destination in _EMBEDDED or (is_foreign and not is_link):
+            return _FOREIGN
         origin = headers.get("origin")
         if origin is None:
             needs_origin = scope["type"] == "websocket" or scope["method"] not in ("GET", "HEAD")
-            is_foreign = headers.get("sec-fetch-site", "none") in ("cross-site", "same-site")
-            is_page = headers.get("sec-fetch-mode") == "navigate" and scope.get("method") == "GET"
-            return _FOREIGN if needs_origin or (is_foreign and not is_page) else ""
-        parts = urlsplit(origin)
+            return _FOREIGN if needs_origin else ""
+        parts = _split(origin)
         secure = scope["scheme"] in ("https", "wss")
         return "" if (parts.netloc, parts.scheme) == (host, "https" if secure else "http") else _FOREIGN
 
     def _session(self, headers: dict[str, str]) -> Session | None:
-        if self._users is None:
-            return self._local
-        try:
-            cookie = SimpleCookie(headers.get("cookie", "")).get(COOKIE)
-        except CookieError:
-            return None
-        return None if cookie is None else self._sessions.find(cookie.value, _now())
+        key = cookie_parser(headers.get("cookie", "")).get(self._cookie)
+        return None if key is None else self._sessions.find(key, _now())
+
+    def _entered(self, token: str, session: Session | None, headers: dict[str, str]) -> Response:
+        """Exchange the token in an address for a cookie, and send the browser to the address without it."""
+        if not hmac.compare_digest(token.encode("utf-8", "replace"), self._token):
+            return _sentence_page(_CLOSED, 403)
+        response: Response = RedirectResponse("/", 303)
+        if headers.get("sec-fetch-site", "none") in ("cross-site", "same-site"):
+            response = HTMLResponse(_CONTINUE)  # after a redirect, a link of another page would still bring no cookie
+        response.headers["cache-control"] = "no-store"
+        if session is None:
+            begun = self._sessions.begin(LOCAL, "localhost", _now())
+            assert begun is not None, "the oldest session of the only user has ended"
+            response.set_cookie(self._cookie, begun.key, path="/", httponly=True, samesite="strict")
+        return response
 
     async def _unknown(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Send the login page to a browser without a session."""
         if scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 4401})
+        elif self._users is None:
+            await _refuse(scope, receive, send, _sentence_page(_CLOSED, 403))
         elif scope["path"] in _OPEN_PATHS:
             await self._app(scope, receive, _with_headers(send))
         elif scope["path"] != "/login":
@@ -119,46 +180,65 @@ class LoginMiddleware:
             await _refuse(scope, receive, send, _login_page())
 
     async def _login(self, scope: Scope, receive: Receive) -> Response:
+        assert self._users is not None
+        users = self._users
         address = str((scope.get("client") or ("?",))[0])
         form = await _form(receive)
         name, password = (form.get(each, [""])[0] for each in ("name", "password"))
-        shown = name if NAME.fullmatch(name) else "an unknown name"
-        wait = self._limit.wait(address, _now())
-        if wait or self._waiting >= MAX_LOGINS:
-            self._note(f"login of {shown} from {address} was refused: too many attempts")
-            said = f"Too many attempts; try again in {max(1, round(wait / 60))} min."
-            return _login_page(said, name, 429)
-        self._limit.failed(address, _now())  # until it has succeeded, so that attempts at the same time count, too
-        user = await self._verified(name, password)
+        device = self._device(name, scope)
+        trusted = self._limit.trusts(device, _now())
+        wait = self._limit.wait(address, name, device, _now())
+        if wait or not self._turns.has_room(address, trusted=trusted):
+            return self._too_many(name, address, wait)
+        succeeded = self._limit.begin(address, name, device, _now())
+        user = await self._turns.take(lambda: users.verified(name, password), address, trusted=trusted)
         if user is None:
-            self._note(f"login of {shown} from {address} failed")
+            self._note(f"login of {_shown(name)} from {address} failed")
             return _login_page("Name or password is wrong.", name, 403)
-        self._limit.succeeded(address)
+        succeeded()
         session = self._sessions.begin(user, address, _now())
         if session is None:
             return _login_page("Too many users are logged in.", name, 503)
         self._note(f"{user.name} ({user.role}) has logged in from {address}")
+        device = device or secrets.token_urlsafe(16)
         response = RedirectResponse("/", 303)
-        response.set_cookie(
-            COOKIE, session.key, max_age=int(LIFETIME), path="/", secure=True, httponly=True, samesite="strict"
-        )
+        for cookie, value, lifetime in (
+            (self._cookie, session.key, int(LIFETIME)),
+            (self._device_cookie(name), f"{device}.{users.device_tag(name, device)}", DEVICE_LIFETIME),
+        ):
+            response.set_cookie(
+                cookie, value, max_age=lifetime, path="/", secure=True, httponly=True, samesite="strict"
+            )
         return response
 
-    async def _verified(self, name: str, password: str) -> User | None:
+    def _too_many(self, name: str, address: str, wait: float) -> Response:
+        self._refused += 1
+        if self._refused & (self._refused - 1) == 0:  # the 1st, 2nd, 4th, ...: anybody can cause these lines
+            attempts = f"{self._refused} so far"
+            self._note(f"login of {_shown(name)} from {address} was refused: too many attempts ({attempts})")
+        when = f"try again in {max(1, round(wait / 60))} min." if wait else "try again in a few seconds."
+        return _login_page(f"Too many attempts; {when}", name, 429)
+
+    def _device_cookie(self, name: str) -> str:
+        return f"{self._cookie}-device-{name}"
+
+    def _device(self, name: str, scope: Scope) -> str:
+        """The device of a browser with which this user has logged in before; empty for others."""
         assert self._users is not None
-        self._waiting += 1
-        try:
-            async with self._verifying:
-                return await asyncio.to_thread(self._users.verified, name, password)
-        finally:
-            self._waiting -= 1
+        if not NAME.fullmatch(name):
+            return ""
+        headers = {key.decode("latin-1"): value.decode("latin-1") for key, value in scope["headers"]}
+        device, _, tag = cookie_parser(headers.get("cookie", "")).get(self._device_cookie(name), "").partition(".")
+        expected = self._users.device_tag(name, device)
+        return device if expected and hmac.compare_digest(tag.encode("utf-8", "replace"), expected.encode()) else ""
 
     async def _socket(self, session: Session, scope: Scope, receive: Receive, send: Send) -> None:
         """Serve a socket until it or its session ends."""
-        if self._users is not None and session.sockets >= MAX_SOCKETS:
+        controls = scope["path"].startswith(CONTROL_PATHS)
+        if not self._has_room(session, controls=controls):
             await send({"type": "websocket.close", "code": 4429})
             return
-        session.sockets += 1
+        _count(session, 1, controls=controls)
         current.set(session)
         serving = asyncio.ensure_future(self._app(scope, receive, send))
         ending = asyncio.ensure_future(self._until_end(session))
@@ -171,10 +251,18 @@ class LoginMiddleware:
             elif not serving.cancelled():
                 serving.result()
         finally:
-            session.sockets -= 1
+            _count(session, -1, controls=controls)
             session.seen = _now()
             for each in (serving, ending):
                 each.cancel()
+
+    def _has_room(self, session: Session, *, controls: bool) -> bool:
+        """True if this session may open one more socket."""
+        if controls:
+            in_all = sum(each.control_sockets for each in self._sessions)
+            return session.control_sockets < MAX_CONTROL_SOCKETS and in_all < MAX_CONTROL_SOCKETS_IN_ALL
+        in_all = sum(each.sockets for each in self._sessions)
+        return session.sockets < MAX_SOCKETS and in_all < MAX_SOCKETS_IN_ALL
 
     async def _until_end(self, session: Session) -> None:
         if self._users is None:
@@ -185,6 +273,36 @@ class LoginMiddleware:
                 await session.ended.wait()
         except TimeoutError:
             self._sessions.end(session)
+
+
+def _count(session: Session, change: int, *, controls: bool) -> None:
+    if controls:
+        session.control_sockets += change
+    else:
+        session.sockets += change
+
+
+def _token(scope: Scope) -> str:
+    """The token in the address of the page; empty if there is none."""
+    if scope["path"] != "/" or scope["method"] != "GET":
+        return ""
+    try:
+        fields = parse_qs(str(scope.get("query_string", b""), "latin-1"), max_num_fields=8)
+    except ValueError:
+        return ""
+    return fields.get("token", [""])[0]
+
+
+def _split(url: str) -> SplitResult:
+    """The parts of an address; empty ones if it is none."""
+    try:
+        return urlsplit(url)
+    except ValueError:
+        return urlsplit("")
+
+
+def _shown(name: str) -> str:
+    return name if NAME.fullmatch(name) else "an unknown name"
 
 
 def _now() -> float:
@@ -224,15 +342,23 @@ def _with_headers(send: Send) -> Send:
     return with_headers
 
 
-def _without_cookie(response: Response) -> Response:
-    response.delete_cookie(COOKIE, path="/", secure=True, httponly=True, samesite="strict")
-    return response
+def _sentence_page(sentence: str, status: int) -> Response:
+    return HTMLResponse(_SENTENCE.format(sentence=escape(sentence)), status)
 
 
 def _login_page(problem: str = "", name: str = "", status: int = 200) -> Response:
     return HTMLResponse(_LOGIN.format(problem=escape(problem), name=escape(name[:32], quote=True)), status)
 
 
+_CONTINUE: Final = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>jauspy console</title>
+<meta http-equiv="refresh" content="0; url=/"></head><body><a href="/">jauspy console</a></body></html>
+"""
+_SENTENCE: Final = """<!doctype html>
+<html lang="en"><head><meta charset="utf-8"><title>jauspy console</title>
+<meta name="viewport" content="width=device-width, initial-scale=1"><meta name="color-scheme" content="light dark">
+</head><body><p>{sentence}</p></body></html>
+"""
 _LOGIN: Final = """<!doctype html>
 <html lang="en"><head><meta charset="utf-8"><title>jauspy console: sign in</title>
 <meta name="viewport" content="width=device-width, initial-scale=1"><meta name="color-scheme" content="light dark">

@@ -60,7 +60,8 @@ def add_page(app: FastAPI, console: Console) -> None:
 
     @ui.page("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
     def index() -> None:
-        browser = console.new_browser()
+        client = ui.context.client
+        browser = console.new_browser(client.delete)
         if browser is None:
             ui.label("too many pages of this console are open; close one, then load this page again")
             return
@@ -71,7 +72,8 @@ def add_page(app: FastAPI, console: Console) -> None:
             page.close()
             console.forget(token)
 
-        ui.context.client.on_delete(leave)
+        client.on_connect(lambda: console.pages.connected(token))
+        client.on_delete(leave)
 
     ui.run_with(app, storage_secret=None, show_welcome_message=False, reconnect_timeout=8.0, tailwind=False)
 

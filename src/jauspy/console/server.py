@@ -7,26 +7,31 @@ import json
 import secrets
 import socket
 from collections import deque
-from collections.abc import AsyncIterator, Mapping
+from collections.abc import AsyncIterator, Callable, Mapping
 from contextlib import asynccontextmanager, nullcontext
 from dataclasses import dataclass
 from datetime import datetime
 from importlib.resources import files
 from pathlib import Path
 from typing import Any, Final
+from urllib.parse import quote
 
 import uvicorn
 from fastapi import FastAPI, WebSocket, WebSocketDisconnect
 from starlette.staticfiles import StaticFiles
+from uvicorn.protocols.http.h11_impl import H11Protocol
 
+from jauspy.console.body_limit import BodyLimit
 from jauspy.console.certificates import check_certificate
+from jauspy.console.connections import Connections
 from jauspy.console.fleet import NOTHING, Fleet
 from jauspy.console.login import LOCAL_HOSTS, LoginMiddleware
 from jauspy.console.motion import Jogging
+from jauspy.console.open_pages import OpenPages
 from jauspy.console.operation import Operation
 from jauspy.console.saved_files import RobotPoses
 from jauspy.console.traffic import Traffic
-from jauspy.console.users import LOCAL, User, Users, current_user
+from jauspy.console.users import LOCAL, User, Users, current, current_user
 from jauspy.console.video import AttitudeFeed, SharedCamera, camera_state
 from jauspy.console.watchdog import Watchdog
 from jauspy.console.world_socket import Worlds, add_world
@@ -34,6 +39,7 @@ from jauspy.errors import CodecError, ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.modules.audit import MAX_PAYLOAD, AuditLog
+from jauspy.node.manager import raise_open_files_limit
 from jauspy.ocu import OCU
 from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.emergency import obeys, set_emergency
@@ -45,12 +51,8 @@ MAX_EVENTS: Final = 500
 """Lines of the log that are kept."""
 MAX_MESSAGE: Final = 1000
 """Characters of a message of a browser."""
-MAX_BROWSERS: Final = 64
-"""Pages that are open at the same time."""
 MAX_FRAME: Final = 1 << 16
 """Bytes of a message of a browser."""
-MAX_CONNECTIONS: Final = 400
-"""Of all browsers; each page has up to 16."""
 BY_ITSELF: Final = "(console)"
 """The operator of commands without a user, in the audit log; no user has this name."""
 GRACE: Final = 2
@@ -100,8 +102,8 @@ class Console:
         self._cameras: dict[JausID, SharedCamera] = {}
         self.worlds = Worlds(ocu, lambda: self.fleet.robots)
         self._attitudes: dict[int, AttitudeFeed] = {}
-        self._browsers: dict[str, User] = {}
-        """The user of each page, by the page's token; sockets without a token are refused."""
+        self.pages = OpenPages()
+        """By tokens; sockets without the token of a page are refused."""
         self._leaving: set[asyncio.Task[None]] = set()
 
     def note(self, text: str) -> None:
@@ -110,21 +112,19 @@ class Console:
         self.traffic.event(printable(text))
         self.total_events += 1
 
-    def new_browser(self) -> tuple[str, User] | None:
-        """A token for one page, and its user; None when there are too many pages."""
-        if len(self._browsers) >= MAX_BROWSERS:
-            return None
-        token, user = secrets.token_urlsafe(16), current_user() or LOCAL
-        self._browsers[token] = user
-        return token, user
+    def new_browser(self, remove: Callable[[], object]) -> tuple[str, User] | None:
+        """A token for one page, and its user; None when there are too many pages. For `remove` see `OpenPages.add`."""
+        user = current_user() or LOCAL
+        token = self.pages.add(user, current.get(), remove)
+        return None if token is None else (token, user)
 
     def is_of(self, token: str, user: User | None) -> bool:
         """True for the token of a page of this user that is open."""
-        return user is not None and self._browsers.get(token) == user
+        return user is not None and self.pages.user(token) == user
 
     def forget(self, token: str) -> None:
         """Handle the end of a page: robots that it operated are released soon."""
-        self._browsers.pop(token, None)
+        self.pages.forget(token)
         task = asyncio.create_task(self._release_all_of(token), name="console: a browser has left")
         self._leaving.add(task)
         task.add_done_callback(self._leaving.discard)
@@ -348,19 +348,44 @@ def _pair(text: str) -> tuple[float, float]:
 
 
 class _Server(uvicorn.Server):
-    """A uvicorn server that leaves signals to the program."""
+    """A uvicorn server that leaves signals to the program, and accepting to `connections`."""
+
+    def __init__(self, config: uvicorn.Config, listener: socket.socket, connections: Connections) -> None:
+        super().__init__(config)
+        self._listener = listener
+        self._connections = connections
+        self._accepting: asyncio.Task[None] | None = None
 
     def capture_signals(self) -> Any:  # uvicorn's own handlers would end the program
         return nullcontext()
 
+    async def startup(self, sockets: list[socket.socket] | None = None) -> None:  # noqa: ARG002 - uvicorn's parameter
+        """Start the application, then accept."""
+        await super().startup(sockets=[])
+        self._accepting = asyncio.create_task(
+            self._connections.serve(self._listener, self._make_protocol, self.config.ssl), name="console: accepting"
+        )
+
+    async def shutdown(self, sockets: list[socket.socket] | None = None) -> None:
+        """End in the opposite order."""
+        if self._accepting is not None:
+            self._accepting.cancel()
+            await asyncio.wait({self._accepting})
+        await super().shutdown(sockets)
+
+    def _make_protocol(self) -> asyncio.Protocol:
+        return H11Protocol(config=self.config, server_state=self.server_state, app_state=self.lifespan.state)
+
 
 @dataclass(frozen=True, slots=True)
 class Access:
-    """Settings of a console that serves other machines."""
+    """Who may use the console: users at a console for other machines, else those who know the token."""
 
     users: Path | None = None
     certificate: Path | None = None
     key: Path | None = None
+    token: str = ""
+    """For a console without users; by default a new one for each start."""
 
 
 @asynccontextmanager
@@ -378,7 +403,8 @@ async def serving(
 ) -> AsyncIterator[str]:
     """Serve the console at this address while the context is open; the URL. OCUs and watchdog must be open.
 
-    NiceGUI has one application in a process: a process can serve once.
+    Without users, the URL contains the token that begins a session. NiceGUI has one application in a process: a process
+    can serve once.
     """
     access = access or Access()
     users = _users(access, host)
@@ -389,27 +415,31 @@ async def serving(
     console.poses = poses or {}
     app = make_app(console)
     add_page(app, console)
+    served, connections = listener.getsockname()[1], Connections()
+    token = access.token or secrets.token_urlsafe(32)
+    gate = LoginMiddleware(BodyLimit(app), users, console.note, port=served, token=token, connections=connections)
     config = uvicorn.Config(
-        LoginMiddleware(app, users, console.note),
+        gate,
         log_level="warning",
         lifespan="on",
+        http="h11",  # its headers are bounded
         ws_max_size=MAX_FRAME,
         ws_per_message_deflate=False,  # video is compressed
         proxy_headers=False,
         server_header=False,
-        limit_concurrency=MAX_CONNECTIONS,
         timeout_graceful_shutdown=GRACE,
         ssl_certfile=access.certificate,
         ssl_keyfile=access.key,
     )
-    server = _Server(config)
+    server = _Server(config, listener, connections)
+    raise_open_files_limit()
     console.fleet.start()
-    task = asyncio.create_task(server.serve(sockets=[listener]), name="console: server")
+    task = asyncio.create_task(server.serve(), name="console: server")
     try:
         while not server.started and not task.done():  # noqa: ASYNC110 - uvicorn has no event for it
             await asyncio.sleep(0.05)
-        shown = f"[{host}]" if ":" in host else host
-        yield f"{'http' if users is None else 'https'}://{shown}:{listener.getsockname()[1]}"
+        address = f"[{host}]:{served}" if ":" in host else f"{host}:{served}"
+        yield f"http://{address}/?token={quote(token)}" if users is None else f"https://{address}"
     finally:
         await console.close()
         server.should_exit = True

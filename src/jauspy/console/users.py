@@ -1,18 +1,17 @@
 """The users of the console and their sessions.
 
 Users have names, roles and hashes of passwords, in a file that `jauspy console user` edits. Sessions are bounded in
-number and time, as are failed logins; they read no clock: `now` is in seconds of a monotonic one.
+number and time; they read no clock: `now` is in seconds of a monotonic one.
 """
 
 from __future__ import annotations
 
 import asyncio
-import ipaddress
+import hmac
 import os
 import re
 import secrets
 import stat
-from collections import OrderedDict, deque
 from collections.abc import Iterator, Mapping
 from contextvars import ContextVar
 from dataclasses import dataclass, field
@@ -114,6 +113,16 @@ class Users:
             return None
         return user
 
+    def device_tag(self, name: str, device: str) -> str:
+        """The proof that this user has logged in with a device; empty for unknown names.
+
+        Its key is the hash of the password, so it survives a restart of the console and ends with the password.
+        """
+        if name not in self._found:
+            return ""
+        user, key = self._found[name]
+        return hmac.digest(key.encode(), f"jauspy console device {user.name} {device}".encode(), "sha256").hex()
+
 
 def hashed(password: str) -> str:
     """The hash of a password with a salt of its own, in the PHC format."""
@@ -191,11 +200,6 @@ LIFETIME: Final = 12 * 3600.0
 """Seconds after which a session ends."""
 IDLE_TIME: Final = 1800.0
 """Seconds after which a session ends of which no page is open."""
-MAX_FAILURES: Final = 5
-"""Logins that may fail for one address within `FAILURE_TIME`."""
-MAX_FAILURES_IN_ALL: Final = 100
-FAILURE_TIME: Final = 300.0
-MAX_ADDRESSES: Final = 1024
 
 
 @dataclass(eq=False)
@@ -209,8 +213,15 @@ class Session:
     began: float = 0.0
     seen: float = 0.0
     sockets: int = 0
-    """That are open; a session with open sockets is not idle."""
+    """That are open, beside `control_sockets`; a session with open sockets is not idle."""
+    control_sockets: int = 0
+    """Sockets for stopping and driving that are open."""
     ended: asyncio.Event = field(default_factory=asyncio.Event)
+
+    @property
+    def has_sockets(self) -> bool:
+        """True while a page of it is open."""
+        return self.sockets + self.control_sockets > 0
 
 
 current: ContextVar[Session | None] = ContextVar("jauspy console session", default=None)
@@ -224,20 +235,24 @@ def current_user() -> User | None:
 
 
 class Sessions:
-    """The sessions of a console."""
+    """The sessions of a console. With `lasting`, as at a console without a login, they end only when there are more."""
 
-    def __init__(self) -> None:
+    def __init__(self, *, lasting: bool = False) -> None:
+        self._lasting = lasting
         self._open: dict[str, Session] = {}
 
     def __len__(self) -> int:
         return len(self._open)
 
+    def __iter__(self) -> Iterator[Session]:
+        return iter(self._open.values())
+
     def begin(self, user: User, address: str, now: float) -> Session | None:
         """A new session; None when there are too many."""
         self.expire(now)
         own = [each for each in self._open.values() if each.user.name == user.name]
-        if len(own) >= MAX_SESSIONS_OF_USER:
-            self.end(min(own, key=lambda each: each.began))
+        if len(own) >= (MAX_SESSIONS if self._lasting else MAX_SESSIONS_OF_USER):
+            self.end(min(own, key=lambda each: (self._lasting and each.has_sockets, each.began)))
         if len(self._open) >= MAX_SESSIONS:
             return None
         session = Session(user, address, began=now, seen=now)
@@ -260,53 +275,7 @@ class Sessions:
     def expire(self, now: float) -> None:
         """End those that are too old or idle."""
         for each in list(self._open.values()):
-            if each.sockets:
+            if each.has_sockets:
                 each.seen = now
-            if now - each.began >= LIFETIME or now - each.seen >= IDLE_TIME:
+            if not self._lasting and (now - each.began >= LIFETIME or now - each.seen >= IDLE_TIME):
                 self.end(each)
-
-
-def local_session() -> Session:
-    """The session of all browsers at a console without a login."""
-    return Session(LOCAL, "localhost")
-
-
-class LoginLimit:
-    """Counts logins that failed, by address (IPv6: by network of 64 bits) and in all."""
-
-    def __init__(self) -> None:
-        self._failures: OrderedDict[str, deque[float]] = OrderedDict()
-        self._all: deque[float] = deque(maxlen=MAX_FAILURES_IN_ALL)
-
-    def wait(self, address: str, now: float) -> float:
-        """Seconds until this address may try again; 0 if it may now."""
-        own = self._failures.get(_network(address), deque())
-        waits = [
-            times[0] + FAILURE_TIME - now
-            for times, limit in ((own, MAX_FAILURES), (self._all, MAX_FAILURES_IN_ALL))
-            if len(times) >= limit
-        ]
-        return max(0.0, *waits) if waits else 0.0
-
-    def failed(self, address: str, now: float) -> None:
-        """Count a failed login."""
-        times = self._failures.setdefault(_network(address), deque(maxlen=MAX_FAILURES))
-        self._failures.move_to_end(_network(address))
-        if len(self._failures) > MAX_ADDRESSES:
-            self._failures.popitem(last=False)
-        times.append(now)
-        self._all.append(now)
-
-    def succeeded(self, address: str) -> None:
-        """Clear the failures of an address after a successful login."""
-        self._failures.pop(_network(address), None)
-
-
-def _network(address: str) -> str:
-    try:
-        found = ipaddress.ip_address(address.partition("%")[0])
-    except ValueError:
-        return address
-    if isinstance(found, ipaddress.IPv6Address) and found.ipv4_mapped is None:
-        return str(ipaddress.ip_network((found, 64), strict=False))
-    return str(found)

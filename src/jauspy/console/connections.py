@@ -1,0 +1,238 @@
+"""The connections of the console: accepts them, and closes idle ones when a host or a session has too many.
+
+uvicorn counts all connections in one number and waits for the first request without end, so any host could keep all
+others out. Here a connection is a stranger's until a request on it has had a session. Strangers have shares for each
+host; a new one always finds room, and the oldest idle one of the host with most of them is closed for it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import ipaddress
+import socket
+import ssl
+from collections import Counter
+from collections.abc import Callable, Hashable, Iterator
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass
+from typing import Any, Final
+
+from jauspy.logs import get_logger
+
+HANDSHAKE_TIME: Final = 5.0
+"""Seconds for the handshake of TLS."""
+IDLE_TIME: Final = 10.0
+"""Seconds from connecting, or from the end of an answer, until a request has arrived as a whole."""
+REQUEST_TIME: Final = 30.0
+"""Seconds for the request of a stranger and its answer, such as a login that waits for others."""
+_SWEEP_INTERVAL: Final = 1.0
+"""Seconds between two checks of all connections."""
+_ACCEPT_PAUSE: Final = 0.1
+"""Seconds until the next attempt when the process has no descriptor left."""
+_LOG = get_logger(__name__)
+
+Client = tuple[str, int]
+"""Address and port, as in the scope of a request."""
+
+
+@dataclass(eq=False, slots=True)
+class _Connection:
+    socket: socket.socket
+    host: str
+    since: float
+    """When it was accepted, or the last request on it began or ended."""
+    task: asyncio.Task[None] | None = None
+    """Connects it to the server, with the handshake of TLS."""
+    transport: asyncio.Transport | None = None
+    session: Hashable = None
+    requests: int = 0
+    """That have begun and not ended."""
+    is_socket: bool = False
+    is_closing: bool = False
+
+    @property
+    def is_gone(self) -> bool:
+        """True when its descriptor is closed."""
+        return self.socket.fileno() < 0
+
+    @property
+    def counts(self) -> bool:
+        """False when it is closed, or about to be."""
+        return not (self.is_gone or self.is_closing or (self.transport is not None and self.transport.is_closing()))
+
+    def close(self) -> None:
+        """Close it without waiting for the peer."""
+        self.is_closing = True
+        if self.transport is not None:
+            self.transport.abort()
+        elif self.task is not None:
+            self.task.cancel()
+
+
+@dataclass(frozen=True, slots=True)
+class Share:
+    """How many connections a host or session may have, and all together."""
+
+    of_group: int
+    in_all: int
+    reason: str
+    """Why a connection was closed that was too many."""
+
+
+STRANGERS: Final = Share(32, 128, "too many without a session")
+"""Connections on which no request had a session, by hosts."""
+KNOWN: Final = Share(32, 192, "too many of a session")
+"""Connections of sessions, beside their sockets."""
+
+
+class Connections:
+    """The connections of one listener, by address and port of the browser."""
+
+    def __init__(self) -> None:
+        self.closed: Counter[str] = Counter()
+        """How many were closed, by reason."""
+        self._open: dict[Client, _Connection] = {}
+
+    def __len__(self) -> int:
+        return len(self._open)
+
+    async def serve(
+        self, listener: socket.socket, make_protocol: Callable[[], asyncio.Protocol], tls: ssl.SSLContext | None
+    ) -> None:
+        """Accept connections until this is cancelled."""
+        loop = asyncio.get_running_loop()
+        listener.setblocking(False)
+        sweeping = asyncio.create_task(self._sweep(), name="console: connections")
+        try:
+            while True:
+                try:
+                    sock, address = await loop.sock_accept(listener)
+                except OSError as error:
+                    _LOG.warning("the console cannot accept a connection: %s", error.strerror)
+                    self._close_oldest("no descriptor", self._strangers())
+                    await asyncio.sleep(_ACCEPT_PAUSE)
+                    continue
+                self._admit(sock, (str(address[0]), int(address[1])), make_protocol, tls)
+                await asyncio.sleep(0)  # `sock_accept` does not wait while more connections are there
+        finally:
+            sweeping.cancel()
+            for connection in self._open.values():
+                if connection.transport is None:
+                    connection.close()
+
+    @contextmanager
+    def request_of(self, client: Client | None) -> Iterator[None]:
+        """Within this a request of this browser is answered."""
+        connection = self._open.get(client) if client else None
+        if connection is None:
+            yield
+            return
+        connection.requests += 1
+        connection.since = _now()
+        try:
+            yield
+        finally:
+            connection.requests -= 1
+            connection.since = _now()
+
+    def is_of(self, client: Client | None, session: Hashable, *, is_socket: bool) -> None:
+        """Count a connection for a session, which a request on it has proven."""
+        connection = self._open.get(client) if client else None
+        if connection is None:
+            return
+        if connection.session is None:
+            known = [each for each in self._open.values() if each.session is not None and not each.is_socket]
+            self._make_room(KNOWN, known, lambda each: each.session, session)
+        connection.session = session
+        connection.is_socket = connection.is_socket or is_socket
+
+    def _admit(
+        self,
+        sock: socket.socket,
+        client: Client,
+        make_protocol: Callable[[], asyncio.Protocol],
+        tls: ssl.SSLContext | None,
+    ) -> None:
+        connection = _Connection(sock, network_of(client[0]), _now())
+        self._make_room(STRANGERS, self._strangers(), lambda each: each.host, connection.host)
+        self._open[client] = connection
+        connection.task = asyncio.create_task(self._connect(connection, sock, make_protocol, tls))
+
+    async def _connect(
+        self,
+        connection: _Connection,
+        sock: socket.socket,
+        make_protocol: Callable[[], asyncio.Protocol],
+        tls: ssl.SSLContext | None,
+    ) -> None:
+        """Hand a socket over to the server, after the handshake of TLS."""
+        times: dict[str, Any] = {} if tls is None else {"ssl_handshake_timeout": HANDSHAKE_TIME}
+        if tls is not None:
+            times["ssl_shutdown_timeout"] = HANDSHAKE_TIME
+        try:
+            connection.transport, _ = await asyncio.get_running_loop().connect_accepted_socket(
+                make_protocol, sock, ssl=tls, **times
+            )
+        except (OSError, ssl.SSLError, asyncio.CancelledError) as error:
+            with suppress(OSError):
+                sock.close()
+            self.closed["handshake"] += not isinstance(error, asyncio.CancelledError)
+
+    def _strangers(self) -> list[_Connection]:
+        return [each for each in self._open.values() if each.session is None]
+
+    def _make_room(
+        self,
+        share: Share,
+        members: list[_Connection],
+        group_of: Callable[[_Connection], Hashable],
+        group: Hashable,
+    ) -> None:
+        """Close one connection if this group has its share of them already, or all groups have too many together."""
+        present = [each for each in members if each.counts]
+        sizes = Counter(map(group_of, present))
+        if sizes[group] >= share.of_group:
+            self._close_oldest(share.reason, [each for each in present if group_of(each) == group])
+        elif len(present) >= share.in_all:
+            largest = max(sizes.values())
+            self._close_oldest(share.reason, [each for each in present if sizes[group_of(each)] == largest])
+
+    def _close_oldest(self, reason: str, found: list[_Connection]) -> None:
+        """Close the connection that is idle for longest; if none is idle, the one whose request is oldest."""
+        if found:
+            oldest = min(found, key=lambda each: (each.requests > 0, each.since))
+            self.closed[reason] += 1
+            _LOG.info("a connection of %s was closed: %s", oldest.host, reason, extra={"kind": reason})
+            oldest.close()
+
+    async def _sweep(self) -> None:
+        while True:
+            await asyncio.sleep(_SWEEP_INTERVAL)
+            now = _now()
+            for connection in self._open.values():
+                waited = now - connection.since
+                if not connection.counts:
+                    if waited > IDLE_TIME:
+                        connection.close()  # its peer does not read what was still to be sent
+                elif not connection.requests and waited > IDLE_TIME:
+                    self.closed["no request"] += 1
+                    connection.close()
+                elif connection.requests and connection.session is None and waited > REQUEST_TIME:
+                    self.closed["slow request"] += 1
+                    connection.close()
+            self._open = {client: each for client, each in self._open.items() if not each.is_gone}
+
+
+def network_of(address: str) -> str:
+    """The host whose share an address counts for: of IPv6 a network of 64 bits, since a host has as many addresses."""
+    try:
+        found = ipaddress.ip_address(address.partition("%")[0])
+    except ValueError:
+        return address
+    if isinstance(found, ipaddress.IPv6Address):
+        return str(found.ipv4_mapped or ipaddress.ip_network((found, 64), strict=False))
+    return str(found)
+
+
+def _now() -> float:
+    return asyncio.get_running_loop().time()
