@@ -5,11 +5,11 @@ from __future__ import annotations
 import re
 import signal
 import socket
-import urllib.request
 from pathlib import Path
 
 import pytest
 from tests.helpers.command_line import assert_gone, start, wait_for
+from tests.helpers.console_visit import visit
 from tests.helpers.ports import unused_port
 
 from jauspy.cli import operator_console
@@ -36,11 +36,10 @@ def test_the_console_starts_and_ends_with_the_robot(tmp_path: Path) -> None:
     process = start(*up(tmp_path, 0))
     assert process.stdout is not None
     lines = iter(process.stdout.readline, "")
-    found = (re.match(r"console: +(http://127\.0\.0\.1:\d+)$", line) for line in lines)
+    found = (re.match(r"console: +(http://127\.0\.0\.1:\d+/\?token=\S+)$", line) for line in lines)
     url = next(each[1] for each in found if each)
     family = wait_for(process, "stop it")
-    with urllib.request.urlopen(url) as page:
-        assert b"jauspy.start" in page.read()
+    assert "jauspy.start" in visit(url).get()
     assert len(family) == 3, "the node manager, the console and its watchdog"
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=30)

@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterator
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
+from urllib.parse import urlsplit
 
 import pytest
 from tests.helpers.browser import BROWSER_MARKS, WAIT, chromium, console_for, new_page
@@ -264,11 +265,13 @@ def test_the_robot_stands_when_the_network_is_away(
     browser: Any, url: str, speed: Speedometer, background: Background
 ) -> None:
     def attempt() -> float | None:
-        proxy = Proxy(int(url.rpartition(":")[2]))
+        parts = urlsplit(url)
+        assert parts.port is not None
+        proxy = Proxy(parts.port)
         port = background.run(proxy.open())
         page = new_page(browser)
         try:
-            drive(page, f"http://127.0.0.1:{port}", speed)
+            drive(page, parts._replace(netloc=f"127.0.0.1:{port}").geturl(), speed)
             return speed.time_to_stop(background.run(proxy.cut()))
         finally:
             background.run(proxy.close())

@@ -8,18 +8,19 @@ import re
 import signal
 import socket
 import urllib.error
-import urllib.request
 from collections.abc import Iterator
 from contextlib import suppress
 
 import pytest
 from tests.helpers.command_line import robot_in_thread, start
+from tests.helpers.console_visit import Visit, visit
 
 pytest.importorskip("nicegui", reason="needs the extra 'console'")
 pytest.importorskip("websockets", reason="needs the extra 'console'")
 
 from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
+from websockets.typing import Origin
 
 from jauspy.console.server import serving
 from jauspy.errors import ConfigError
@@ -28,13 +29,14 @@ from jauspy.testing import LocalNode
 PAGE = re.compile(r'jauspy\.start\("([\w-]+)"\)')
 
 
-async def page(url: str) -> str:
-    def get() -> str:
-        with urllib.request.urlopen(url) as answer:
-            text: str = answer.read().decode()
-            return text
+async def page(console: Visit, path: str = "/") -> str:
+    return await asyncio.to_thread(console.get, path)
 
-    return await asyncio.to_thread(get)
+
+def socket_of(console: Visit, path: str, origin: str | None = "") -> connect:
+    """A WebSocket at this path; its origin is by default the console."""
+    given = None if origin is None else Origin(origin or console.url)
+    return connect(console.sockets + path, origin=given, additional_headers=console.headers)
 
 
 def token_of(text: str) -> str:
@@ -44,28 +46,27 @@ def token_of(text: str) -> str:
 
 
 @pytest.fixture(scope="module")
-def console() -> Iterator[str]:
-    """The URL of a console beside a robot that runs."""
+def console() -> Iterator[Visit]:
+    """A session at a console beside a robot that runs."""
     with robot_in_thread() as robot:
         process = start("console", "--no-browser", "--port", "0", "--connect", robot.local)
         try:
             assert process.stdout is not None
             url = process.stdout.readline().strip().rpartition(" ")[2]
             assert url.startswith("http://127.0.0.1:"), process.stderr and process.stderr.read()
-            yield url
+            yield visit(url)
         finally:
             process.send_signal(signal.SIGINT)
             process.communicate(timeout=30)
 
 
-async def test_a_browser_takes_control_of_nothing_and_stops_all(console: str) -> None:
+async def test_a_browser_takes_control_of_nothing_and_stops_all(console: Visit) -> None:
     token = token_of(await page(console))
-    base = console.replace("http", "ws")
     async with asyncio.timeout(60.0):
-        async with connect(f"{base}/ws/drive/101/{token}", origin=console) as drive:
+        async with socket_of(console, f"/ws/drive/101/{token}") as drive:
             await drive.send(json.dumps([1.0, 0.0]))
             assert await drive.recv() in ("the robot has gone", "take control first")
-        async with connect(f"{base}/ws/stop/{token}", origin=console) as stop:
+        async with socket_of(console, f"/ws/stop/{token}") as stop:
             await stop.send("dance 101")
             assert await stop.recv() == "not understood: dance 101"
             await stop.send("stop 101")
@@ -74,35 +75,45 @@ async def test_a_browser_takes_control_of_nothing_and_stops_all(console: str) ->
             assert "released from the emergency" in str(await stop.recv())
 
 
-async def test_sockets_are_refused_to_other_sites_and_without_a_token(console: str) -> None:
+async def test_sockets_are_refused_to_other_sites_and_without_a_token(console: Visit) -> None:
     token = token_of(await page(console))
-    base = console.replace("http", "ws")
     for path, origin in (
         (f"/ws/stop/{token}", "http://elsewhere.example"),
         (f"/ws/stop/{token}", None),
-        ("/ws/stop/guessed", console),
-        ("/ws/drive/101/guessed", console),
-        ("/ws/video/101.1.106/guessed", console),
+        ("/ws/stop/guessed", console.url),
+        ("/ws/drive/101/guessed", console.url),
+        ("/ws/video/101.1.106/guessed", console.url),
     ):
         with pytest.raises((InvalidStatus, ConnectionClosed)):
-            async with connect(base + path, origin=origin) as refused:
+            async with socket_of(console, path, origin) as refused:
                 await refused.recv()
 
 
-async def test_the_world_of_a_robot_is_sent(console: str) -> None:
+async def test_nothing_is_reached_without_the_cookie_that_the_token_gives(console: Visit) -> None:
     token = token_of(await page(console))
-    base = console.replace("http", "ws") + "/ws/world"
+    stranger = Visit(console.url, {"cookie": "jauspy-8101=guessed"})
+    for path in ("/", "/?token=guessed", "/static/console.js", "/_nicegui_ws/socket.io/", f"/world/mesh/101/{token}/0"):
+        with pytest.raises(urllib.error.HTTPError, match="403") as refused:
+            await page(stranger, path)
+        assert "the address with its token that `jauspy console` prints" in refused.value.read().decode()
+    for path in (f"/ws/stop/{token}", f"/ws/drive/101/{token}", "/_nicegui_ws/socket.io/?EIO=4&transport=websocket"):
+        with pytest.raises(InvalidStatus, match="403"):
+            await socket_of(stranger, path)
+
+
+async def test_the_world_of_a_robot_is_sent(console: Visit) -> None:
+    token = token_of(await page(console))
     async with asyncio.timeout(60.0):
         while True:
             with suppress(ConnectionClosed):  # until the robot is found
-                async with connect(f"{base}/101/{token}", origin=console) as world:
+                async with socket_of(console, f"/ws/world/101/{token}") as world:
                     shown = json.loads(await world.recv())["model"]
                     while "pose" not in (state := json.loads(await world.recv())):
                         pass
                     break
             await asyncio.sleep(0.1)
         with pytest.raises(ConnectionClosed, match="there is no such robot"):
-            async with connect(f"{base}/7/{token}", origin=console) as other:
+            async with socket_of(console, f"/ws/world/7/{token}") as other:
                 await other.recv()
     assert shown["root"] == "base_link"
     assert "arm_link_4_to_arm_link_5" in {each["name"] for each in shown["joints"]}
@@ -110,7 +121,7 @@ async def test_the_world_of_a_robot_is_sent(console: str) -> None:
     assert state["pose"][:2] == pytest.approx([0.0, 0.0], abs=0.5)
     for path in (f"101/{token}/9999", "101/guessed/0", f"7/{token}/0"):
         with pytest.raises(urllib.error.HTTPError, match="404"):
-            await page(f"{console}/world/mesh/{path}")
+            await page(console, f"/world/mesh/{path}")
 
 
 @pytest.mark.parametrize(("host", "said"), [("0.0.0.0", "only with TLS and a login"), ("127.0.0.1", "choose another")])

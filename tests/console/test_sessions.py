@@ -1,4 +1,4 @@
-"""Sessions of the console, and how often a login may fail."""
+"""Sessions of the console."""
 
 from __future__ import annotations
 
@@ -7,15 +7,11 @@ import pytest
 pytest.importorskip("cryptography", reason="needs the extra 'console'")
 
 from jauspy.console.users import (
-    FAILURE_TIME,
     IDLE_TIME,
     LIFETIME,
-    MAX_ADDRESSES,
-    MAX_FAILURES,
-    MAX_FAILURES_IN_ALL,
+    LOCAL,
     MAX_SESSIONS,
     MAX_SESSIONS_OF_USER,
-    LoginLimit,
     Sessions,
     User,
 )
@@ -48,29 +44,15 @@ def test_sessions_are_bounded() -> None:
     assert others[-1] is None
 
 
-def test_logins_that_fail_are_limited_by_address() -> None:
-    limit = LoginLimit()
-    for each in range(MAX_FAILURES):
-        assert limit.wait("10.0.0.1", float(each)) == 0.0
-        limit.failed("10.0.0.1", float(each))
-    assert limit.wait("10.0.0.1", 10.0) == FAILURE_TIME - 10.0
-    assert limit.wait("10.0.0.2", 10.0) == 0.0
-    assert limit.wait("10.0.0.1", FAILURE_TIME) == 0.0, "the first failure is old"
-    limit.succeeded("10.0.0.1")
-    assert limit.wait("10.0.0.1", 10.0) == 0.0
-
-
-def test_networks_of_ipv6_count_as_one_and_all_is_bounded() -> None:
-    limit = LoginLimit()
-    for each in range(MAX_FAILURES):
-        limit.failed(f"2001:db8::{each}", 0.0)
-    assert limit.wait("2001:db8::ffff", 1.0) > 0
-    assert limit.wait("2001:db8:0:1::1", 1.0) == 0.0
-    limit = LoginLimit()
-    for each in range(2 * MAX_ADDRESSES):
-        limit.failed(f"10.1.{each // 256}.{each % 256}", float(each))
-    assert len(limit._failures) == MAX_ADDRESSES
-    limit = LoginLimit()
-    for each in range(MAX_FAILURES_IN_ALL):
-        limit.failed(f"10.1.0.{each}", 0.0)
-    assert limit.wait("10.9.9.9", 1.0) > 0
+def test_sessions_without_a_login_last_until_there_are_too_many() -> None:
+    sessions = Sessions(lasting=True)
+    first, second = (sessions.begin(LOCAL, "localhost", float(each)) for each in range(2))
+    assert first is not None
+    assert second is not None
+    first.control_sockets = 1
+    assert sessions.find(first.key, 10 * LIFETIME) is first
+    for _ in range(MAX_SESSIONS - 1):
+        assert sessions.begin(LOCAL, "localhost", 20 * LIFETIME) is not None
+    assert len(sessions) == MAX_SESSIONS
+    assert second.ended.is_set(), "the oldest one without an open page"
+    assert not first.ended.is_set()

@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import asyncio
+import re
+import stat
 import sys
 import webbrowser
-from collections.abc import AsyncIterator
-from contextlib import AbstractContextManager, asynccontextmanager, nullcontext
+from collections.abc import AsyncIterator, Iterator
+from contextlib import AbstractContextManager, asynccontextmanager, contextmanager, nullcontext
+from html import escape
 from importlib.util import find_spec
 from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import TYPE_CHECKING, Annotated, Final
 
 import typer
@@ -18,6 +22,7 @@ from jauspy.cli.options import Connect, OperatorKey, OwnId, WithParent
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, run
 from jauspy.errors import ConfigError
 from jauspy.ocu import OCU
+from jauspy.user_files import read_file
 
 if TYPE_CHECKING:
     from jauspy.modules.audit import AuditLog
@@ -28,6 +33,9 @@ READY: Final = "the console is at"
 USERS_FILE: Final = Path("console-users.toml")
 CERTIFICATE_FILE: Final = Path("console-certificate.pem")
 KEY_FILE: Final = Path("console-key.pem")
+MIN_TOKEN: Final = 16
+MAX_TOKEN: Final = 256
+TOKEN: Final = re.compile(rf"[A-Za-z0-9_-]{{{MIN_TOKEN},{MAX_TOKEN}}}")
 UsersFile = Annotated[Path, typer.Option("--users", metavar="FILE", help="The file of users.")]
 
 app = typer.Typer(name="console", add_completion=False, pretty_exceptions_enable=False, rich_markup_mode="rich")
@@ -55,6 +63,14 @@ def console_page(
         Path | None, typer.Option("--certificate", metavar="FILE", help="The certificate for TLS (PEM).")
     ] = None,
     key: Annotated[Path | None, typer.Option("--key", metavar="FILE", help="The key of the certificate (PEM).")] = None,
+    token_file: Annotated[
+        Path | None,
+        typer.Option(
+            "--token-file",
+            metavar="FILE",
+            help="A token for bookmarks, in a file that only you may read; by default a new one for each start.",
+        ),
+    ] = None,
     audit: Annotated[
         Path | None,
         typer.Option(
@@ -83,6 +99,8 @@ def console_page(
     stick or gamepad, and moves its arm. A robot stops when the key is released or the page is closed. Escape stops all
     robots.
 
+    The address that it prints contains a token, without which other users of this machine cannot open it.
+
     Examples:
       jauspy console
       jauspy console --host 0.0.0.0 --users users.toml --certificate certificate.pem --key key.pem
@@ -101,7 +119,7 @@ def console_page(
     if audit is None and users is not None:
         audit = users.with_name(f"{users.name}.audit")
     named_poses = None if poses is None else read_poses(poses)
-    access = Access(users, certificate, key)
+    access = Access(users, certificate, key, "" if token_file is None else _read_token(token_file))
 
     async def serve() -> None:
         with _audit_log(audit) as log:
@@ -124,12 +142,46 @@ def console_page(
                 poses=named_poses,
             )
             async with stopper, watchdog, page as url:
-                console.print_lines(f"{READY} {url}", "stop it: Ctrl-C")
-                if not no_browser:
-                    webbrowser.open(url)
-                await asyncio.Event().wait()
+                shown = url if token_file is None else url.partition("?")[0]
+                console.print_lines(f"{READY} {shown}", *_hints(users, token_file), "stop it: Ctrl-C")
+                with nullcontext() if no_browser else _browser_at(url):
+                    await asyncio.Event().wait()
 
     run(serve())
+
+
+def _read_token(path: Path) -> str:
+    """The token in a file; raises `ConfigError`."""
+    token = read_file(path, MAX_TOKEN).decode("utf-8", "replace").strip()
+    if path.stat().st_mode & (stat.S_IRWXG | stat.S_IRWXO):
+        raise ConfigError(f"{path}: other users may read or change this token; do: chmod 600 {path}")
+    if not TOKEN.fullmatch(token):
+        raise ConfigError(
+            f"{path}: a token has {MIN_TOKEN} to {MAX_TOKEN} letters, digits, - and _; make one: "
+            f"openssl rand -hex 32 > {path}"
+        )
+    return token
+
+
+def _hints(users: Path | None, token_file: Path | None) -> list[str]:
+    """Lines for the operator about the token, at a console without users."""
+    return [] if users is not None or token_file is None else [f"open it with /?token= and the token in {token_file}"]
+
+
+@contextmanager
+def _browser_at(url: str) -> Iterator[None]:
+    """Open the browser; its arguments, which all users of this machine can read, do not contain the token."""
+    if "?" not in url:
+        webbrowser.open(url)
+        yield
+        return
+    with TemporaryDirectory(prefix="jauspy-console-") as folder:  # for this user only
+        page = Path(folder) / "console.html"
+        page.write_text(
+            f'<!doctype html><meta http-equiv="refresh" content="0; url={escape(url)}">\n', encoding="utf-8"
+        )
+        webbrowser.open(page.as_uri())
+        yield
 
 
 def _audit_log(path: Path | None) -> AbstractContextManager[AuditLog | None]:
