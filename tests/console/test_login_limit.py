@@ -44,6 +44,8 @@ def test_an_account_that_many_addresses_attack_is_not_locked() -> None:
     fail(limit, "10.9.9.9", 1.0)
     assert limit.wait("10.9.9.9", "anna", "", 2.0) == FAILURE_TIME - 1.0, "and not several"
     assert limit.wait("10.9.9.9", "anna", "", FAILURE_TIME + 2.0) == 0.0
+    limit.begin("10.8.8.8", "anna", "", 3.0)()
+    assert limit.wait("10.1.0.0", "anna", "", 3.0) > 0.0, "a login that succeeds does not end the attack"
 
 
 def test_only_the_account_that_is_attacked_is_slow() -> None:

@@ -140,7 +140,7 @@ class Connections:
         connection = self._open.get(client) if client else None
         if connection is None:
             return
-        if connection.session is None:
+        if connection.session is None and not is_socket:
             known = [each for each in self._open.values() if each.session is not None and not each.is_socket]
             self._make_room(KNOWN, known, lambda each: each.session, session)
         connection.session = session
@@ -153,6 +153,7 @@ class Connections:
         make_protocol: Callable[[], asyncio.Protocol],
         tls: ssl.SSLContext | None,
     ) -> None:
+        self._forget_gone()
         connection = _Connection(sock, network_of(client[0]), _now())
         self._make_room(STRANGERS, self._strangers(), lambda each: each.host, connection.host)
         self._open[client] = connection
@@ -220,7 +221,10 @@ class Connections:
                 elif connection.requests and connection.session is None and waited > REQUEST_TIME:
                     self.closed["slow request"] += 1
                     connection.close()
-            self._open = {client: each for client, each in self._open.items() if not each.is_gone}
+            self._forget_gone()
+
+    def _forget_gone(self) -> None:
+        self._open = {client: each for client, each in self._open.items() if not each.is_gone}
 
 
 def network_of(address: str) -> str:

@@ -82,7 +82,7 @@ class LoginMiddleware:
         self._note = note
         self._token = token.encode()
         self._cookie = cookie_name(port, secure=users is not None)
-        self._connections = connections or Connections()
+        self._connections = Connections() if connections is None else connections
         self._sessions = Sessions(lasting=users is None)
         self._limit = LoginLimit()
         self._turns = Turns()

@@ -37,8 +37,8 @@ T = TypeVar("T")
 class _Failures:
     """The times of the latest failures of each key; the key that failed longest ago is forgotten."""
 
-    def __init__(self, kept: int) -> None:
-        self._kept = kept
+    def __init__(self, allowed: int) -> None:
+        self._kept = allowed + MAX_LOGINS  # attempts that are verified now may be taken back
         self._times: OrderedDict[str, deque[float]] = OrderedDict()
 
     def __len__(self) -> int:

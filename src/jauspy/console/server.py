@@ -347,7 +347,7 @@ def _pair(text: str) -> tuple[float, float]:
         return 0.0, 0.0
 
 
-class _Server(uvicorn.Server):
+class AcceptingServer(uvicorn.Server):
     """A uvicorn server that leaves signals to the program, and accepting to `connections`."""
 
     def __init__(self, config: uvicorn.Config, listener: socket.socket, connections: Connections) -> None:
@@ -356,7 +356,8 @@ class _Server(uvicorn.Server):
         self._connections = connections
         self._accepting: asyncio.Task[None] | None = None
 
-    def capture_signals(self) -> Any:  # uvicorn's own handlers would end the program
+    def capture_signals(self) -> Any:
+        """Nothing: uvicorn's own handlers would end the program."""
         return nullcontext()
 
     async def startup(self, sockets: list[socket.socket] | None = None) -> None:  # noqa: ARG002 - uvicorn's parameter
@@ -431,7 +432,7 @@ async def serving(
         ssl_certfile=access.certificate,
         ssl_keyfile=access.key,
     )
-    server = _Server(config, listener, connections)
+    server = AcceptingServer(config, listener, connections)
     raise_open_files_limit()
     console.fleet.start()
     task = asyncio.create_task(server.serve(), name="console: server")
