@@ -22,6 +22,7 @@ from websockets.asyncio.client import connect
 from websockets.exceptions import ConnectionClosed, InvalidStatus
 from websockets.typing import Origin
 
+from jauspy.console.open_pages import MAX_PAGES_OF_SESSION
 from jauspy.console.server import serving
 from jauspy.errors import ConfigError
 from jauspy.testing import LocalNode
@@ -73,6 +74,16 @@ async def test_a_browser_takes_control_of_nothing_and_stops_all(console: Visit) 
             assert re.fullmatch(r"(\d+) of \1 components stopped", str(await stop.recv()))
             await stop.send("release 101")
             assert "released from the emergency" in str(await stop.recv())
+
+
+async def test_pages_that_never_connect_keep_no_other_out(console: Visit) -> None:
+    tokens = [token_of(await page(console)) for _ in range(MAX_PAGES_OF_SESSION + 1)]
+    with pytest.raises((InvalidStatus, ConnectionClosed)):
+        async with socket_of(console, f"/ws/stop/{tokens[0]}") as given_up:
+            await given_up.recv()
+    async with asyncio.timeout(60.0), socket_of(console, f"/ws/stop/{tokens[-1]}") as stop:
+        await stop.send("dance 101")
+        assert await stop.recv() == "not understood: dance 101"
 
 
 async def test_sockets_are_refused_to_other_sites_and_without_a_token(console: Visit) -> None:

@@ -152,7 +152,7 @@ def console_page(
 
 def _read_token(path: Path) -> str:
     """The token in a file; raises `ConfigError`."""
-    token = read_file(path, MAX_TOKEN).decode("utf-8", "replace").strip()
+    token = read_file(path).decode("utf-8", "replace").strip()
     if path.stat().st_mode & (stat.S_IRWXG | stat.S_IRWXO):
         raise ConfigError(f"{path}: other users may read or change this token; do: chmod 600 {path}")
     if not TOKEN.fullmatch(token):
