@@ -319,6 +319,18 @@ async def test_a_body_that_never_ends_is_not_waited_for(monkeypatch: pytest.Monk
     assert sent[0]["status"] == 408
 
 
+async def test_a_long_answer_has_no_time_limit(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(body_limit, "BODY_TIME", 0.0)
+
+    async def downloading(scope: Any, receive: Any, send: Any) -> None:
+        await send({"type": "http.response.start", "status": 200, "headers": []})
+        await receive()
+        await send({"type": "http.response.body", "body": b"the end"})
+
+    async with client(BodyLimit(downloading)) as at:
+        assert (await at.get("/")).text == "the end"
+
+
 def test_certificates_that_fit_and_that_do_not(tmp_path: Path) -> None:
     first, second = ([tmp_path / f"{n}.pem", tmp_path / f"{n}-key.pem"] for n in "ab")
     fingerprint = make_certificate(["ground.local", "192.168.1.20"], *first)

@@ -55,7 +55,7 @@ class _Request:
 
     async def receive(self) -> Message:
         """The next part of the body; the end of the connection if it is too long or too slow."""
-        if self._is_whole:
+        if self._is_whole or self._is_answered:  # what follows is the end of the connection
             return await self._receive()
         try:
             async with asyncio.timeout_at(self._deadline):
@@ -75,7 +75,6 @@ class _Request:
             await self._send(message)
 
     async def _refuse(self, response: Response) -> Message:
-        if not (self.is_refused or self._is_answered):
-            await response(self._scope, self._receive, self._send)
+        await response(self._scope, self._receive, self._send)
         self.is_refused = self._is_whole = True
         return {"type": "http.disconnect"}
