@@ -34,6 +34,11 @@ def test_a_file_that_is_no_token(tmp_path: Path, content: str | None, mode: int,
     assert said in " ".join(refused.stderr.split())
 
 
+def test_users_need_no_token() -> None:
+    refused = jauspy("console", "--no-browser", "--token-file", "token", "--users", "users.toml", status=1)
+    assert "leave out one" in " ".join(refused.stderr.split())
+
+
 def test_a_token_for_bookmarks_is_read_from_its_file(tmp_path: Path) -> None:
     path = tmp_path / "token"
     path.write_text(f"{TOKEN}\n")

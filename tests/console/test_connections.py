@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import errno
 import socket
 import ssl
 import struct
@@ -42,8 +43,8 @@ async def answering(scope: Any, receive: Any, send: Any) -> None:
 class Served:
     """A server at a port of its own."""
 
-    def __init__(self, port: int, connections: Connections, trust: ssl.SSLContext | None) -> None:
-        self.port, self.connections, self._trust = port, connections, trust
+    def __init__(self, port: int, connections: Connections, trust: ssl.SSLContext | None, notes: list[str]) -> None:
+        self.port, self.connections, self._trust, self.notes = port, connections, trust, notes
         self._writers: list[asyncio.StreamWriter] = []
 
     async def connect(self, *, tls: bool = True) -> asyncio.StreamReader:
@@ -83,14 +84,14 @@ class Served:
 async def served(folder: Path | None = None, backlog: int = 512) -> AsyncIterator[Served]:
     """A console with an application of this test, with TLS if there is a folder for its certificate."""
     listener = socket.create_server(("127.0.0.1", 0), backlog=backlog)
-    connections, trust, files = Connections(), None, dict[str, Any]()
+    notes: list[str] = []
+    connections, trust, files = Connections(notes.append), None, dict[str, Any]()
     if folder is not None:
         certificate, key = folder / "certificate.pem", folder / "key.pem"
         make_certificate(["localhost"], certificate, key)
         trust = ssl.create_default_context(cafile=str(certificate))
         files = {"ssl_certfile": certificate, "ssl_keyfile": key}
     port = listener.getsockname()[1]
-    scheme_is_plain = folder is None
     gate = LoginMiddleware(answering, None, lambda _: None, port=port, token=TOKEN, connections=connections)
     config = uvicorn.Config(
         gate, http="h11", lifespan="off", log_level="critical", timeout_graceful_shutdown=1, **files
@@ -99,7 +100,7 @@ async def served(folder: Path | None = None, backlog: int = 512) -> AsyncIterato
     task = asyncio.create_task(server.serve())
     while not server.started:
         await asyncio.sleep(0.01)
-    found = Served(port, connections, None if scheme_is_plain else trust)
+    found = Served(port, connections, trust, notes)
     try:
         yield found
     finally:
@@ -127,6 +128,8 @@ async def test_idle_connections_of_one_host_keep_nobody_out(tls: bool, tmp_path:
         assert all([await is_closed(each) for each in idle[:8]]), "the oldest ones"
         assert at.connections.closed[STRANGERS.reason] >= 8
         assert len(at.connections) <= STRANGERS.of_group + 3
+        assert at.notes[0].startswith("connections closed because too many had no session: 1 so far, now one of 127.")
+        assert len(at.notes) <= 6
 
 
 async def test_a_handshake_that_does_not_end_is_not_waited_for(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -215,12 +218,11 @@ async def test_no_descriptor_left_closes_the_oldest_stranger(monkeypatch: pytest
     async with served() as at:
         first = await at.connect()
         await at.get(first)
-        accept, refused = socket.socket.accept, [1]
+        accept, refused = socket.socket.accept, [errno.EMFILE]
 
         def without_descriptors(sock: socket.socket) -> Any:
             if refused:
-                refused.clear()
-                raise OSError(24, "Too many open files")
+                raise OSError(refused.pop(), "Too many open files")
             return accept(sock)
 
         monkeypatch.setattr(socket.socket, "accept", without_descriptors)

@@ -116,6 +116,10 @@ def console_page(
     if with_parent:
         end_with_parent()
 
+    if token_file is not None and users is not None:
+        raise ConfigError(
+            "--token-file is for a console without --users, whose users log in with passwords; leave out one"
+        )
     if audit is None and users is not None:
         audit = users.with_name(f"{users.name}.audit")
     named_poses = None if poses is None else read_poses(poses)

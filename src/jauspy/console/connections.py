@@ -8,6 +8,7 @@ host; a new one always finds room, and the oldest idle one of the host with most
 from __future__ import annotations
 
 import asyncio
+import errno
 import ipaddress
 import socket
 import ssl
@@ -15,7 +16,7 @@ from collections import Counter
 from collections.abc import Callable, Hashable, Iterator
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Final
 
 from jauspy.logs import get_logger
 
@@ -29,6 +30,7 @@ _SWEEP_INTERVAL: Final = 1.0
 """Seconds between two checks of all connections."""
 _ACCEPT_PAUSE: Final = 0.1
 """Seconds until the next attempt when the process has no descriptor left."""
+_NO_DESCRIPTOR: Final = (errno.EMFILE, errno.ENFILE)
 _LOG = get_logger(__name__)
 
 Client = tuple[str, int]
@@ -79,16 +81,18 @@ class Share:
     """Why a connection was closed that was too many."""
 
 
-STRANGERS: Final = Share(32, 128, "too many without a session")
+STRANGERS: Final = Share(32, 128, "too many had no session")
 """Connections on which no request had a session, by hosts."""
-KNOWN: Final = Share(32, 192, "too many of a session")
+KNOWN: Final = Share(32, 192, "a session had too many")
 """Connections of sessions, beside their sockets."""
 
 
 class Connections:
     """The connections of one listener, by address and port of the browser."""
 
-    def __init__(self) -> None:
+    def __init__(self, note: Callable[[str], None] = lambda _: None) -> None:
+        """`note` is called with sentences for the operator."""
+        self._note = note
         self.closed: Counter[str] = Counter()
         """How many were closed, by reason."""
         self._open: dict[Client, _Connection] = {}
@@ -109,7 +113,8 @@ class Connections:
                     sock, address = await loop.sock_accept(listener)
                 except OSError as error:
                     _LOG.warning("the console cannot accept a connection: %s", error.strerror)
-                    self._close_oldest("no descriptor", self._strangers())
+                    if error.errno in _NO_DESCRIPTOR:
+                        self._close_oldest("no descriptor was left", self._strangers())
                     await asyncio.sleep(_ACCEPT_PAUSE)
                     continue
                 self._admit(sock, (str(address[0]), int(address[1])), make_protocol, tls)
@@ -167,12 +172,14 @@ class Connections:
         tls: ssl.SSLContext | None,
     ) -> None:
         """Hand a socket over to the server, after the handshake of TLS."""
-        times: dict[str, Any] = {} if tls is None else {"ssl_handshake_timeout": HANDSHAKE_TIME}
-        if tls is not None:
-            times["ssl_shutdown_timeout"] = HANDSHAKE_TIME
+        handshake = None if tls is None else HANDSHAKE_TIME
         try:
             connection.transport, _ = await asyncio.get_running_loop().connect_accepted_socket(
-                make_protocol, sock, ssl=tls, **times
+                make_protocol,
+                sock,
+                ssl=tls,
+                ssl_handshake_timeout=handshake,
+                ssl_shutdown_timeout=handshake,
             )
         except (OSError, ssl.SSLError, asyncio.CancelledError) as error:
             with suppress(OSError):
@@ -203,7 +210,9 @@ class Connections:
         if found:
             oldest = min(found, key=lambda each: (each.requests > 0, each.since))
             self.closed[reason] += 1
-            _LOG.info("a connection of %s was closed: %s", oldest.host, reason, extra={"kind": reason})
+            count = self.closed[reason]
+            if count & (count - 1) == 0:  # the 1st, 2nd, 4th, ...
+                self._note(f"connections closed because {reason}: {count} so far, now one of {oldest.host}")
             oldest.close()
 
     async def _sweep(self) -> None:

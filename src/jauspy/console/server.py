@@ -55,6 +55,8 @@ MAX_FRAME: Final = 1 << 16
 """Bytes of a message of a browser."""
 BY_ITSELF: Final = "(console)"
 """The operator of commands without a user, in the audit log; no user has this name."""
+BACKLOG: Final = 512
+"""Connections that the kernel keeps until they are accepted."""
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
 RECORDINGS: Final = Path.home() / "jauspy-recordings"
@@ -416,7 +418,7 @@ async def serving(
     console.poses = poses or {}
     app = make_app(console)
     add_page(app, console)
-    served, connections = listener.getsockname()[1], Connections()
+    served, connections = listener.getsockname()[1], Connections(console.note)
     token = access.token or secrets.token_urlsafe(32)
     gate = LoginMiddleware(BodyLimit(app), users, console.note, port=served, token=token, connections=connections)
     config = uvicorn.Config(
@@ -467,7 +469,8 @@ def _users(access: Access, host: str) -> Users | None:
 
 def _listener(host: str, port: int) -> socket.socket:
     try:
-        return socket.create_server((host, port), family=socket.AF_INET6 if ":" in host else socket.AF_INET)
+        family = socket.AF_INET6 if ":" in host else socket.AF_INET
+        return socket.create_server((host, port), family=family, backlog=BACKLOG)
     except OSError as error:
         raise ConfigError(
             f"the console cannot listen at {host} port {port}: {error.strerror}; choose another one with --port"
