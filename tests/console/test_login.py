@@ -13,7 +13,7 @@ pytest.importorskip("nicegui", reason="needs the extra 'console'")
 
 import httpx
 
-from jauspy.console import body_limit, users as users_module
+from jauspy.console import body_limit, login as login_module, users as users_module
 from jauspy.console.body_limit import MAX_BODY, BodyLimit
 from jauspy.console.certificates import check_certificate, make_certificate
 from jauspy.console.login import (
@@ -196,6 +196,26 @@ async def test_the_token_becomes_a_cookie_and_leaves_the_address() -> None:
     async with client(gate(), LOCAL) as restarted:
         restarted.headers["cookie"] = cookie.partition(";")[0]
         assert (await restarted.get("/")).status_code == 403, "a restart ends all sessions"
+
+
+async def test_a_cookie_is_of_the_user_who_has_entered(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Browsers send it to all ports of the machine, to servers of other users, too."""
+    notes: list[str] = []
+    user: list[int | None] = [1000]
+    monkeypatch.setattr(login_module, "peer_user", lambda *_: user[0])
+    middleware = gate(note=notes.append)
+    async with client(middleware, LOCAL) as at:
+        cookie = (await at.get("/", params={"token": TOKEN})).headers["set-cookie"].partition(";")[0]
+        assert (await at.get("/")).text == "local"
+        for other in (1001, None):
+            user[0] = other
+            assert (await at.get("/")).status_code == 403
+            socket = Socket(middleware, "/ws/stop/x", cookie, origin=LOCAL, host=f"localhost:{PORT}")
+            assert await socket.next() == {"type": "websocket.close", "code": 4401}
+        user[0] = 1000
+        assert (await at.get("/")).text == "local"
+    refused = "requests of another user of this machine with the cookie of a session were refused"
+    assert notes == [f"{refused}: {count} so far" for count in (1, 2, 4)]
 
 
 async def test_a_link_with_the_token_on_another_page_opens_the_console() -> None:

@@ -20,6 +20,7 @@ from starlette.types import ASGIApp, Receive, Scope, Send
 
 from jauspy.console.connections import Connections
 from jauspy.console.login_limit import LoginLimit, Turns
+from jauspy.console.peer_user import peer_user
 from jauspy.console.users import LIFETIME, LOCAL, NAME, Session, Sessions, Users, current
 
 LOCAL_HOSTS: Final = frozenset({"127.0.0.1", "localhost", "::1"})
@@ -86,7 +87,7 @@ class LoginMiddleware:
         self._sessions = Sessions(lasting=users is None)
         self._limit = LoginLimit()
         self._turns = Turns()
-        self._refused = 0
+        self._refused = self._strange_cookies = 0
 
     async def __call__(self, scope: Scope, receive: Receive, send: Send) -> None:
         """Handle one connection, as ASGI defines."""
@@ -103,10 +104,18 @@ class LoginMiddleware:
             await _refuse(scope, receive, send, PlainTextResponse(problem, 403))
             return
         session = self._session(headers)
+        if session is not None and session.peer is not None and session.peer != _peer(scope):
+            self._strange_cookies += 1
+            if _is_power_of_two(self._strange_cookies):
+                seen = f"{self._strange_cookies} so far"
+                self._note(
+                    f"requests of another user of this machine with the cookie of a session were refused: {seen}"
+                )
+            session = None
         if session is not None:
             self._connections.is_of(scope.get("client"), session, is_socket=scope["type"] == "websocket")
         if self._users is None and scope["type"] == "http" and (token := _token(scope)):
-            await _refuse(scope, receive, send, self._entered(token, session, headers))
+            await _refuse(scope, receive, send, self._entered(token, session, scope, headers))
         elif session is None:
             await self._unknown(scope, receive, send)
         elif scope["type"] == "websocket":
@@ -148,7 +157,7 @@ class LoginMiddleware:
         key = cookie_parser(headers.get("cookie", "")).get(self._cookie)
         return None if key is None else self._sessions.find(key, _now())
 
-    def _entered(self, token: str, session: Session | None, headers: dict[str, str]) -> Response:
+    def _entered(self, token: str, session: Session | None, scope: Scope, headers: dict[str, str]) -> Response:
         """Exchange the token in an address for a cookie, and send the browser to the address without it."""
         if not hmac.compare_digest(token.encode("utf-8", "replace"), self._token):
             return _sentence_page(_CLOSED, 403)
@@ -159,6 +168,7 @@ class LoginMiddleware:
         if session is None:
             begun = self._sessions.begin(LOCAL, "localhost", _now())
             assert begun is not None, "the oldest session of the only user has ended"
+            begun.peer = _peer(scope)
             response.set_cookie(self._cookie, begun.key, path="/", httponly=True, samesite="strict")
         return response
 
@@ -213,7 +223,7 @@ class LoginMiddleware:
 
     def _too_many(self, name: str, address: str, wait: float) -> Response:
         self._refused += 1
-        if self._refused & (self._refused - 1) == 0:  # the 1st, 2nd, 4th, ...: anybody can cause these lines
+        if _is_power_of_two(self._refused):
             attempts = f"{self._refused} so far"
             self._note(f"login of {_shown(name)} from {address} was refused: too many attempts ({attempts})")
         when = f"try again in {max(1, round(wait / 60))} min." if wait else "try again in a few seconds."
@@ -291,6 +301,17 @@ def _token(scope: Scope) -> str:
     except ValueError:
         return ""
     return fields.get("token", [""])[0]
+
+
+def _is_power_of_two(count: int) -> bool:
+    """True for the 1st, 2nd, 4th, ... of lines that anybody can cause."""
+    return count & (count - 1) == 0
+
+
+def _peer(scope: Scope) -> int | None:
+    """The user of this machine who has sent a request, if that is known."""
+    client, server = scope.get("client"), scope.get("server")
+    return peer_user(tuple(client), tuple(server)) if client and server else None
 
 
 def _split(url: str) -> SplitResult:

@@ -210,6 +210,8 @@ class Session:
     address: str
     key: str = field(default_factory=lambda: secrets.token_urlsafe(32), repr=False)
     """The value of the cookie."""
+    peer: int | None = None
+    """The user id of this machine whose browser began it; None if unknown."""
     began: float = 0.0
     seen: float = 0.0
     sockets: int = 0
