@@ -1,6 +1,7 @@
 """Subscribe to the point clouds of a lidar or depth camera, and save each.
 
-`python save_cloud.py tcp://127.0.0.1:5565 FOLDER [COUNT] [pcd|ply]`; `jauspy up inc1 --cloud tcp://127.0.0.1:5565` publishes.
+`python save_cloud.py tcp://127.0.0.1:5565 FOLDER [COUNT] [pcd|ply]`; `jauspy up inc1 --cloud tcp://127.0.0.1:5565`
+publishes them.
 """
 
 from __future__ import annotations
