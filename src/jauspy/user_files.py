@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tomllib
+from collections.abc import Iterable
 from pathlib import Path
 from typing import Any, Final
 
@@ -11,6 +12,14 @@ from jauspy.errors import ConfigError
 
 MAX_FILE: Final = 16 << 20
 """Bytes. A file may name further ones, such as /dev/zero, which never ends."""
+
+MANIFESTS: Final = ("package.xml", "model.config")
+"""Files that make a directory a package of ROS or a model of Gazebo."""
+
+CONTENT_FOLDERS: Final = frozenset(
+    ("description", "mesh", "meshes", "mjcf", "models", "robot", "robots", "sdf", "urdf", "worlds", "xacro")
+)
+"""Usual names of folders within a package."""
 
 
 def read_file(path: Path, limit: int = MAX_FILE) -> bytes:
@@ -39,6 +48,37 @@ def below(folder: Path, path: str) -> Path | None:
     """
     target = Path(os.path.normpath(folder / path))
     return target if target.is_relative_to(os.path.normpath(folder)) else None
+
+
+def own_folder(path: Path) -> Path:
+    """The folder with what belongs to a file: its directory, or the one above `urdf`, `meshes` and the like."""
+    folder = path.absolute().parent
+    return folder.parent if folder.name in CONTENT_FOLDERS else folder
+
+
+def confined(path: Path, folders: Iterable[Path]) -> Path:
+    """`path`, if a file of a stranger may name it; else `ConfigError`: what is read may be reported to clients.
+
+    Links are followed first. The file must be below one of the folders, or in a package or model, and no part of its
+    path there may begin with a dot. The home directory, and those above it, count neither as folder nor as package.
+    """
+    try:
+        real, home = path.resolve(), Path.home().resolve()
+    except (OSError, RuntimeError) as error:  # no home, or links that lead to each other
+        raise ConfigError(f"{path}: cannot be found: {error}") from error
+    folders = [folder.resolve() for folder in folders]
+    packages = (parent for parent in real.parents if any((parent / name).is_file() for name in MANIFESTS))
+    for folder in (*folders, *packages):
+        if real.is_relative_to(folder) and not home.is_relative_to(folder):
+            if any(part.startswith(".") for part in real.relative_to(folder).parts):
+                continue
+            return path
+    places = ", ".join(dict.fromkeys(map(str, folders)))
+    what = f"{path}: " if real == path.absolute() else f"{path}: leads to {real}, and "
+    raise ConfigError(
+        f"{what}is not read, because it is neither below {places} nor in a package or model, a directory with "
+        f"{' or '.join(MANIFESTS)}"
+    )
 
 
 def parse_toml(data: bytes, name: str) -> dict[str, Any]:

@@ -11,7 +11,7 @@ import xacro
 from jauspy.errors import ConfigError
 from jauspy.modules import robot_files, xacro_files
 from jauspy.modules.urdf_paths import PackagePaths
-from jauspy.modules.xacro_files import MAX_ELEMENTS, MAX_TOTAL, MAX_VALUE_LENGTH, expand
+from jauspy.modules.xacro_files import LIMITS, MAX_TOTAL, MAX_VALUE_LENGTH, PARTS, expand
 
 HEAD = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 
@@ -131,9 +131,9 @@ def test_files_that_never_end(tmp_path: Path, written, use: str) -> None:
 
 
 def test_macros_that_double_each_other(written, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(xacro_files, "MAX_ELEMENTS", MAX_ELEMENTS // 100)
+    monkeypatch.setattr(xacro_files, "LIMITS", {**LIMITS, PARTS: 1000})
     doubled = "".join(f'<xacro:macro name="m{n + 1}"><xacro:m{n}/><xacro:m{n}/></xacro:macro>' for n in range(60))
-    with pytest.raises(ConfigError, match="macros make more than 1000 elements of it"):
+    with pytest.raises(ConfigError, match="it has more than 1000 elements, attributes and texts"):
         expand(written(f'<xacro:macro name="m0"><link/></xacro:macro>{doubled}<xacro:m60/>'))
 
 

@@ -146,7 +146,9 @@ def with_place(error: ConfigError, file: str) -> ConfigError:
 
 
 def _robot_model(config: RobotConfig) -> RobotModel:
-    description = read_urdf(config.urdf, PackagePaths(tuple(map(Path, config.package_path))), config.xacro_arguments)
+    own = (Path(config.file).parent,) if config.file else ()
+    packages = PackagePaths(tuple(map(Path, config.package_path)), own=own)
+    description = read_urdf(config.urdf, packages, config.xacro_arguments)
     description = _with_limits(description, config.joint_limits)
     if config.tracks is not None:
         _check_tracks(config.tracks, description)

@@ -12,7 +12,7 @@ from urllib.parse import unquote
 from lxml import etree
 
 from jauspy.errors import ConfigError
-from jauspy.user_files import below, read_file
+from jauspy.user_files import below, confined, own_folder, read_file
 
 MANIFEST: Final = "package.xml"
 
@@ -33,6 +33,8 @@ class PackagePaths:
     """`package_path` of the robot's TOML file: packages, or directories with packages."""
     environment: Mapping[str, str] | None = None
     """`os.environ` when left out."""
+    own: tuple[Path, ...] = ()
+    """Folders of the robot's files, whose content they may name without a package."""
 
     def package(self, name: str, near: Path) -> Path:
         """The directory of a package that a file names; raises `ConfigError` with the places that were searched."""
@@ -50,8 +52,18 @@ class PackagePaths:
             f"robot), ROS_PACKAGE_PATH and AMENT_PREFIX_PATH name: {searched}; nor is it beside or above {near.parent}"
         )
 
+    def permitted(self, path: Path, near: Path) -> Path:
+        """`path`, if the file `near` may name it: it is below the robot's folders or ROS's, or in a package.
+
+        Raises `ConfigError`.
+        """
+        return confined(path, (own_folder(near), *self.own, *self._of_ros()))
+
     def file(self, name: str, near: Path) -> Path:
         """The file that the text `name` means in the file `near`; raises `ConfigError` if there is none."""
+        return self.permitted(self._file(name, near), near)
+
+    def _file(self, name: str, near: Path) -> Path:
         scheme, found, rest = name.partition("://")
         if not found:
             return _existing(near.parent / name, name)
