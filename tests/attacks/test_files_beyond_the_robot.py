@@ -1,4 +1,4 @@
-"""A file author names files of his victim. What a robot reads is reported to clients, so only its own files are read."""
+"""A file author names files of his victim, whose content the robot would report to clients: they are not read."""
 
 from __future__ import annotations
 

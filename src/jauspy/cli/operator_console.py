@@ -193,7 +193,7 @@ def _audit_log(path: Path | None) -> AbstractContextManager[AuditLog | None]:
         return nullcontext()
     from jauspy.modules.audit import AuditLog
 
-    return AuditLog(path, "console")
+    return AuditLog(path, "console", follow_links=True)
 
 
 @user_app.command("add")

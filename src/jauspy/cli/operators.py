@@ -77,6 +77,14 @@ def audit(
         list[str] | None,
         typer.Option("--head", metavar="NUMBER:HASH", help="A head that was noted earlier; may be repeated."),
     ] = None,
+    heads: Annotated[
+        Path | None,
+        typer.Option(
+            "--heads",
+            metavar="FILE",
+            help="What another machine has collected from `jauspy up --audit-heads-to`, as its syslog's file.",
+        ),
+    ] = None,
     operators: Annotated[
         Path | None,
         typer.Option("--operators", metavar="FILE", help="The operators file, to verify the signatures of commands."),
@@ -84,8 +92,8 @@ def audit(
 ) -> None:
     """Verify an audit log: name the first line that was changed or removed, or cut off at the end.
 
-    Keep the printed head elsewhere: with --head, changes to any line up to it are detected, also those by somebody who
-    can write to the robot's disk. The exit status is 1 if the log was changed.
+    Keep the printed head elsewhere, or have heads sent: with --head or --heads, changes to any line up to them are
+    detected, also those by somebody who can write to the robot's disk. The exit status is 1 if the log was changed.
 
     Example:
       jauspy audit robot.audit --operators operators.toml
@@ -93,7 +101,7 @@ def audit(
     from jauspy.modules import audit as log, operators as file
 
     anchors = [log.Head.parse(each) for each in head or ()]
-    report = log.verify(path, anchors, file.load(operators) if operators is not None else ())
+    report = log.verify(path, anchors, file.load(operators) if operators is not None else (), heads)
     commands = ", ".join(f"{number} of {printable(name)}" for name, number in report.commands.most_common())
     console.print_lines(f"{path}: {report.head.number} lines; commands: {commands or 'none'}; {report.refused} refused")
     if operators is not None:

@@ -119,6 +119,23 @@ def up(
     console_port: Annotated[
         int, typer.Option("--console-port", min=0, max=65535, help="The port of its page; 0 is any free one.")
     ] = CONSOLE_PORT,
+    audit_log: Annotated[
+        Path | None,
+        typer.Option(
+            "--audit-log",
+            metavar="FILE",
+            help="Record commands in this file, which may be anywhere. Default: the robot's own, below its folder.",
+        ),
+    ] = None,
+    audit_heads_to: Annotated[
+        str | None,
+        typer.Option(
+            "--audit-heads-to",
+            metavar="URL",
+            help="Send the heads of the audit log to another machine, so that changes of all lines are noticed: "
+            "syslog://HOST:PORT (UDP) or syslog+tcp://HOST:PORT.",
+        ),
+    ] = None,
     plain: Annotated[
         bool, typer.Option("--plain", help="Print lines of text and no live table, as in a pipe and with --verbose.")
     ] = False,
@@ -154,6 +171,8 @@ def up(
         backend=backend,
         world=world,
         view=view,
+        audit_log=audit_log,
+        audit_heads_to=audit_heads_to,
     )
     if bus is not None and runner.config.backend != CAN:
         raise ConfigError(f"--bus is for the backend can; this one is {runner.config.backend}")

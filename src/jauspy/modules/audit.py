@@ -7,7 +7,6 @@ this proves, and what it does not, is in docs/security.md.
 from __future__ import annotations
 
 import errno
-import fcntl
 import hashlib
 import json
 import os
@@ -31,6 +30,8 @@ from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.messages import registry
 from jauspy.messages.operators import SealedCommand
+from jauspy.modules.audit_files import MAX_LINE, AuditFiles, head_file, parsed
+from jauspy.modules.audit_heads import HeadSender, collected_heads
 from jauspy.protocol.duplicates import ReplayWindow
 from jauspy.protocol.seal import Operator
 from jauspy.services.core.command_seal import CommandRecord
@@ -43,7 +44,6 @@ MAX_UNSEALED: Final = 20
 """Records in a second without the seal of an operator: anybody can cause these. Further ones are counted only."""
 MAX_PAYLOAD: Final = 16 * 1024
 """Bytes of a message that are recorded; of a longer one the hash."""
-MAX_LINE: Final = 64 * 1024
 REPORT_INTERVAL: Final = 1.0
 """Seconds from one line about what was not recorded to the next."""
 ATTEMPTS: Final = 4
@@ -75,19 +75,15 @@ class Head:
         return cls(int(number), hash)
 
 
-def head_file(path: Path) -> Path:
-    """The path of the file with the head of a log."""
-    return path.with_name(f"{path.name}.head")
-
-
 class AuditLog:
     """Writes the log: `with AuditLog(path, "inc1") as log: log.record(...)`; continues an existing file.
 
-    Raises `ConfigError` for a file that cannot be written, or is written by another robot.
+    Raises `ConfigError` for a file that cannot be written, is written by another robot, or has something else. With
+    `follow_links`, `path` may be a link. `heads` sends the heads to another machine.
     """
 
-    def __init__(self, path: Path, robot: str) -> None:
-        self.path = path
+    def __init__(self, path: Path, robot: str, *, follow_links: bool = False, heads: HeadSender | None = None) -> None:
+        self.path = path = path.resolve() if follow_links else path
         self.head = Head()
         self.counters: Counter[str] = Counter()
         """`lost`: the disk is slow; `not_written`: it is full or broken; `not_recorded`: more than `MAX_UNSEALED`."""
@@ -95,8 +91,9 @@ class AuditLog:
         self._waiting: queue.Queue[CommandRecord | dict[str, Any] | None] = queue.Queue(MAX_WAITING)
         self._second = (0, 0)
         self._thread = threading.Thread(target=self._run, name=f"audit log {path}", daemon=True)
-        self._file = -1
-        self._head_file = -1
+        self._files = AuditFiles(path)
+        self._heads = heads
+        self._first = ""
         self._size = 0
         self._failed = False
 
@@ -104,10 +101,10 @@ class AuditLog:
         try:
             self._append([self._open() | {"event": "started", "robot": self._robot}])
         except OSError as error:
-            self._close_files()
+            self._files.close()
             raise ConfigError(f"audit_log {self.path}: {error.strerror}") from error
         except ConfigError:
-            self._close_files()
+            self._files.close()
             raise
         self._thread.start()
         return self
@@ -119,7 +116,7 @@ class AuditLog:
             self._waiting.put(None, timeout=CLOSE_TIMEOUT)
             self._thread.join(CLOSE_TIMEOUT)
         if not self._thread.is_alive():
-            self._close_files()
+            self._files.close()
 
     def record(self, record: CommandRecord) -> None:
         """Queue a record for the writing thread; never blocks.
@@ -150,19 +147,12 @@ class AuditLog:
 
     def _open(self) -> dict[str, Any]:
         """Open the files; returns a note for the log about its state."""
-        try:
-            self._file = os.open(self.path, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-            fcntl.flock(self._file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            self._head_file = os.open(head_file(self.path), os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
-            self._size = os.fstat(self._file).st_size
-            end = os.pread(self._file, MAX_LINE, max(0, self._size - MAX_LINE))
-            expected = os.pread(self._head_file, 256, 0).decode("ascii", "replace").partition("\n")[0]
-        except BlockingIOError as error:
-            raise ConfigError(
-                f"audit_log {self.path}: another robot writes to it; give each robot its own file"
-            ) from error
-        except OSError as error:
-            raise ConfigError(f"audit_log {self.path}: {error.strerror}") from error
+        self._files.open()
+        self._size = os.fstat(self._files.log).st_size
+        end = os.pread(self._files.log, MAX_LINE, max(0, self._size - MAX_LINE))
+        expected = os.pread(self._files.head, 256, 0).decode("ascii", "replace").partition("\n")[0]
+        first, newline, _ = os.pread(self._files.log, MAX_LINE, 0).partition(b"\n")
+        self._first = _hash(first) if newline else ""
         found: dict[str, Any] = {}
         whole = end[: end.rfind(b"\n") + 1]
         if torn := end[len(whole) :]:
@@ -170,6 +160,9 @@ class AuditLog:
             self._size -= len(torn)
         last = whole[:-1].rpartition(b"\n")[2]
         self.head = Head(_number(last), _hash(last)) if last else Head()
+        if self._files.was_empty:
+            found["emptied"] = True
+            _LOG.error("%s exists and is empty, and should not be: its lines were removed", self.path)
         if expected and expected != str(self.head):
             found["expected_head"] = expected
             _LOG.error("%s ends at line %d, and should not: its head was %s", self.path, self.head.number, expected)
@@ -216,23 +209,20 @@ class AuditLog:
             entry = {"n": head.number + 1, "time": datetime.now(UTC).isoformat(), **each, "previous": head.hash}
             line = json.dumps(entry).encode("ascii")
             head = Head(head.number + 1, _hash(line))
+            self._first = self._first or head.hash
             lines += line + b"\n"
-        written = os.pwrite(self._file, lines, self._size)
-        os.ftruncate(self._file, self._size + (len(lines) if written == len(lines) else 0))
+        written = os.pwrite(self._files.log, lines, self._size)
+        os.ftruncate(self._files.log, self._size + (len(lines) if written == len(lines) else 0))
         if written < len(lines):
             raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
-        os.fsync(self._file)
+        os.fsync(self._files.log)
         self._size += len(lines)
         self.head = head
         text = f"{head}\n".encode("ascii")
-        os.pwrite(self._head_file, text, 0)
-        os.ftruncate(self._head_file, len(text))
-
-    def _close_files(self) -> None:
-        for each in (self._file, self._head_file):
-            if each >= 0:
-                os.close(each)
-        self._file = self._head_file = -1
+        os.pwrite(self._files.head, text, 0)
+        os.ftruncate(self._files.head, len(text))
+        if self._heads is not None:
+            self._heads.offer(self._first, str(head))
 
 
 def _line_of(record: CommandRecord) -> dict[str, Any]:
@@ -266,25 +256,39 @@ class AuditReport:
     """Commands of operators above `MAX_PAYLOAD`: the log has their hash, and no signature."""
     not_recorded: int = 0
     problem: str = ""
+    size: int = 0
+    """Bytes of the lines that were verified."""
     numbers: defaultdict[Hashable, ReplayWindow] = field(default_factory=partial(defaultdict, ReplayWindow), repr=False)
     """The numbers of the commands that were sealed with one challenge: a robot takes each only once."""
 
 
-def verify(path: Path, anchors: Iterable[Head] = (), operators: Iterable[Operator] = ()) -> AuditReport:
+def verify(
+    path: Path, anchors: Iterable[Head] = (), operators: Iterable[Operator] = (), heads: Path | None = None
+) -> AuditReport:
     """Check a log and its head file. `anchors`: heads that were noted earlier. `operators`: check their signatures.
 
-    Raises `ConfigError` for files that cannot be read.
+    `heads`: a file with the heads that another machine has collected. Raises `ConfigError` for files that cannot be
+    read.
     """
-    anchors, by_name = list(anchors), {each.name: each for each in operators}
+    path, anchors, by_name = path.resolve(), list(anchors), {each.name: each for each in operators}
     try:
+        if heads is not None:
+            with path.open("rb") as stream:
+                first = _hash(stream.readline(MAX_LINE).removesuffix(b"\n"))
+            anchors += [Head(*each) for each in collected_heads(heads, first)]
         for attempt in range(ATTEMPTS):
             before = _saved_head(path)
             with path.open("rb") as stream:
                 report = _verify(stream, before, anchors, by_name)
-            if report.problem or not before or report.head.number <= (last := Head.parse(before).number):
+                stream.seek(report.size)
+                is_torn = not _is_begin(stream.read(MAX_LINE), report.head.number + 1)
+            if report.problem:
+                break
+            is_behind = before and report.head.number > (last := Head.parse(before).number)
+            if not is_torn and not is_behind:
                 break
             if _saved_head(path) == before and attempt == ATTEMPTS - 1:
-                report.problem = _beyond(last, report.head.number)
+                report.problem = _beyond(last, report.head.number) if is_behind else _no_line(report.head.number + 1)
             time.sleep(ATTEMPT_PAUSE)  # the robot may be writing: lines first, then the head
     except (OSError, UnicodeDecodeError) as error:
         raise ConfigError(f"{path}: cannot be read: {error}") from error
@@ -298,32 +302,41 @@ def _saved_head(path: Path) -> str:
 def _verify(stream: BinaryIO, head: str, anchors: list[Head], operators: Mapping[str, Operator]) -> AuditReport:
     report = AuditReport()
     wanted = [*anchors, *([Head.parse(head)] if head else [])]
-    hashes = {each.number: each.hash for each in wanted}
+    hashes: dict[int, str] = {}
+    for each in wanted:
+        if hashes.setdefault(each.number, each.hash) != each.hash:
+            report.problem = f"the heads of line {each.number} differ: one of them is of other lines"
+            return report
     lines: Iterator[bytes | None] = chain(_lines(stream), [None])
     for line, following in pairwise(lines):
         assert line is not None
         problem = _problem(line, following, report.head, hashes)
-        entry = _parsed(line) or {}
+        entry = parsed(line) or {}
         problem = problem or _count(entry, report, operators)
         if problem:
             report.problem = problem
             return report
         report.head = Head(report.head.number + 1, _hash(line))
+        report.size += len(line) + 1
     for each in wanted:
         if each.number > report.head.number:
             report.problem = f"lines {report.head.number + 1} to {each.number} were cut off at the end"
-    if not wanted:
+    if report.problem:
+        return report
+    if not report.head.number:
+        report.problem = "has no lines: all were removed, since a robot writes the first one when it makes the file"
+    elif not wanted:
         report.problem = "there is no head file; it is not known whether lines were cut off at the end"
     return report
 
 
 def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping[int, str]) -> str:
     """The problem of the next line."""
-    number, entry = before.number + 1, _parsed(line)
+    number, entry = before.number + 1, parsed(line)
     if entry is None:
         return f"line {number} was changed: it is no line of an audit log"
     if entry["n"] != number or entry["previous"] != before.hash:
-        after = _parsed(following) if following is not None else None
+        after = parsed(following) if following is not None else None
         is_as_written = (after or {}).get("previous") == _hash(line) or hashes.get(entry["n"]) == _hash(line)
         if not is_as_written or entry["n"] < number:
             return f"line {number} was changed"
@@ -332,6 +345,10 @@ def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping
         return f"line {before.number} was changed" if before.number else "line 1 was changed"
     if (expected := hashes.get(number)) is not None and expected != _hash(line):
         return f"line {number} was changed: its hash is not that of the head"
+    if "emptied" in entry:
+        return f"all lines before line {number} were removed: the file was empty when the robot started"
+    if "torn" in entry and not _is_begin(_of_hex(str(entry["torn"])), number):
+        return _no_line(number)
     if "expected_head" in entry:
         expected_head = str(entry["expected_head"])
         last, _, _ = expected_head.partition(":")
@@ -339,6 +356,27 @@ def _problem(line: bytes, following: bytes | None, before: Head, hashes: Mapping
             return _beyond(int(last[:18]), number - 1)
         return f"lines were cut off before line {number}: the head was {expected_head!r}"
     return ""
+
+
+def _is_begin(data: bytes, number: int) -> bool:
+    """True for bytes with which the line of this number may begin, as when the power fails while it is written."""
+    begin = f'{{"n": {number}, "time": "'.encode("ascii")
+    return data[: len(begin)] == begin[: len(data)] and all(0x20 <= byte < 0x7F for byte in data)
+
+
+def _of_hex(text: str) -> bytes:
+    try:
+        return bytes.fromhex(text)
+    except ValueError:
+        return b"\0"
+
+
+def _no_line(number: int) -> str:
+    """The meaning of bytes that are no part of a line."""
+    return (
+        f"before line {number} are bytes that no robot writes: they were added by somebody else, or the disk lost what "
+        "was being written when the power failed"
+    )
 
 
 def _beyond(head: int, last: int) -> str:
@@ -394,17 +432,8 @@ def _lines(stream: BinaryIO) -> Iterator[bytes]:
         yield line.removesuffix(b"\n")
 
 
-def _parsed(line: bytes) -> dict[str, Any] | None:
-    try:
-        entry = json.loads(line)
-    except (ValueError, RecursionError):
-        return None
-    is_line = isinstance(entry, dict) and isinstance(entry.get("n"), int) and isinstance(entry.get("previous"), str)
-    return entry if is_line else None
-
-
 def _number(line: bytes) -> int:
-    entry = _parsed(line)
+    entry = parsed(line)
     return entry["n"] if entry else 0
 
 

@@ -362,7 +362,7 @@ class RobotConfig(StrictConfig):
     require_operator: bool = True
     """With `operators`: whether commands without the seal of one are refused."""
     audit_log: Annotated[str, Field(min_length=1)] | None = None
-    """The file in which commands are recorded; a relative path starts at the TOML file."""
+    """The file in which commands are recorded, below the folder of the TOML file, where a relative path starts."""
     modules: tuple[ModuleConfig, ...]
     localization: LocalizationConfig = LocalizationConfig()
     tracks: TracksConfig | None = None

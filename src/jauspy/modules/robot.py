@@ -16,6 +16,7 @@ from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
 from jauspy.modules.audit import AuditLog
+from jauspy.modules.audit_heads import HeadSender
 from jauspy.modules.config import ModuleConfig, RobotConfig
 from jauspy.modules.hosts import Announcement, check_parts, host_of, is_present
 from jauspy.modules.monitors import FaultMonitor, LoadMonitor, overloads, reason
@@ -149,7 +150,8 @@ class RobotRunner:
 
     `transports` makes the transport of each component, by its id. `backend`, the name of an installed one or a
     `Backend`, and `world` override `config`; `realtime` makes the object that advances the robot's time; `view` opens
-    the window of the backend's simulator.
+    the window of the backend's simulator. `audit_log` is a file of the user's choice in place of the configured one,
+    and `audit_heads_to` the URL of a machine that gets its heads.
     Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
     cannot be opened. Closing ends the components first, and then the robot, which then stands still.
     """
@@ -163,6 +165,8 @@ class RobotRunner:
         world: str | None = None,
         realtime: Callable[[Robot], RealTime] = _in_real_time,
         view: bool = False,
+        audit_log: Path | None = None,
+        audit_heads_to: str | None = None,
     ) -> None:
         self._backend = None if isinstance(backend, str) else backend
         self._backend_file = config.file if backend is None else ""
@@ -175,6 +179,8 @@ class RobotRunner:
         self._following: asyncio.Task[None] | None = None
         self._videos: Mapping[str, CameraProcess] = {}
         self._audit: AuditLog | None = None
+        self._audit_log, self._audit_heads_to = audit_log, audit_heads_to
+        self._heads: HeadSender | None = None
         self._stack = AsyncExitStack()
 
     @property
@@ -246,6 +252,8 @@ class RobotRunner:
             counts |= {f"camera.{camera}.{name}": n for name, n in video.counters.items()}
         if self._audit is not None:
             counts |= {f"audit.{name}": n for name, n in dict(self._audit.counters).items()}
+        if self._heads is not None:
+            counts |= {f"audit.{name}": n for name, n in dict(self._heads.counters).items()}
         return counts
 
     async def open(self) -> None:
@@ -257,9 +265,7 @@ class RobotRunner:
             realtime = self._start_robot(stack, model)
             stack.push_async_callback(_cancel, asyncio.create_task(self._send_heartbeats(realtime)))
             videos = await self._open_cameras(stack, realtime)
-            audit = None
-            if self.config.audit_log is not None:
-                audit = stack.enter_context(AuditLog(Path(self.config.audit_log), self.config.name))
+            audit = self._open_audit_log(stack)
             make = partial(
                 self._make_component,
                 model,
@@ -282,6 +288,21 @@ class RobotRunner:
                 self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
                 stack.push_async_callback(_cancel, self._following)
             self._stack = stack.pop_all()
+
+    def _open_audit_log(self, stack: AsyncExitStack) -> AuditLog | None:
+        path = self._audit_log or (Path(self.config.audit_log) if self.config.audit_log is not None else None)
+        if self._audit_log is not None and self.config.operators is None:
+            raise ConfigError(
+                "an audit log needs operators: name the file of those who may command in the robot's file"
+            )
+        if path is None and self._audit_heads_to is not None:
+            raise ConfigError("the heads of an audit log are to be sent, and the robot has none: give one")
+        if path is None:
+            return None
+        if self._audit_heads_to is not None:
+            self._heads = stack.enter_context(HeadSender(self._audit_heads_to))
+        is_chosen = self._audit_log is not None
+        return stack.enter_context(AuditLog(path, self.config.name, follow_links=is_chosen, heads=self._heads))
 
     def _forget_modules(self) -> None:
         self._modules = None

@@ -19,6 +19,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
+from jauspy.modules.audit_files import own_path
 from jauspy.modules.can_config import CanConfig, can_setup
 from jauspy.modules.config import GroupConfig, JointConfig, JointLimitsConfig, RobotConfig, TracksConfig
 from jauspy.modules.urdf_paths import PackagePaths
@@ -32,7 +33,7 @@ PARTS: Final = "_parts.toml"
 """Suffix of files with types of parts, which do not describe robots."""
 _FOLDER: Final = files("jauspy") / "robots"
 
-FILES: Final = ("urdf", "operators", "audit_log")
+FILES: Final = ("urdf", "operators")
 """Keys with the path of a file; relative ones start at the TOML file."""
 PATHS: Final = ("package_path", "model_path")
 """Keys with lists of directories; relative ones start at the TOML file."""
@@ -81,6 +82,11 @@ def _read(source: Traversable, extensions: int) -> dict[str, Any]:
     for key in FILES:
         if isinstance(data.get(key), str) and data[key]:
             data[key] = str(folder / data[key])
+    if isinstance(log := data.get("audit_log"), str) and log:
+        try:
+            data["audit_log"] = str(own_path(folder, log))
+        except ConfigError as error:
+            raise ConfigError(f"{source}: {error}") from error
     if isinstance(world := data.get("world"), str) and is_world_file(world):
         data["world"] = str(folder / Path(world).expanduser())
     for key in PATHS:
