@@ -13,7 +13,7 @@ from jauspy.errors import ConfigError
 MAX_FILE: Final = 16 << 20
 """Bytes. A file may name further ones, such as /dev/zero, which never ends."""
 
-MANIFESTS: Final = ("package.xml", "model.config")
+MANIFESTS: Final = ("package.xml", "model.config", "model.sdf")
 """Files that make a directory a package of ROS or a model of Gazebo."""
 
 CONTENT_FOLDERS: Final = frozenset(
@@ -67,7 +67,7 @@ def confined(path: Path, folders: Iterable[Path]) -> Path:
     except (OSError, RuntimeError) as error:  # no home, or links that lead to each other
         raise ConfigError(f"{path}: cannot be found: {error}") from error
     folders = [folder.resolve() for folder in folders]
-    packages = (parent for parent in real.parents if any((parent / name).is_file() for name in MANIFESTS))
+    packages = (parent for parent in (real, *real.parents) if any((parent / name).is_file() for name in MANIFESTS))
     for folder in (*folders, *packages):
         if real.is_relative_to(folder) and not home.is_relative_to(folder):
             if any(part.startswith(".") for part in real.relative_to(folder).parts):

@@ -79,6 +79,7 @@ class WorkerProcess:
         """Start a worker that inherits these files; it waits for its first message."""
         process = await asyncio.create_subprocess_exec(
             sys.executable,
+            "-P",  # nothing from the current directory, which may be a stranger's
             "-m",
             "jauspy.worker_process",
             module,

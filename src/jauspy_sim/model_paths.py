@@ -12,7 +12,7 @@ from urllib.parse import unquote
 from lxml import etree
 
 from jauspy.errors import ConfigError
-from jauspy.user_files import below, read_file
+from jauspy.user_files import below, confined, own_folder, read_file
 
 VARIABLES: Final = (
     "GZ_SIM_RESOURCE_PATH",
@@ -38,8 +38,18 @@ class ModelPaths:
     environment: Mapping[str, str] | None = None
     """`os.environ` when left out."""
 
+    def permitted(self, path: Path, near: Path) -> Path:
+        """`path`, if the file `near` may name it: it is below its folder or the environment's, or in a model.
+
+        Raises `ConfigError`.
+        """
+        return confined(path, (own_folder(near), *self._of_environment()))
+
     def file(self, uri: str, near: Path) -> Path:
         """The file or directory that a URI in the file `near` means; raises `ConfigError` if there is none."""
+        return self.permitted(self._file(uri, near), near)
+
+    def _file(self, uri: str, near: Path) -> Path:
         scheme, found, rest = uri.partition("://")
         if not found:
             return _existing(near.parent / uri, uri) if not Path(uri).is_absolute() else _existing(Path(uri), uri)
@@ -69,14 +79,17 @@ class ModelPaths:
 
     def _places(self, near: Path) -> Iterator[Path]:
         yield from self.given
+        yield from self._of_environment()
+        for parent in list(near.absolute().parents)[:MAX_PARENTS]:
+            for folder in FOLDERS:
+                yield parent / folder
+
+    def _of_environment(self) -> Iterator[Path]:
         environment = os.environ if self.environment is None else self.environment
         for variable in VARIABLES:
             for part in environment.get(variable, "").split(os.pathsep):
                 if part:
                     yield Path(part)
-        for parent in list(near.absolute().parents)[:MAX_PARENTS]:
-            for folder in FOLDERS:
-                yield parent / folder
 
 
 def _existing(path: Path, uri: str) -> Path:

@@ -15,9 +15,15 @@ from jauspy.errors import ConfigError
 from jauspy.platform.description import WORLD_SUFFIXES, is_world_file
 from jauspy.user_files import read_file
 from jauspy_sim.groups import COLLISION, HEIGHT_FIELDS, RAY_MESHES
+from jauspy_sim.mjcf_files import check_costs, check_files
 from jauspy_sim.model_paths import ModelPaths
 from jauspy_sim.sdf import sdf_world
 from jauspy_sim.world_objects import objects_world
+
+MAX_ITERATIONS: Final = 1000
+"""Of a solver, in each step."""
+MAX_SIDE, MAX_SAMPLES, MAX_SLICES = 8192, 16, 128
+"""Of what MuJoCo draws: pixels of a side, samples of a pixel, slices of a sphere."""
 
 SHOWN: Final = (0, 1, 2)
 """Groups of geometries that MuJoCo draws."""
@@ -63,21 +69,30 @@ def _of_file(path: Path, paths: ModelPaths) -> mujoco.MjSpec:
             case ".toml":
                 return objects_world(path)
             case ".xml" | ".mjcf":
-                return _mjcf(path)
+                return _mjcf(path, paths)
     except ConfigError as error:
         raise ConfigError(f"world: {error}") from error
     raise ConfigError(f"world: {path}: its name must end in one of: {', '.join(WORLD_SUFFIXES)}")
 
 
-def _mjcf(path: Path) -> mujoco.MjSpec:
+def _mjcf(path: Path, paths: ModelPaths) -> mujoco.MjSpec:
     """A world in MJCF; included files are relative to it."""
     data = read_file(path)
+    check_files(path, paths)
     try:
+        check_costs(path)
         spec = mujoco.MjSpec.from_file(str(path))
-    except (ValueError, FileNotFoundError) as error:
+    except (ConfigError, ValueError, FileNotFoundError) as error:
         reason = " ".join(str(error).split())
         hint = "; SDF worlds have the suffix .sdf or .world" if b"<sdf" in data[:1000] else ""
-        raise ConfigError(f"{path}: MuJoCo cannot read it: {reason}{hint}") from error
+        raise ConfigError(f"{reason}{hint}") from error
+    for name in ("iterations", "ls_iterations", "noslip_iterations", "ccd_iterations", "sdf_iterations"):
+        setattr(spec.option, name, min(getattr(spec.option, name), MAX_ITERATIONS))
+    quality, screen = spec.visual.quality, spec.visual.global_
+    quality.shadowsize, quality.offsamples = min(quality.shadowsize, MAX_SIDE), min(quality.offsamples, MAX_SAMPLES)
+    screen.offwidth, screen.offheight = min(screen.offwidth, MAX_SIDE), min(screen.offheight, MAX_SIDE)
+    for name in ("numslices", "numstacks", "numquads"):
+        setattr(quality, name, min(getattr(quality, name), MAX_SLICES))
     for key in list(spec.keys):
         spec.delete(key)  # they have no positions for the robot
     for geom in spec.geoms:

@@ -14,7 +14,7 @@ from jauspy.config_errors import explain, line_prefix
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy.user_files import read_file, read_toml
+from jauspy.user_files import confined, own_folder, read_file, read_toml
 from jauspy_sim.groups import COLLISION
 from jauspy_sim.lighting import HORIZON, ZENITH, add_floor, add_sky, add_sun
 from jauspy_sim.mesh_files import read_heights
@@ -184,7 +184,7 @@ class _Builder:
                 )
             geom.friction = (ground.friction, *geom.friction[1:])
             return
-        heights = read_heights(self._path.parent / ground.height_map, MAX_HEIGHTS)
+        heights = read_heights(self._named(ground.height_map), MAX_HEIGHTS)
         rows, columns = heights.shape
         middle = float(heights[(rows - 1) // 2 : rows // 2 + 1, (columns - 1) // 2 : columns // 2 + 1].mean())
         pose = Transform(position=(0.0, 0.0, -ground.height * middle))
@@ -203,7 +203,7 @@ class _Builder:
             body.add_freejoint()
         if item.shape == "mesh":
             scale = (item.scale,) * 3 if isinstance(item.scale, float) else item.scale
-            source = MeshSource(self._path.parent / (item.file or ""), scale)
+            source = MeshSource(self._named(item.file or ""), scale)
             self._hidden.draw_mesh(body, source, Transform(), look)
             if item.mass is None:
                 self._hidden.collide_surface(body, source, Transform(), solid)
@@ -223,7 +223,10 @@ class _Builder:
         self._seen.paint(geom, look)
 
     def _file(self, name: str | None) -> Path | None:
-        return None if name is None else self._path.parent / name
+        return None if name is None else self._named(name)
+
+    def _named(self, name: str) -> Path:
+        return confined(self._path.parent / name, (own_folder(self._path),))
 
 
 def _three(numbers: tuple[float, ...]) -> tuple[float, float, float]:

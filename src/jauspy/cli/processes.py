@@ -138,6 +138,7 @@ class ChildProcess:
     async def __aenter__(self) -> Self:
         self._process = await asyncio.create_subprocess_exec(
             sys.executable,
+            "-P",  # nothing from the current directory, which may be a stranger's
             "-m",
             "jauspy.cli.main",
             *self._arguments,

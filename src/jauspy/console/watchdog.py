@@ -37,6 +37,7 @@ class Watchdog:
     async def __aenter__(self) -> Self:
         self._process = await asyncio.create_subprocess_exec(
             sys.executable,
+            "-P",  # nothing from the current directory, which may be a stranger's
             "-m",
             "jauspy.console.watchdog",
             *self._arguments,

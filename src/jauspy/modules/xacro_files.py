@@ -209,7 +209,7 @@ def _copy_of_xacro(path: Path, packages: PackagePaths, *, with_places: bool = Fa
     read = partial(_read, path, packages, costs)
     module.eval = module.exec = _refuse
     module.open = partial(_open_yaml, read, costs)
-    module.parse = partial(_parse, module, read, costs, with_places)
+    module.parse = partial(_parse, module, read, lambda name: _CountedElements(name, costs, with_places=with_places))
     module.glob = SimpleNamespace(glob=partial(_matching, path, packages, costs))
     module.safe_eval = lambda text, names, _=None: evaluator.evaluate(text, names)
     module.eval_text = partial(_text, module.eval_text, costs)
@@ -326,22 +326,26 @@ def _check_variable(name: str) -> None:
 
 
 def _parse(
-    module: Any, read: Callable[[Path], bytes], costs: _Costs, with_places: bool, text: Any, filename: str
+    module: Any,
+    read: Callable[[Path], bytes],
+    builder: Callable[[str], expatbuilder.ExpatBuilderNS],
+    *given: str | None,
 ) -> minidom.Document:
     """As xacro's `parse`: the document of a file, whose elements have their places."""
-    if text is not None:
+    text, filename = given
+    if text is not None or filename is None:
         _refuse()
     if len(module.filestack) > MAX_DEPTH:
         raise RecursionError
     path = Path(filename)
-    builder = _CountedElements(path.name, costs, with_places=with_places)
     try:
-        return builder.parseString(read(path))
+        document: minidom.Document = builder(path.name).parseString(read(path))
     except FileNotFoundError as error:
         module.filestack.pop()
         raise module.XacroException(exc=error) from error  # xacro goes on if the file is optional
     except ExpatError as error:
         raise ExpressionError(f"{printable(filename)}:{error.lineno}: not XML: {ErrorString(error.code)}") from error
+    return document
 
 
 class _Copies:
