@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
-from jauspy.user_files import read_file
+from jauspy.user_files import confined, own_folder, read_file
+from jauspy_sim.mesh_checks import check_mesh
 
 logger = logging.getLogger("jauspy_sim.meshes")
 
@@ -81,6 +82,7 @@ def read_mesh(path: Path) -> tuple[MeshPart, ...]:
         raise ConfigError(f"{path}: is empty")
     if kind == "dae" and any("<!ENTITY".encode(code) in data for code in ("utf-8", "utf-16-le", "utf-16-be")):
         raise ConfigError(f"{path}: has <!ENTITY ...>, which is not read")
+    check_mesh(path, kind, data)
     if kind == "obj" and (plain := _of_plain_obj(data)) is not None:
         return (plain,)
     if kind == "stl" or (kind == "obj" and b"mtllib" not in data):
@@ -89,14 +91,22 @@ def read_mesh(path: Path) -> tuple[MeshPart, ...]:
         except (ValueError, IndexError) as error:
             raise ConfigError(f"{path}: is not read as a mesh: {error}") from error
     else:
-        scene = _scene(path, kind)
-        nodes = [(str(node), *scene.graph[node]) for node in scene.graph.nodes_geometry]
-        meshes = [(node, _metres(scene, frame, kind), scene.geometry[name]) for node, frame, name in nodes]
-        found = [_of_scene(*each) for each in meshes if hasattr(each[2], "faces")]  # others are lines and points
+        found = _of_file(path, kind)
     parts = [_checked(path, part) for part in found]
     if not any(len(part.faces) for part in parts):
         raise ConfigError(f"{path}: has no triangles")
     return tuple(part for part in parts if len(part.faces))
+
+
+def _of_file(path: Path, kind: str) -> list[MeshPart]:
+    """The parts of a mesh that trimesh reads."""
+    scene = _scene(path, kind)
+    try:
+        nodes = [(str(node), *scene.graph[node]) for node in scene.graph.nodes_geometry]
+        meshes = [(node, _metres(scene, frame, kind), scene.geometry[name]) for node, frame, name in nodes]
+        return [_of_scene(*each) for each in meshes if hasattr(each[2], "faces")]  # others are lines and points
+    except (ValueError, IndexError, TypeError, ArithmeticError) as error:  # what the file has is of no use
+        raise ConfigError(f"{path}: is not read as a mesh: {' '.join(str(error).split())[:200]}") from error
 
 
 def by_look(parts: tuple[MeshPart, ...]) -> tuple[MeshPart, ...]:
@@ -143,20 +153,28 @@ def _scene(path: Path, kind: str) -> Any:
     except ImportError:
         raise ConfigError(f"{path}: reading meshes needs trimesh: pip install 'jauspy[sim]'") from None
     logging.getLogger("trimesh").setLevel(logging.CRITICAL)
+    beside = _Beside(path)
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            return trimesh.load_scene(path, file_type=kind, process=False, resolver=_Beside(path))
+            scene = trimesh.load_scene(path, file_type=kind, process=False, resolver=beside)
     except Exception as error:  # the readers of these formats raise whatever they meet
         reason = " ".join(str(error).split())[:200] or type(error).__name__
+        if isinstance(error, KeyError):
+            reason = f"it lacks {reason}, or names a file that is not there, or of a kind that is not read"
         raise ConfigError(f"{path}: is not read as a mesh: {reason}") from error
+    if beside.refused is not None:
+        raise ConfigError(f"{path}: {beside.refused}") from beside.refused
+    return scene
 
 
 class _Beside(Mapping[str, bytes]):
     """The files that a mesh refers to: found by path, beside the mesh, or in the folders of Gazebo's models."""
 
     def __init__(self, path: Path) -> None:
+        self._path = path
         self._folder = path.parent
+        self.refused: ConfigError | None = None
 
     def get(self, name: str, default: bytes | None = None) -> bytes | None:  # type: ignore[override]  # as trimesh calls
         """The content of a texture or of a list of materials; `default` if there is none."""
@@ -171,7 +189,10 @@ class _Beside(Mapping[str, bytes]):
         if Path(last).suffix.lower() in BESIDE:
             for path in (self._folder / text, *(self._folder / folder / last for folder in TEXTURE_FOLDERS)):
                 if path.is_file():
-                    return read_file(path, MAX_BYTES)
+                    try:
+                        return read_file(confined(path, (own_folder(self._path),)), MAX_BYTES)
+                    except ConfigError as error:
+                        self.refused = error  # trimesh goes on without it
         raise KeyError(name)
 
     def __iter__(self) -> Iterator[str]:
@@ -305,6 +326,8 @@ def _index(text: bytes, count: int) -> int:
 def _checked(path: Path, part: MeshPart) -> MeshPart:
     """The part without double vertices, without triangles that have no area, and with at most `MAX_FACES`."""
     vertices, faces, texcoords, normals = part.vertices, part.faces, part.texcoords, part.normals
+    if vertices.ndim != 2 or vertices.shape[1] != 3 or faces.ndim != 2 or faces.shape[1] != 3:
+        raise ConfigError(f"{path}: has vertices or triangles without three numbers")
     if not np.isfinite(vertices).all():
         raise ConfigError(f"{path}: has vertices that are not finite numbers")
     if len(faces) and not 0 <= faces.min() <= faces.max() < len(vertices):
