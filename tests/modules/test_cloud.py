@@ -109,12 +109,12 @@ def test_points_of_several_layers_are_on_a_sphere() -> None:
 
 def test_clouds_of_the_file_are_published_and_replaced_by_the_command(tmp_path: Path) -> None:
     file = tmp_path / "robot.toml"
-    file.write_text('extends = "inc1"\n[[clouds]]\nsource = "lidar"\naddress = "ipc:///a"\n')
-    assert Clouds(robot_files.load(file), []).addresses == {"lidar": "ipc:///a"}
+    file.write_text('extends = "inc1"\n[[clouds]]\nsource = "lidar"\naddress = "tcp://127.0.0.1:5565"\n')
+    assert Clouds(robot_files.load(file), []).addresses == {"lidar": "tcp://127.0.0.1:5565"}
     assert Clouds(robot_files.load(file), ["lidar=ipc:///b"]).addresses == {"lidar": "ipc:///b"}
     assert Clouds(robot_files.load(file), ["chassis=ipc:///b"]).addresses == {
         "chassis": "ipc:///b",
-        "lidar": "ipc:///a",
+        "lidar": "tcp://127.0.0.1:5565",
     }
-    with pytest.raises(ConfigError, match="ipc:///a is there twice"):
-        Clouds(robot_files.load(file), ["chassis=ipc:///a"])
+    with pytest.raises(ConfigError, match=r"tcp://127\.0\.0\.1:5565 is there twice"):
+        Clouds(robot_files.load(file), ["chassis=tcp://127.0.0.1:5565"])

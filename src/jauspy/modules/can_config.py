@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import configparser
+import re
 from collections import Counter
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated, Literal, Self, TypeAlias
 
-from pydantic import Field, PrivateAttr, model_validator
+from pydantic import AfterValidator, Field, PrivateAttr, model_validator
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind, RobotDescription
@@ -85,10 +86,20 @@ class DriveConfig(StrictConfig):
         return self
 
 
+def _check_bus(bus: str) -> str:
+    """Refuse channels that drivers take as the URL of a port, which may write files, and libraries of options."""
+    _, _, rest = bus.partition(":")
+    channel, _, options = rest.partition(",")
+    is_path = "/" in channel and not (channel.startswith("/dev/") and ".." not in channel)
+    if "://" in bus or is_path or "/" in options or "\\" in bus or re.search(r"\bdll\b", options):
+        raise ValueError(f"bus: {bus!r} is not INTERFACE:CHANNEL with a device of /dev; give others by --bus")
+    return bus
+
+
 class CanConfig(StrictConfig):
     """The CAN bus of a robot, and its drives."""
 
-    bus: Annotated[str, Field(min_length=3, max_length=200)] = "virtual:motors"
+    bus: Annotated[str, Field(min_length=3, max_length=200), AfterValidator(_check_bus)] = "virtual:motors"
     """INTERFACE:CHANNEL of python-can, as in `socketcan:can0`; `virtual:` has simulated drives in the same process."""
     bit_rate: Annotated[int, Field(ge=10_000, le=1_000_000)] = 1_000_000
     sync_rate: Annotated[float, Field(ge=10.0, le=1000.0)] = 200.0

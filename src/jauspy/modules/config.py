@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Annotated, Final, Literal, Self, TypeAlias
@@ -168,13 +169,20 @@ class LidarConfig(StrictConfig):
         )
 
 
+def _check_cloud_address(address: str) -> str:
+    if not re.fullmatch(r"tcp://(\[[0-9A-Fa-f:.]+\]|[\w.*-]+):\d{1,5}", address, re.ASCII):
+        raise ValueError(f"address: {address!r} is not tcp://HOST:PORT; give other addresses by --cloud NAME=ADDRESS")
+    return address
+
+
 class CloudConfig(StrictConfig):
     """A stream of point clouds."""
 
     source: UrdfName
     """The name of a lidar, or of a camera with `depth`."""
-    address: Annotated[str, Field(min_length=1, max_length=200)]
-    """The address of the publisher, as in tcp://127.0.0.1:5565."""
+    address: Annotated[str, Field(max_length=200), AfterValidator(_check_cloud_address)]
+    """The address of the publisher, as in tcp://127.0.0.1:5565; others, such as ipc://, replace files, and are given by
+    `--cloud`."""
 
 
 class ForceTorqueConfig(StrictConfig):

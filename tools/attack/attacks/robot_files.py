@@ -51,6 +51,40 @@ def includes_itself(_: random.Random) -> bytes:
     return _OPEN + b'<xacro:include filename="/dev/zero"/></robot>'
 
 
+def bomb(body: str) -> Make:
+    """A short xacro file that stands for gigabytes, or takes for ever."""
+    return lambda _: _OPEN + body.encode() + b"</robot>"
+
+
+def _doubled(first: str, each: str, use: str) -> str:
+    """Sixty definitions, of which each uses the one before twice."""
+    return first + "".join(each.format(n + 1, n) for n in range(60)) + use
+
+
+BOMBS = {
+    "a file that includes its folder": '<xacro:include filename="*"/>' * 20,
+    "a long text that a macro repeats": f'<xacro:macro name="m"><link name="{"x" * 100_000}"/></xacro:macro>'
+    + "<xacro:m/>" * 40_000,
+    "elements that a macro copies and hides": '<xacro:macro name="m"><xacro:if value="false">'
+    + "<a/>" * 20_000
+    + "</xacro:if></xacro:macro>"
+    + "<xacro:m/>" * 20_000,
+    "arguments that double": _doubled(
+        '<xacro:arg name="a0" default="ten chars."/>',
+        '<xacro:arg name="a{0}" default="$(arg a{1})$(arg a{1})"/>',
+        '<link name="$(arg a60)"/>',
+    ),
+    "blocks that double": _doubled(
+        '<xacro:property name="b0"><a/></xacro:property>',
+        '<xacro:property name="b{0}"><xacro:insert_block name="b{1}"/><xacro:insert_block name="b{1}"/></xacro:property>',
+        '<xacro:insert_block name="b60"/>',
+    ),
+    "a pattern that backtracks": f"""<xacro:macro name="m" params="a:={"x" * 60}'"><a/></xacro:macro>""",
+    "a text with many dollars": f"<link>{'$a' * 200_000}</link>",
+    "the passwords as YAML": "<link name=\"${str(xacro.load_yaml('/etc/passwd'))}\"/>",
+}
+
+
 def loop(_: random.Random) -> bytes:
     """Links that carry each other."""
     joints = [
@@ -90,6 +124,7 @@ HOSTILE_URDF: dict[str, Make] = {
     "a chain of 5,000 links": chain,
     **{f"the expression {text}": expression(text) for text in COSTLY},
     "a file that includes /dev/zero": includes_itself,
+    **{what: bomb(body) for what, body in BOMBS.items()},
     "noise": noise,
 }
 HOSTILE_TOML: dict[str, Make] = {
@@ -98,6 +133,7 @@ HOSTILE_TOML: dict[str, Make] = {
     "a file that extends /dev/zero": extends(b"/dev/zero"),
     "the URDF /dev/zero": set_to(b"urdf", b'"/dev/zero"'),
     "the URDF /dev/stdin": set_to(b"urdf", b'"/dev/stdin"'),
+    "an audit log elsewhere": set_to(b"world", f'"empty"\naudit_log = "../{CANARY}"'.encode()),
     "a huge number": set_to(b"subsystem", b"9" * 4000),
     "a backend with a path": set_to(b"backend", b'"../../canary"'),
     "5000 nested lists": set_to(b"world", b"[" * 5000 + b"]" * 5000),
