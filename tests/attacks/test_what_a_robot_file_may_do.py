@@ -18,7 +18,8 @@ from jauspy.platform import backends
 
 DOCUMENT: Final = Path(__file__).parents[2] / "docs" / "security.md"
 SECRET: Final = "s3cr3t"
-DRIVE: Final = "[can.drives.d]\nnode = 1\njoint = 'j'\nencoder_counts = 1\n"
+JOINT: Final = next(iter(robot_files.load("inc1").groups.values())).joints[0].name
+DRIVE: Final = "[can.drives.d]\nnode = 1\njoint = '{{joint}}'\nencoder_counts = 1\ntravel = 1.0\n"
 CLOUD: Final = '[[clouds]]\nsource = "lidar"\naddress = "{}"\n'
 REFUSED: Final = {
     "extends": ['extends = "{secret}"', 'extends = "/dev/zero"', 'extends = "it.toml"'],
@@ -28,7 +29,7 @@ REFUSED: Final = {
         f'operators = "operators.toml"\naudit_log = "{path}"' for path in ("{secret}", "../new", "link", ".new", ".")
     ],
     "cell.types": ['[cell]\ntypes = "{secret}"', '[cell]\ntypes = "/dev/zero"'],
-    "can.drives.NAME.eds": [DRIVE + 'eds = "{secret}"\n'],
+    "can.drives.NAME.eds": [DRIVE.replace("{{joint}}", "{joint}") + 'eds = "{secret}"\n'],
     "can.bus": [
         f'can.bus = "{bus}"\n{DRIVE}'
         for bus in (
@@ -55,6 +56,20 @@ REFUSED: Final = {
     "package_path": ['urdf = "found.xacro"\npackage_path = ["{home}", "/"]'],
 }
 """By key: values that are refused in one sentence. Robots' files have no others that name something outside."""
+SAID: Final = {
+    "extends": r"/secret|/dev/zero|extends",
+    "urdf": r"urdf: ",
+    "operators": r"/secret|/dev/zero|is not a regular file",
+    "cell.types": r"/secret|/dev/zero",
+    "can.drives.NAME.eds": r"drives\.\w+\.eds",
+    "clouds": "is not tcp://HOST:PORT",
+    "can.bus": "give others by --bus",
+    "modules.services": "os:system",
+    "modules.announce_to": "announce_to",
+    "xacro_arguments": "is not read, because",
+    "package_path": "is not read, because",
+}
+"""What the refusal has; else the key."""
 HARMLESS: Final = {"world", "model_path"}
 """Tested in `test_worlds_of_strangers`, since they need the simulator."""
 
@@ -90,15 +105,15 @@ def _use(path: Path) -> None:
 
 @pytest.mark.parametrize(("key", "line"), [(key, line) for key, lines in REFUSED.items() for line in lines])
 def test_a_robot_file_cannot(folder: Path, key: str, line: str) -> None:
-    del key
     path = folder / "it.toml"
-    text = line.format(secret=folder.parent / "secret", home=folder.parent)
+    text = line.format(secret=folder.parent / "secret", home=folder.parent, joint=JOINT)
     path.write_text(text if text.startswith("extends") else f'extends = "inc1"\nbackend = "kinematic"\n{text}\n')
     if "backend = " in text:
         path.write_text(f'extends = "inc1"\n{text}\n')
     before = sorted(folder.parent.rglob("*"))
     with pytest.raises(ConfigError) as caught:
         _use(path)
+    assert re.search(SAID.get(key, key), str(caught.value))
     assert SECRET not in str(caught.value)
     assert sorted(folder.parent.rglob("*")) == before
     assert (folder.parent / "secret").read_text() == f"key: {SECRET}\n"

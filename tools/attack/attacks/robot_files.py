@@ -76,7 +76,8 @@ BOMBS = {
     ),
     "blocks that double": _doubled(
         '<xacro:property name="b0"><a/></xacro:property>',
-        '<xacro:property name="b{0}"><xacro:insert_block name="b{1}"/><xacro:insert_block name="b{1}"/></xacro:property>',
+        '<xacro:property name="b{0}"><xacro:insert_block name="b{1}"/><xacro:insert_block name="b{1}"/>'
+        "</xacro:property>",
         '<xacro:insert_block name="b60"/>',
     ),
     "a pattern that backtracks": f"""<xacro:macro name="m" params="a:={"x" * 60}'"><a/></xacro:macro>""",
