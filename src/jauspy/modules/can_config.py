@@ -223,7 +223,8 @@ def identity_of(path: Path) -> tuple[int | None, int | None]:
     try:
         parser.read_string(read_file(path).decode("utf-8", "replace"))
     except configparser.Error as error:
-        raise ConfigError(f"{path}: is not an EDS file: {' '.join(str(error).split())}") from error
+        line = getattr(error, "lineno", 0)  # its text has the content of the line, which may be of any file
+        raise ConfigError(f"{path}{f':{line}' if line else ''}: is not an EDS file: {type(error).__name__}") from error
     if not parser.has_section("DeviceInfo"):
         raise ConfigError(f"{path}: is not an EDS file: it has no section [DeviceInfo]")
     found = []
