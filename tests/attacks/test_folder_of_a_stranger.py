@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import signal
 from pathlib import Path
 
 import pytest
@@ -24,9 +25,8 @@ def folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
 async def test_workers_import_nothing_from_the_current_directory(folder: Path) -> None:
     worker = await WorkerProcess.start("json", 0, ())
-    worker.send(None)
-    async for _ in worker.messages():
-        pass
+    await worker.stop()
+    assert await worker.wait() != -signal.SIGKILL
     assert not list(folder.rglob("ran"))
 
 
