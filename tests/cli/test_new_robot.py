@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import asyncio
+import math
 import tomllib
 from pathlib import Path
 
@@ -10,7 +12,10 @@ from typer.testing import CliRunner
 
 from jauspy.cli.main import app
 from jauspy.modules import robot_files
+from jauspy.modules.robot import RobotRunner
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.testing import VirtualNetwork
+from jauspy.virtual.environment import VirtualTime
 
 LINK = """<link name="{}"><inertial><mass value="{}"/>
 <inertia ixx=".02" iyy=".02" izz=".02" ixy="0" ixz="0" iyz="0"/></inertial><collision>{}</collision></link>"""
@@ -105,6 +110,76 @@ def test_the_robot_moves(written: Path) -> None:
         assert robot.groups["arm"].state().positions == pytest.approx((0.4, 0.4, 0.4), abs=0.03)
     finally:
         robot.close()
+
+
+def skidding(x: float, more: str = "") -> str:
+    """A body of 46 kg on four wheels of 2.6 kg without limits, whose axles are `x` before and behind its middle."""
+    parts = [LINK.format("body", 46, '<origin xyz="0 0 .1"/><geometry><box size=".9 .5 .2"/></geometry>')]
+    wheel = '<origin rpy="1.5708 0 0"/><geometry><cylinder radius=".165" length=".11"/></geometry>'
+    for end, along in (("front", x), ("rear", -x)):
+        for side, y in (("left", 0.285), ("right", -0.285)):
+            parts.append(LINK.format(f"{end}_{side}", 2.6, wheel))
+            place = f'<origin xyz="{along} {y} 0.03"/><axis xyz="0 1 0"/>{more}'
+            parts.append(joint(f"{end}_{side}_wheel", "continuous", "body", f"{end}_{side}", place))
+    return f'<robot name="skidding">{"".join(parts)}</robot>'
+
+
+@pytest.mark.parametrize("x", [0.18, 0.256, 0.4])
+def test_a_robot_of_wheels_without_limits_turns_in_the_simulation(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, x: float
+) -> None:
+    pytest.importorskip("mujoco")
+    from jauspy_sim.robot import SimulatedRobot
+
+    monkeypatch.chdir(tmp_path)
+    Path("skidding.urdf").write_text(skidding(x))
+    done = CliRunner().invoke(app, ["new", "robot", "skidding.urdf"])
+    assert done.exit_code == 0, done.output
+    assert "in a trial with full effort it drives at " in done.output
+    model = robot_files.robot_model(robot_files.load(Path("skidding.toml")))
+    robot = SimulatedRobot.open(model, "empty")
+    try:
+        robot.drive.set_effort(0.0, 0.6)
+        robot.advance(2.0)
+        w, _, _, z = robot.data.qpos[3:7]  # of the free joint: the chassis as MuJoCo has it
+        assert 2.0 * math.atan2(z, w) > 0.5
+    finally:
+        robot.close()
+
+
+async def test_a_robot_of_wheels_without_limits_goes_to_a_point(tmp_path: Path) -> None:
+    pytest.importorskip("mujoco")
+    (tmp_path / "skidding.urdf").write_text(skidding(0.256))
+    written = await asyncio.to_thread(new_robot, tmp_path / "skidding.urdf", tmp_path / "skidding.toml")
+    async with VirtualNetwork() as network:
+        runner = RobotRunner(robot_files.load(written), network.transport, backend="sim", realtime=VirtualTime)
+        async with runner as running, network.ocu() as ocu:
+            robot = await ocu.robot(101)
+            async with robot.control("drive"):
+                await robot.go_to(x=1.5, y=1.0, timeout=40.0)
+                assert running.snapshot is not None
+                assert math.dist((running.snapshot.pose.x, running.snapshot.pose.y), (1.5, 1.0)) < 0.4
+                before = running.snapshot.pose.yaw
+                await robot.drive(angular=0.8, seconds=1.5)
+                assert math.remainder(running.snapshot.pose.yaw - before, math.tau) > 0.5
+
+
+def new_robot(urdf: Path, path: Path) -> Path:
+    done = CliRunner().invoke(app, ["new", "robot", str(urdf), "-o", str(path)])
+    assert done.exit_code == 0, done.output
+    return path
+
+
+def test_a_robot_that_cannot_turn_is_told_with_what_to_change(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    pytest.importorskip("mujoco")
+    monkeypatch.chdir(tmp_path)
+    Path("weak.urdf").write_text(skidding(0.256, '<limit effort="5" velocity="10"/>'))
+    done = CliRunner().invoke(app, ["new", "robot", "weak.urdf"])
+    said = " ".join(done.output.split())
+    assert done.exit_code == 0, done.output
+    assert "cannot turn" in said
+    assert "[joint_limits.front_left_wheel]" in said
+    assert "drives at" in said
 
 
 def test_mistakes_are_named(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, written: Path) -> None:

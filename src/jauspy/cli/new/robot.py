@@ -8,6 +8,7 @@ from __future__ import annotations
 import json
 import math
 import re
+import sys
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
@@ -18,13 +19,15 @@ import typer
 
 from jauspy.cli import console
 from jauspy.cli.new import write_new
+from jauspy.cli.new.trial import try_wheels
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.urdf import UNGUIDED, Joint, JointKind, RobotDescription, inertials, parse_tree
 from jauspy.modules import robot_files
 from jauspy.modules.urdf_paths import PackagePaths
+from jauspy.platform.description import RobotModel
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
-from jauspy.platform.wheels import WheelJoints, WheelKind, wheel_setup
+from jauspy.platform.wheels import WheelJoints, WheelKind, WheelSetup, wheel_setup
 
 BANDWIDTH: Final = 15.0
 """Rad/s, of the position controllers: about the speed at which real arms follow."""
@@ -42,6 +45,18 @@ WHEEL_SPEED: Final = 10.0
 
 LEAST_EFFORT: Final = 5.0
 """N m or N: guess for a joint that carries nothing."""
+
+WHEEL_FRICTION: Final = 1.0
+"""Coefficient of wheels for which the URDF gives none."""
+
+LEAST_INERTIA: Final = 0.001
+"""Kg m^2, of the rotor and gear of a wheel."""
+
+STEEPEST: Final = 0.5
+"""Sine of the slope that wheels climb."""
+
+TURNING_RESERVE: Final = 3.0
+"""Effort of wheels as a multiple of what turning on the spot needs; the rest is for speed."""
 
 MIN_LEVEL: Final = 0.9
 """Cosine between the axle of a wheel and the y axis."""
@@ -71,9 +86,12 @@ def first_file(description: RobotDescription, urdf: str, subsystem: int, extra: 
     chains = _chains(description, rolling | casters if wheels else rolling)
     masses = _Masses(description)
     limits: dict[str, dict[str, float]] = {}
+    wheel_effort = _wheel_effort(description, wheels, masses.total) if wheels else 0.0
     for joint in description.joints.values():
-        if joint.name in rolling or any(joint in chain.joints for chain in chains):
-            limits |= _missing_limits(joint, masses, rolls=joint.name in rolling)
+        if joint.name in rolling:
+            limits |= _missing_limits(joint, wheel_effort, WHEEL_SPEED)
+        elif any(joint in chain.joints for chain in chains):
+            limits |= _missing_limits(joint, 3.0 * masses.load(joint), GUESSED_SPEED.get(joint.kind, 1.0))
     lines = [
         f"# {description.name}: a first file, made from its URDF. What is marked as a guess is worth a look.",
         "",
@@ -118,6 +136,8 @@ def first_file(description: RobotDescription, urdf: str, subsystem: int, extra: 
         lines += ["[wheels]                # a guess: the continuous joints on both sides with level axles"]
         lines += ['type = "skid_steer"', f"left = {_value(wheels.left)}", f"right = {_value(wheels.right)}"]
         lines += [f"radius = {wheels.radius}"] if wheels.radius else []
+        weakest = min(description.joint(name).effort or wheel_effort for name in rolling)
+        lines += [f"inertia = {_number(max(LEAST_INERTIA, min(weakest, wheel_effort) / ROTOR_ACCELERATION))}"]
         lines += [""]
     for name, keys in limits.items():
         lines += [f"[joint_limits.{_key(name)}]  # guesses: the URDF has none, or zero"]
@@ -149,14 +169,40 @@ def _group(chain: Chain, limits: Mapping[str, Mapping[str, float]], masses: _Mas
     return [*lines, "]", ""]
 
 
-def _missing_limits(joint: Joint, masses: _Masses, *, rolls: bool) -> dict[str, dict[str, float]]:
+def _missing_limits(joint: Joint, effort: float, velocity: float) -> dict[str, dict[str, float]]:
+    """The guesses for a joint, for those limits that the URDF does not give."""
     found: dict[str, float] = {}
     if joint.effort <= 0.0:
-        load = masses.total / 4.0 * 0.5 if rolls else 3.0 * masses.load(joint)
-        found["effort"] = float(_number(max(LEAST_EFFORT, load)))
+        found["effort"] = float(_number(max(LEAST_EFFORT, effort)))
     if joint.velocity <= 0.0:
-        found["velocity"] = WHEEL_SPEED if rolls else GUESSED_SPEED.get(joint.kind, 1.0)
+        found["velocity"] = velocity
     return {joint.name: found} if found else {}
+
+
+def _wheel_effort(description: RobotDescription, joints: WheelJoints, mass: float) -> float:
+    """N m of each wheel, to climb a slope, and to turn on the spot, in which all wheels slide to the side.
+
+    Friction of a wheel is one force: what drives it forward is missing to the side. The wheels slide when the driving
+    forces times half of the track exceed what is left to the side times the distances of the axles from the middle.
+    """
+    wheels = _setup(description, joints).wheels
+    weight = GRAVITY * mass / len(wheels)
+    middle = sum(wheel.x for wheel in wheels) / len(wheels)
+    along = sum(abs(wheel.x - middle) for wheel in wheels) / len(wheels)
+    across = sum(abs(wheel.y) for wheel in wheels) / len(wheels)
+    friction = max(description.friction.get(wheel.joint.child, WHEEL_FRICTION) for wheel in wheels)
+    radius = max(wheel.radius for wheel in wheels)
+    turning = friction * weight * along / math.hypot(along, across)
+    return radius * max(STEEPEST * weight, TURNING_RESERVE * turning)
+
+
+def _setup(description: RobotDescription, joints: WheelJoints) -> WheelSetup:
+    """The wheels as measured, whether the URDF limits their joints or not."""
+    powered = {
+        name: replace(joint, effort=joint.effort or LEAST_EFFORT, velocity=joint.velocity or WHEEL_SPEED)
+        for name, joint in description.joints.items()
+    }
+    return wheel_setup(replace(description, joints=powered), joints)
 
 
 def _wheels(description: RobotDescription) -> WheelJoints | None:
@@ -174,16 +220,12 @@ def _wheels(description: RobotDescription) -> WheelJoints | None:
             heights.append(frame.position[2])
     if not sides["left"] or len(sides["left"]) != len(sides["right"]) or len(sides["left"]) > 8:
         return None
-    powered = {
-        name: replace(joint, effort=joint.effort or LEAST_EFFORT, velocity=joint.velocity or WHEEL_SPEED)
-        for name, joint in description.joints.items()
-    }
     left, right = tuple(sides["left"]), tuple(sides["right"])
     found = WheelJoints(WheelKind.SKID_STEER, left, right, (), None, 0.02)
     height = round(abs(sum(heights) / len(heights)), 4) or 0.1
     for radius in (None, height):
         try:
-            wheel_setup(replace(description, joints=powered), replace(found, radius=radius))
+            _setup(description, replace(found, radius=radius))
         except ConfigError:
             continue
         return replace(found, radius=radius)
@@ -396,11 +438,33 @@ def robot(
     if passed_over := _passed_over(description.urdf):
         console.print_lines(f"passed over in the URDF: {passed_over}")
     try:
-        robot_files.robot_model(robot_files.load(path.absolute()))
+        model = robot_files.robot_model(robot_files.load(path.absolute()))
     except ConfigError as error:
         console.error(f"{path} needs a correction: {error}")
         raise typer.Exit(1) from None
+    if model.wheels is not None:
+        _report_trial(model, model.wheels)
     console.print_lines(f"run it:  jauspy up {path}", f"in another world:  jauspy up {path} --world yard")
+
+
+def _report_trial(model: RobotModel, wheels: WheelSetup) -> None:
+    """Print what the robot can do on wheels, and warn of what it cannot."""
+    try:
+        trial = try_wheels(model)
+    except ConfigError as error:
+        console.note(f"not tried in the simulation: {error}")
+        return
+    console.print_lines(
+        f"in a trial with full effort it drives at {trial.speed:.2f} m/s and turns at {trial.turn_rate:.2f} rad/s"
+    )
+    if trial.cannot:
+        weakest = min((wheel.joint for wheel in wheels.wheels), key=lambda joint: joint.effort)
+        console.print_lines(
+            f"Warning: it cannot {trial.cannot} in the simulation: raise the effort of its wheels (now "
+            f"{weakest.effort:g} N m), as in [joint_limits.{_key(weakest.name)}], or give links that slide on the "
+            'ground less friction: <gazebo reference="LINK"><mu1>0.1</mu1></gazebo>',
+            file=sys.stderr,
+        )
 
 
 def _passed_over(urdf: str) -> str:
