@@ -8,14 +8,13 @@ import tomllib
 from pathlib import Path
 
 import pytest
+from tests.helpers.simulated import Simulation, simulated
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
 from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.testing import VirtualNetwork
-from jauspy.virtual.environment import VirtualTime
 
 LINK = """<link name="{}"><inertial><mass value="{}"/>
 <inertia ixx=".02" iyy=".02" izz=".02" ixy="0" ixz="0" iyz="0"/></inertial><collision>{}</collision></link>"""
@@ -152,16 +151,15 @@ async def test_a_robot_of_wheels_without_limits_goes_to_a_point(tmp_path: Path) 
     (tmp_path / "skidding.urdf").write_text(skidding(0.256))
     written = await asyncio.to_thread(new_robot, tmp_path / "skidding.urdf", tmp_path / "skidding.toml")
     async with VirtualNetwork() as network:
-        runner = RobotRunner(robot_files.load(written), network.transport, backend="sim", realtime=VirtualTime)
-        async with runner as running, network.ocu() as ocu:
-            robot = await ocu.robot(101)
+        simulation = Simulation()
+        async with simulated(network, simulation, str(written)), network.ocu() as ocu:
+            robot, chassis = await ocu.robot(101), simulation.robot.drive
             async with robot.control("drive"):
                 await robot.go_to(x=1.5, y=1.0, timeout=40.0)
-                assert running.snapshot is not None
-                assert math.dist((running.snapshot.pose.x, running.snapshot.pose.y), (1.5, 1.0)) < 0.4
-                before = running.snapshot.pose.yaw
+                assert math.dist((chassis.pose().x, chassis.pose().y), (1.5, 1.0)) < 0.4
+                before = chassis.pose().yaw
                 await robot.drive(angular=0.8, seconds=1.5)
-                assert math.remainder(running.snapshot.pose.yaw - before, math.tau) > 0.5
+                assert math.remainder(chassis.pose().yaw - before, math.tau) > 0.5
 
 
 def new_robot(urdf: Path, path: Path) -> Path:

@@ -8,6 +8,7 @@ from datetime import UTC, datetime, timedelta
 
 import pytest
 from tests.helpers.robot import FakeDrive
+from tests.helpers.simulated import Simulation, simulated
 
 from jauspy.component.component import loop_time
 from jauspy.errors import ConfigError, ControlRejected, RequestError
@@ -18,6 +19,7 @@ from jauspy.platform.chassis import Chassis
 from jauspy.services.core import AccessControl
 from jauspy.services.mobility import PrimitiveDriver, Vehicle
 from jauspy.services.ugv import PlatformSpecifications
+from jauspy.testing import VirtualNetwork
 
 TURN, SHOULDER, ELBOW = "base_link_to_arm_link_1", "arm_link_1_to_arm_link_2", "arm_link_2_to_arm_link_3"
 FINGER = "gripper_link_to_left_finger"
@@ -258,13 +260,30 @@ async def test_the_tool_moves_at_a_velocity_in_both_frames(inc1, robot, monkeypa
 async def test_the_gripper_opens_to_a_width(inc1, robot):
     async with inc1.control("gripper"):
         gripper = inc1.gripper
-        low, high = (await gripper.limits())[FINGER]
+        assert await gripper.width_limits() == pytest.approx((0.0, 0.1))
         assert await gripper.max_force()
-        for opening in (0.3 * high, 0.8 * high, low + 0.5 * (high - low)):
-            reached = await gripper.open_to(opening)
-            assert reached.positions[FINGER] == pytest.approx(opening, abs=0.005)
-        with pytest.raises(ConfigError, match=f"{FINGER} can be"):
+        for width in (0.03, 0.08, 0.05):
+            reached = await gripper.open_to(width)
+            assert reached == pytest.approx(width, abs=0.01)
+            assert reached == pytest.approx(await gripper.width(), abs=0.002)
+        with pytest.raises(ConfigError, match=r"the fingers of 101.1.105 open 0..0.1 m, not 2"):
             await gripper.open_to(2.0)
+
+
+async def test_a_width_is_the_distance_between_the_fingers_in_the_simulation():
+    mujoco = pytest.importorskip("mujoco")
+    async with VirtualNetwork() as network:
+        simulation = Simulation()
+        async with simulated(network, simulation), network.ocu() as ocu:
+            inc1, model, data = await ocu.robot(101), simulation.robot.model, simulation.robot.data
+            solids = [model.body(f"inc1/{side}_finger").geomadr[0] for side in ("left", "right")]
+            async with inc1.control("gripper"):
+                for width in (0.02, 0.06, 0.04):
+                    await inc1.gripper.open_to(width, effort=15.0)
+                    await asyncio.sleep(0.3)
+                    measured = mujoco.mj_geomDistance(model, data, *solids, 1.0, None)
+                    assert measured == pytest.approx(width, abs=0.008)
+                    assert measured == pytest.approx(await inc1.gripper.width(), abs=0.002)
 
 
 async def test_cancelled_move_stops_the_arm(inc1, robot):

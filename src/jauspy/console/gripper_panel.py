@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Awaitable, Callable
 from typing import Final
 
@@ -35,6 +34,7 @@ class GripperPanel:
         self._connector: ServiceClient | None = None
         self._max_force: float | None = None
         self._is_known = False
+        self._has_width = False
         with ui.element("section").classes("panel gripper") as self._panel:
             with ui.element("div").classes("row"):
                 ui.label("Gripper").classes("heading")
@@ -49,7 +49,7 @@ class GripperPanel:
                 with ui.element("div").classes("setting") as self._opening_part:
                     self._opening_text = ui.label("").classes("hint")
                     self._opening = ui.slider(min=0.0, max=1.0, step=0.001, value=0.0, on_change=self._show_opening)
-                    self._opening.props('aria-label="opening"')
+                    self._opening.props('aria-label="width"')
                 self._set = ui.button("set", on_click=self._open_to).props("outline no-caps dense")
             self._problem = ui.label("").classes("problem").props('role="status"')
         self._panel.set_visibility(False)
@@ -95,29 +95,31 @@ class GripperPanel:
 
     async def _show_fingers(self, gripper: Gripper) -> None:
         if not self._is_known:
-            self._max_force, limits = await gripper.max_force(), await gripper.limits()
+            self._max_force, self._has_width = await gripper.max_force(), await gripper.has_width()
             if self._max_force:
                 self._force.props(f"max={self._max_force:g}")
                 self._force.set_value(round(DEFAULT_SHARE * self._max_force))
-            low, high = next(iter(limits.values()), (0.0, math.inf))
-            if math.isfinite(high - low):
+            if self._has_width:
+                low, high = await gripper.width_limits()
                 self._opening.props(f"min={low:g} max={high:g}")
-            self._opening_part.set_visibility(math.isfinite(high - low))
-            self._set.set_visibility(math.isfinite(high - low))
-            self._opening.set_value(next(iter((await gripper.joints()).positions.values()), low))
+                self._opening.set_value(await gripper.width())
+            self._opening_part.set_visibility(self._has_width)
+            self._set.set_visibility(self._has_width)
             self._is_known = True
             self._show_force()
             self._show_opening()
-        joints = await gripper.joints()
-        at = ", ".join(f"{1000.0 * value:.0f} mm" for value in joints.positions.values())
-        self._state.set_text(f"fingers at {at}" if at else "does not report its fingers")
+        if self._has_width:
+            self._state.set_text(f"fingers open {1000.0 * await gripper.width():.0f} mm")
+            return
+        fingers = ", ".join(f"{value:.3f}" for value in (await gripper.joints()).positions.values())
+        self._state.set_text(f"fingers at {fingers}" if fingers else "does not report its fingers")
 
     def _show_force(self) -> None:
         unit = "N" if self._max_force else "%"
         self._force_text.set_text(f"force {self._force.value:g} {unit}")
 
     def _show_opening(self) -> None:
-        self._opening_text.set_text(f"opening {1000.0 * self._opening.value:.0f} mm")
+        self._opening_text.set_text(f"width {1000.0 * self._opening.value:.0f} mm")
 
     def _grip(self, *, close: bool) -> None:
         value = float(self._force.value)
@@ -131,7 +133,7 @@ class GripperPanel:
 
     def _open_to(self) -> None:
         if (gripper := self._gripper) is not None:
-            self._begin(lambda: gripper.open_to(float(self._opening.value)), "setting the opening")
+            self._begin(lambda: gripper.open_to(float(self._opening.value)), "setting the width")
 
     def _begin(self, act: Callable[[], Awaitable[object]], what: str) -> None:
         async def run() -> None:

@@ -12,6 +12,7 @@ from importlib.metadata import EntryPoint, entry_points
 from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
 
 from jauspy.errors import ConfigError
+from jauspy.geometry.fingers import FingerWidth
 from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.contract import RobotParts
 from jauspy.platform.lights import lamps_of
@@ -85,6 +86,8 @@ class EndEffectorContext:
     arm: manipulator.Arm
     """The joints of the gripper."""
     driver: manipulator.PrimitiveEndEffector
+    width: FingerWidth | None = None
+    """How wide its fingers are open; None if that is not known."""
 
     @property
     def moving(self) -> Stoppable:
@@ -264,7 +267,8 @@ def _described(context: ManipulatorContext | EndEffectorContext | VisionContext)
     if arm is not None:
         for name, group in context.robot.groups.items():
             if group.joints[0].name == arm.joints.joints[0].name:
-                return manipulator.JointDescription(name, group, arm)
+                width = context.width if isinstance(context, EndEffectorContext) else None
+                return manipulator.JointDescription(name, group, arm, width)
     return None
 
 

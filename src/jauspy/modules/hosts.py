@@ -11,6 +11,7 @@ from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry, pan_tilt_frame
+from jauspy.geometry.fingers import finger_width
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.urdf import JointKind
@@ -254,7 +255,8 @@ def _context(
     if module.type == "CM-MAN":
         return catalogue.ManipulatorContext(robot, Arm(joints))
     driver = PrimitiveEndEffector(joints, _carrier(config, module, model))
-    return catalogue.EndEffectorContext(robot, Arm(joints), driver)
+    width = finger_width(model.description, [joint.name for joint in joints.joints])
+    return catalogue.EndEffectorContext(robot, Arm(joints), driver, width)
 
 
 def vehicle_of(config: RobotConfig, model: RobotModel, robot: RobotParts) -> Vehicle:

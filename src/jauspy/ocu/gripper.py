@@ -27,6 +27,8 @@ STILL_REPORTS: Final = 5
 """Consecutive reports without motion after which the fingers count as stopped."""
 MAX_STEP: Final = 3e-4
 """Metres or radians between two reports up to which a finger counts as stopped."""
+ROUNDING: Final = 1e-6
+"""Metres by which a width may lie beyond a limit."""
 BLIND_TIME: Final = 2.0
 """Seconds to wait for a gripper that does not report its fingers."""
 
@@ -55,28 +57,40 @@ class Gripper:
         """Open until the fingers stop; returns the positions of the fingers."""
         return await self._squeeze(-await self._percent(None, effort), timeout)
 
-    async def open_to(self, opening: float, *, effort: float = 25.0, timeout: float = 10.0) -> Joints:
-        """Open or close until the first finger is at `opening` metres or radians, or stops; then hold it there.
+    async def open_to(self, width: float, *, effort: float = 25.0, timeout: float = 10.0) -> float:
+        """Open or close until there are `width` metres between the fingers, or they stop; then hold them there.
 
-        JAUS has no command for this: the effort (percent) ends when a report contains the position, so the finger may
-        overshoot by some millimetres; with less effort it overshoots less. Returns the positions of the fingers.
+        JAUS has no command for this: the effort (percent) ends when a report contains the width, so the fingers may
+        overshoot by some millimetres; with less effort they overshoot less. Returns the width that they reached.
         """
-        check_number(opening, "opening")
-        if self.info.find(POSITION_SENSOR) is None:
-            raise ConfigError(f"{self.info.id} does not report its fingers; use open() and close()")
-        finger = (await self._joint_table()).joints[0]
-        if not finger.lower <= opening <= finger.upper:
-            raise ConfigError(f"{finger.name} can be {finger.lower:g}..{finger.upper:g} {finger.unit}, not {opening:g}")
-        start = (await self.joints()).positions[finger.name]
-        closes = opening < start
+        check_number(width, "width")
+        least, greatest = await self.width_limits()
+        if not least - ROUNDING <= width <= greatest + ROUNDING:
+            raise ConfigError(f"the fingers of {self.info.id} open {least:g}..{greatest:g} m, not {width:g}")
+        start = await self.width()
+        closes = width < start
         percent = await self._percent(None, effort)
         await check_ready(self._connection, self.info.id)
         try:
             await self._send(percent if closes else -percent)
-            await self._until(finger.name, opening, start, timeout, closes=closes)
+            await self._until(width, start, timeout, closes=closes)
         finally:
             await self._send(0.0)
-        return await self.joints()
+        return await self.width()
+
+    async def has_width(self) -> bool:
+        """True for a gripper that reports how wide its fingers are open."""
+        return self.info.find(POSITION_SENSOR) is not None and (await self._joint_table()).has_width
+
+    async def width(self) -> float:
+        """Metres between the fingers. Raises `ConfigError` for a gripper that does not report it."""
+        return (await self._width_table()).width((await self.joints()).positions)
+
+    async def width_limits(self) -> tuple[float, float]:
+        """The least and the greatest width in metres. Raises `ConfigError` for a gripper that does not report it."""
+        table = await self._width_table()
+        ends = [table.width({joint.name: getattr(joint, end) for joint in table.joints}) for end in ("lower", "upper")]
+        return min(ends), max(ends)
 
     async def stop(self) -> None:
         """Hold the fingers where they are."""
@@ -129,19 +143,25 @@ class Gripper:
     async def _send(self, effort: float) -> None:
         await self._connection.send_checked(self.info.id, SetEndEffectorEffort(effort), ack=True)
 
-    async def _until(self, finger: str, opening: float, start: float, timeout: float, *, closes: bool) -> None:
-        """Wait until the finger has passed an opening, or stops."""
+    async def _until(self, width: float, start: float, timeout: float, *, closes: bool) -> None:
+        """Wait until the fingers have passed a width, or stop."""
         clock = asyncio.get_running_loop().time
         begun, before, still = clock(), start, 0
         while still < STILL_REPORTS:
             if clock() > begun + timeout:
-                raise RequestError(f"{finger} is not at {opening:g} after {timeout:g} s")
+                raise RequestError(f"the fingers of {self.info.id} are not {width:g} m apart after {timeout:g} s")
             await asyncio.sleep(POLL_INTERVAL / 2)
-            now = (await self.joints()).positions[finger]
-            if (now <= opening) if closes else (now >= opening):
+            now = await self.width()
+            if (now <= width) if closes else (now >= width):
                 return
             rests = abs(now - before) <= MAX_STEP and clock() > begun + START_TIME
             still, before = still + 1 if rests else 0, now
+
+    async def _width_table(self) -> JointTable:
+        """The joints of a gripper whose width is known."""
+        if await self.has_width():
+            return await self._joint_table()
+        raise ConfigError(f"{self.info.id} does not report how wide its fingers are open; use open() and close()")
 
     async def _percent(self, force: float | None, effort: float | None) -> float:
         check_number(force, "force", optional=True)

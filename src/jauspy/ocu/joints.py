@@ -56,6 +56,8 @@ class DescribedJoint:
     """Newtons or newton metres; None when it is not known."""
     max_speed: float | None = None
     """rad/s or m/s; None when it is not known."""
+    width_rate: float = 0.0
+    """Of a finger: metres by which one metre of it widens the gripper."""
 
     @property
     def unit(self) -> str:
@@ -76,6 +78,17 @@ class JointTable:
     """The name of the group in the description, as in arm or gripper."""
     tool: Rotation = (X, Y, Z)
     """Turns directions of the tool link into those of the last joint's frame."""
+    width_at_zero: float = 0.0
+    """Metres between the fingers of a gripper with all joints at zero."""
+
+    @property
+    def has_width(self) -> bool:
+        """True for a gripper that describes how wide its fingers are open."""
+        return any(joint.width_rate for joint in self.joints)
+
+    def width(self, positions: Mapping[str, float]) -> float:
+        """Metres between the fingers, with the joints at these positions."""
+        return self.width_at_zero + sum(joint.width_rate * positions[joint.name] for joint in self.joints)
 
     def from_reported(self, values: Sequence[float]) -> dict[str, float]:
         """Positions by name."""
@@ -152,12 +165,14 @@ def table_of(report: ReportJointDescription) -> JointTable:
             math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
             each.max_effort,
             each.max_speed,
+            each.width_rate,
         )
         for each in report.joint_list
     )
     parts = (group.tool_d, group.tool_a, group.tool_b, group.tool_c)
     has_tool = math.isclose(math.hypot(*parts), 1.0, abs_tol=0.01)
-    return JointTable(joints, group.group_name, rotation_from_quaternion(*parts) if has_tool else (X, Y, Z))
+    tool = rotation_from_quaternion(*parts) if has_tool else (X, Y, Z)
+    return JointTable(joints, group.group_name, tool, group.width_at_zero)
 
 
 def _specified(report: ReportManipulatorSpecifications) -> JointTable:

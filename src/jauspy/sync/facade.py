@@ -615,13 +615,25 @@ class Gripper(Facade[_Gripper]):
         """Open until the fingers stop; returns the positions of the fingers."""
         return self._portal.run(self._async.open(effort=effort, timeout=timeout))
 
-    def open_to(self, opening: float, *, effort: float = 25.0, timeout: float = 10.0) -> Joints:
-        """Open or close until the first finger is at `opening` metres or radians, or stops; then hold it there.
+    def open_to(self, width: float, *, effort: float = 25.0, timeout: float = 10.0) -> float:
+        """Open or close until there are `width` metres between the fingers, or they stop; then hold them there.
 
-        JAUS has no command for this: the effort (percent) ends when a report contains the position, so the finger may
-        overshoot by some millimetres; with less effort it overshoots less. Returns the positions of the fingers.
+        JAUS has no command for this: the effort (percent) ends when a report contains the width, so the fingers may
+        overshoot by some millimetres; with less effort they overshoot less. Returns the width that they reached.
         """
-        return self._portal.run(self._async.open_to(opening, effort=effort, timeout=timeout))
+        return self._portal.run(self._async.open_to(width, effort=effort, timeout=timeout))
+
+    def has_width(self) -> bool:
+        """True for a gripper that reports how wide its fingers are open."""
+        return self._portal.run(self._async.has_width())
+
+    def width(self) -> float:
+        """Metres between the fingers. Raises `ConfigError` for a gripper that does not report it."""
+        return self._portal.run(self._async.width())
+
+    def width_limits(self) -> tuple[float, float]:
+        """The least and the greatest width in metres. Raises `ConfigError` for a gripper that does not report it."""
+        return self._portal.run(self._async.width_limits())
 
     def stop(self) -> None:
         """Hold the fingers where they are."""

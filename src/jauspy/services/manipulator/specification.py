@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Final
 
 from jauspy.geometry.denavit_hartenberg import DHLink
+from jauspy.geometry.fingers import FingerWidth
 from jauspy.geometry.frames import joint_frame
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.urdf import Joint, JointKind
@@ -171,17 +172,20 @@ class JointDescription(Service, urn="urn:jauspy:description:JointDescription"):
     the description; this service of jauspy does, so that clients can use the values of the description.
     """
 
-    def __init__(self, name: str, group: JointGroup, arm: Arm) -> None:
+    def __init__(self, name: str, group: JointGroup, arm: Arm, width: FingerWidth | None = None) -> None:
         self._name, self._group, self._arm = name, group, arm
+        self._width = width or FingerWidth(0.0)
 
     def report_joint_description(self) -> ReportJointDescription:
         """Radians, metres, newtons and newton metres."""
         tool = quaternion(tool_rotation(self._group, self._arm))
-        group = ReportJointDescription.GroupRec(self._name[:255], *tool)
+        group = ReportJointDescription.GroupRec(self._name[:255], *tool, self._width.at_zero)
         links = self._arm.geometry.links
         rows = zip(self._group.joints, links, strict=True)
+        rates = self._width.rates
         return ReportJointDescription(
-            group, [_description(joint, link.joint, link.zero_position) for joint, link in rows]
+            group,
+            [_description(joint, link.joint, link.zero_position, rates.get(joint.name, 0.0)) for joint, link in rows],
         )
 
 
@@ -194,7 +198,7 @@ def tool_rotation(group: JointGroup, arm: Arm) -> Rotation:
     return (arm.geometry.forward(zero).inverse() @ tip).rotation
 
 
-def _description(joint: Joint, counted: Joint, zero: float) -> ReportJointDescription.JointRec:
+def _description(joint: Joint, counted: Joint, zero: float, width_rate: float) -> ReportJointDescription.JointRec:
     directions = ReportJointDescription.Direction
     return ReportJointDescription.JointRec(
         joint.name[:255],
@@ -205,4 +209,5 @@ def _description(joint: Joint, counted: Joint, zero: float) -> ReportJointDescri
         min(REPORTED_ANGLES / 2.0, joint.upper),
         joint.velocity,
         joint.effort,
+        width_rate,
     )

@@ -22,12 +22,14 @@ class ReportJointDescription(jd.Message):
         tool_a: Its part along x
         tool_b: Its part along y
         tool_c: Its part along z
+        width_at_zero: Metres between the fingers of a gripper with all joints at zero in the description
         """
         group_name: str = jd.field("GroupName", jd.Text(count=jd.Count("B", 0, 255)))
         tool_d: float = jd.field("ToolD", jd.Number("d"))
         tool_a: float = jd.field("ToolA", jd.Number("d"))
         tool_b: float = jd.field("ToolB", jd.Number("d"))
         tool_c: float = jd.field("ToolC", jd.Number("d"))
+        width_at_zero: float = jd.field("WidthAtZero", jd.Number("d"))
 
     class JointType(IntEnum):
         REVOLUTE = 1
@@ -48,6 +50,7 @@ class ReportJointDescription(jd.Message):
         upper_limit: Greatest position in the description: radians or metres
         max_speed: Greatest speed: radians per second or metres per second
         max_effort: Greatest effort: newton metres or newtons
+        width_rate: Metres by which a metre of this joint widens the fingers; zero if it has no fingers
         """
         joint_name: str = jd.field("JointName", jd.Text(count=jd.Count("B", 0, 255)))
         joint_type: ReportJointDescription.JointType | int = jd.field("JointType", lambda: jd.Number("B", jd.Values(ReportJointDescription.JointType)))
@@ -57,6 +60,7 @@ class ReportJointDescription(jd.Message):
         upper_limit: float = jd.field("UpperLimit", jd.Number("d"))
         max_speed: float = jd.field("MaxSpeed", jd.Number("d"))
         max_effort: float = jd.field("MaxEffort", jd.Number("d"))
+        width_rate: float = jd.field("WidthRate", jd.Number("d"))
 
     group_rec: ReportJointDescription.GroupRec = jd.field("GroupRec", lambda: ReportJointDescription.GroupRec.layout())
     joint_list: list[ReportJointDescription.JointRec] = jd.field("JointList", lambda: jd.Repeat(jd.Count("B", 0, 255), ReportJointDescription.JointRec.layout()))
