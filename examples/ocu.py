@@ -1,10 +1,14 @@
-"""Drive the robot 101 two metres ahead, as an operator control unit."""
+"""Drive the robot 101 two metres ahead of where it stands, as an operator control unit."""
 
 import asyncio
+import math
 import sys
 
 import jauspy
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
+
+DISTANCE = 2.0  # metres
+TIMEOUT = 20.0  # seconds, after which the robot is stopped wherever it is
 
 
 async def main(connect: str | None) -> None:
@@ -12,12 +16,15 @@ async def main(connect: str | None) -> None:
         robot = await ocu.discover(subsystem=101)
         driver = robot.service("mobility:PrimitiveDriver")
         poses = robot.service("mobility:LocalPoseSensor")
-        async with driver.control(authority=200):  # renewed until the block ends; then Standby, control is released
+        start = await poses.query(QueryLocalPose())
+        # control is renewed until the block ends; then Standby, control is released
+        async with driver.control(authority=200), asyncio.timeout(TIMEOUT):
             await driver.resume()
             async for pose in poses.subscribe(QueryLocalPose(), rate=10.0):  # all fields, ten times a second
                 await driver.send(SetWrenchEffort(propulsive_linear_effort_x=40.0))  # percent, for 2 s
-                print(f"x {pose.x:.2f} m, y {pose.y:.2f} m")
-                if pose.x >= 2.0:
+                driven = math.dist((pose.x, pose.y), (start.x, start.y))
+                print(f"{driven:.2f} m")
+                if driven >= DISTANCE:
                     break
 
 

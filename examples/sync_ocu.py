@@ -2,9 +2,12 @@
 
 import math
 import sys
+import time
 
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.sync import OCU
+
+TIMEOUT = 20.0  # seconds, after which the robot is stopped wherever it is
 
 
 def main(connect: str | None) -> None:
@@ -13,6 +16,7 @@ def main(connect: str | None) -> None:
         driver = robot.service("mobility:PrimitiveDriver")
         sensor = robot.service("mobility:LocalPoseSensor")
         start = sensor.query(QueryLocalPose()).yaw
+        end = time.monotonic() + TIMEOUT
         with driver.control(authority=200):
             driver.resume()
             for pose in sensor.subscribe(QueryLocalPose(), rate=10.0):
@@ -21,6 +25,8 @@ def main(connect: str | None) -> None:
                 print(f"turned {math.degrees(turned):.0f} degrees")
                 if turned > math.radians(90.0):
                     break
+                if time.monotonic() > end:
+                    sys.exit(f"not turned after {TIMEOUT:g} s")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 """Drive all robots of the network ahead at the same time, for two seconds, with one operator control unit."""
 
 import asyncio
+import math
 import sys
 
 import jauspy
@@ -16,7 +17,7 @@ async def drive(robot: jauspy.Robot, seconds: float) -> None:
         await driver.send(SetWrenchEffort(propulsive_linear_effort_x=50.0))  # percent
         await asyncio.sleep(seconds)
     after = await sensor.query(QueryLocalPose())
-    print(f"{robot.id} drove {after.x - before.x:.2f} m")
+    print(f"{robot.id} drove {math.dist((after.x, after.y), (before.x, before.y)):.2f} m")
 
 
 async def main(connect: str | None) -> None:

@@ -10,7 +10,10 @@ async def main(connect: str | None) -> None:
     async with jauspy.OCU("42.1.1", connect) as ocu:
         robot = await ocu.robot(101)
         async with robot.control(authority=200):  # takes and resumes all that moves; at the end: Standby, released
-            await robot.go_to(x=1.0, y=0.5, progress=lambda now: print(f"{now.distance:.2f} m left"))
+            ahead = {"x": 1.0, "y": 0.5}  # metres from where the robot stands, to the front and to the left
+            await robot.go_to(
+                **ahead, frame="robot", timeout=60.0, progress=lambda now: print(f"{now.distance:.2f} m left")
+            )
             await robot.drive(angular=0.5, seconds=1.0)  # rad/s, to the left
             joints = await robot.arm.move({"arm_link_2_to_arm_link_3": -1.2}, speed=0.8)  # radians, as in the URDF
             fingers = await robot.gripper.close(force=20)  # newtons

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+import math
 import re
 import signal
 import sys
@@ -10,8 +11,10 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.geometry.poses import Pose
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.messages.ugv import QueryPlatformSpecifications
+from jauspy.modules.robot import RobotRunner
 from jauspy.testing import LocalNode, until
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
@@ -43,12 +46,25 @@ def numbers(text: str) -> list[float]:
     return [float(each) for each in re.findall(r"-?\d+(?:\.\d+)?", text)]
 
 
+async def turned(node_manager: LocalNode, robot: RobotRunner) -> Pose:
+    """Where a robot stands that was turned to the back."""
+    async with node_manager.ocu("42.1.9") as ocu:
+        found = await ocu.robot(101)
+        async with found.control("drive"):
+            await found.drive(angular=1.0, seconds=2.5)
+    assert robot.snapshot is not None
+    assert abs(robot.snapshot.pose.yaw) > 1.8
+    return robot.snapshot.pose
+
+
 async def test_ocu(node_manager: LocalNode) -> None:
     async with node_manager.robot() as robot:
+        start = await turned(node_manager, robot)
         output = await run("ocu.py", node_manager.local)
         assert numbers(output.splitlines()[-1])[0] >= 2.0
         assert robot.snapshot is not None
-        assert robot.snapshot.pose.x >= 2.0
+        end = robot.snapshot.pose
+        assert 2.0 <= math.dist((end.x, end.y), (start.x, start.y)) < 2.6
 
 
 async def test_verbs(node_manager: LocalNode) -> None:
@@ -69,9 +85,15 @@ async def test_sync_ocu(node_manager: LocalNode) -> None:
 @pytest.mark.slow
 async def test_waypoints(node_manager: LocalNode) -> None:
     async with node_manager.robot() as robot:
+        start = await turned(node_manager, robot)
         output = await run("waypoints.py", node_manager.local)
         assert robot.snapshot is not None
-        assert abs(robot.snapshot.pose.x) + abs(robot.snapshot.pose.y) < 0.6
+        assert math.dist((robot.snapshot.pose.x, robot.snapshot.pose.y), (start.x, start.y)) < 0.6
+    first, second, back = (numbers(line)[1:] for line in output.splitlines()[:3])
+    ahead = (start.x + 2.0 * math.cos(start.yaw), -start.y - 2.0 * math.sin(start.yaw))  # y is right in JAUS
+    assert first == pytest.approx(ahead, abs=0.3)
+    assert math.dist(second, first) == pytest.approx(1.0, abs=0.1)
+    assert back == pytest.approx((start.x, -start.y), abs=0.3)
     assert output.splitlines()[-1] == "arrived"
     assert "heading for waypoint 2" in output
 

@@ -372,6 +372,16 @@ async def test_late_answer_about_an_earlier_list_is_ignored(virtual_network, rob
     assert order(robot) == xs(client.waypoints) == [1, 2, 3]
 
 
+async def test_an_element_that_does_not_end_is_an_error(robot, driver, client):
+    waypoints = client.waypoints
+    await waypoints.upload([SetLocalWaypoint(x=50.0, y=0.0)])
+    await waypoints.execute(speed=0.5)
+    progress = waypoints.progress(timeout=5.0)
+    assert await anext(progress) == 0
+    with pytest.raises(RequestError, match="is still at element 0 after 5 s"):
+        await anext(progress)
+
+
 async def test_missing_reports_do_not_end_progress(virtual_network, robot, driver, client):
     await client.waypoints.upload(at(1, 2))
     await client.waypoints.execute(speed=1.0)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import asyncio
-from collections.abc import AsyncGenerator, AsyncIterator, Callable, Iterable, Sequence
+from collections.abc import AsyncGenerator, Callable, Iterable, Sequence
 from contextlib import aclosing
 from itertools import pairwise
 from typing import TYPE_CHECKING, Any, Final, TypeAlias, overload
@@ -47,6 +47,8 @@ MAX_ELEMENTS_PER_REQUEST: Final = 255
 """Elements that fit one request."""
 ACTIVE_ELEMENT_INTERVAL: Final = 0.2
 """Seconds between two queries to a component that rejects events on its active element."""
+ELEMENT_TIMEOUT: Final = 300.0
+"""Seconds that an element may be active while a program follows the progress of a list."""
 RECHECK_INTERVAL: Final = 1.0
 """Seconds without an event after which the active element is queried: the last event may have been lost."""
 EXAMPLE_ELEMENT: Final = "SetLocalWaypoint(x=1.0, y=2.0)"
@@ -199,16 +201,35 @@ class Elements(Sequence[Element]):
         """The index of the active element, or None."""
         return await self._index((await self._report_active()).element_uid)
 
-    async def progress(self, *, rate: float | None = None, grace: float = 2.0) -> AsyncGenerator[int, None]:
+    async def progress(
+        self,
+        *,
+        rate: float | None = None,
+        grace: float = 2.0,
+        timeout: float = ELEMENT_TIMEOUT,  # noqa: ASYNC109 - it ends in an error that says which element is active
+    ) -> AsyncGenerator[int, None]:
         """The index of each element as it becomes active, until no element is active any more.
 
         The component reports changes, or, with `rate` (Hz), its state periodically. `grace` is the time in seconds
-        until the first element must be active.
+        until the first element must be active. Raises `RequestError` if an element is still active after `timeout`
+        seconds; the component continues until it is told otherwise, as by the end of a block of `control()`.
         """
-        async for uid in self._active_uids(rate, grace):
-            index = await self._index(uid)
-            if index is not None:
-                yield index
+        check_number(timeout, "timeout")
+        active: int | None = None
+        async with aclosing(self._active_uids(rate, grace)) as uids:
+            while True:
+                try:
+                    async with asyncio.timeout(timeout) as limit:
+                        uid = await anext(uids)
+                except StopAsyncIteration:
+                    return
+                except TimeoutError:
+                    if not limit.expired():
+                        raise
+                    raise RequestError(f"{self._id} is still at element {active} after {timeout:g} s") from None
+                active = await self._index(uid)
+                if active is not None:
+                    yield active
 
     # --- inside ---------------------------------------------------------------------------------------------------
 
@@ -319,7 +340,7 @@ class Elements(Sequence[Element]):
     async def _report_active(self) -> Any:
         return await self._connection.query(self._id, self._message("QueryActiveElement")())
 
-    async def _active_uids(self, rate: float | None, grace: float) -> AsyncIterator[int]:
+    async def _active_uids(self, rate: float | None, grace: float) -> AsyncGenerator[int, None]:
         """The UID of each element that becomes active, until none is; none at first is allowed for `grace` seconds.
 
         While no report arrives, the list may well be executed: silence does not end this.

@@ -14,7 +14,7 @@ from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.discovery import News
 from jauspy.ocu.driving import Progress, TOLERANCE
 from jauspy.ocu.joints import JointTable, MotionLimits
-from jauspy.ocu.lists import Element
+from jauspy.ocu.lists import ELEMENT_TIMEOUT, Element
 from jauspy.ocu.robot import DEFAULT_SPEED
 from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.stills import Photo
@@ -243,13 +243,20 @@ class Elements(Facade[_Elements], MutableSequence[Element]):
         """The index of the active element, or None."""
         return self._portal.run(self._async.active())
 
-    def progress(self, *, rate: float | None = None, grace: float = 2.0) -> Generator[int, None, None]:
+    def progress(
+        self,
+        *,
+        rate: float | None = None,
+        grace: float = 2.0,
+        timeout: float = ELEMENT_TIMEOUT,
+    ) -> Generator[int, None, None]:
         """The index of each element as it becomes active, until no element is active any more.
 
         The component reports changes, or, with `rate` (Hz), its state periodically. `grace` is the time in seconds
-        until the first element must be active.
+        until the first element must be active. Raises `RequestError` if an element is still active after `timeout`
+        seconds; the component continues until it is told otherwise, as by the end of a block of `control()`.
         """
-        return self._portal.iterate(self._async.progress(rate=rate, grace=grace))
+        return self._portal.iterate(self._async.progress(rate=rate, grace=grace, timeout=timeout))
 
 
 class CommandStream(Facade[_CommandStream]):
