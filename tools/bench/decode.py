@@ -17,8 +17,7 @@ import time
 from itertools import cycle, islice
 from pathlib import Path
 
-from jauspy.capture.writer import packet as block
-from jauspy.capture.writer import preamble
+from jauspy.capture.writer import packet as block, preamble
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import registry

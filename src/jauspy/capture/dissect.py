@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Final
 
 from jauspy.codec.message import Message, too_short
@@ -19,7 +20,7 @@ STANDARD: Final = "urn:jaus:jss:"
 OLD_HEADER: Final = "AS5669 v1/OPC header, not decoded"
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Content:
     """The message of a packet or of bare bytes, as far as it can be decoded.
 
@@ -44,6 +45,11 @@ class Content:
         if self.message is None:
             return self.payload
         try:
+            if not self.deviations:
+                return self.message.encode()
+        except EncodeError:
+            pass
+        try:
             return self.message.encode(strict=False)
         except EncodeError:
             return None
@@ -53,7 +59,7 @@ class Content:
         """True when the bytes are exactly one known message, without deviations."""
         return self.message is not None and not self.deviations and self.reencodes
 
-    @property
+    @cached_property
     def reencodes(self) -> bool:
         """True when the decoded message encodes to exactly the original bytes."""
         return self.reencoded() == self.payload

@@ -8,6 +8,7 @@ import struct
 from collections import Counter, OrderedDict
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import lru_cache
 from io import BufferedReader
 from typing import Final
 
@@ -23,6 +24,10 @@ MAX_OPEN_PACKETS: Final = 64
 """Maximal number of incomplete IP packets of a capture; the oldest is dropped first."""
 MAX_PACKET: Final = 65535
 _Key = tuple[bytes, bytes, int]
+_IP: Final = struct.Struct(">xxHHHxBxx4s4s")
+"""Length, identification, fragment flags and offset, protocol, source and destination of an IPv4 header."""
+_OFFSET, _MORE_FRAGMENTS, _FRAGMENTED = 0x1FFF, 0x2000, 0x3FFF
+_UDP: Final = struct.Struct(">HHHxx")
 _SEPARATORS = re.compile(r"[\s:,_-]+|\b0[xX]")
 
 # Link types as the pcap formats number them (https://www.tcpdump.org/linktypes.html). Raw IP has three numbers:
@@ -197,21 +202,22 @@ class Assembler:
         if not packet or packet[0] >> 4 != 4:
             self.skipped["not UDP over IPv4"] += 1
             return None
-        try:
-            header = dpkt.ip.IP(packet)
-        except dpkt.UnpackError:
+        start = (packet[0] & 0x0F) * 4
+        if len(packet) < _IP.size or not _IP.size <= start <= len(packet):
             self.skipped["malformed IP packet"] += 1
             return None
-        if header.p != dpkt.ip.IP_PROTO_UDP:
+        length, identification, fragment, protocol, source, destination = _IP.unpack_from(packet)
+        if protocol != socket.IPPROTO_UDP:
             self.skipped["not UDP over IPv4"] += 1
             return None
-        data = packet[header.hl * 4 : header.len or len(packet)]
-        if header.mf or header.offset:
-            whole = self._collect(header, data)
+        data = packet[start : length or len(packet)]
+        if fragment & _FRAGMENTED:
+            key = (source, destination, identification)
+            whole = self._collect(key, (fragment & _OFFSET) * 8, data, last=not fragment & _MORE_FRAGMENTS)
             if whole is None:
                 return None
             data = whole
-        return self._udp(header, data)
+        return self._udp(source, destination, data)
 
     def finish(self) -> None:
         """Count the packets with missing fragments."""
@@ -219,14 +225,12 @@ class Assembler:
             self.skipped["IP packet with missing fragments"] += len(self._open)
             self._open.clear()
 
-    def _collect(self, header: dpkt.ip.IP, data: bytes) -> bytes | None:
-        key = (header.src, header.dst, header.id)
-        offset = header.offset * 8
+    def _collect(self, key: _Key, offset: int, data: bytes, *, last: bool) -> bytes | None:
         if offset + len(data) > MAX_PACKET:
             self.skipped["malformed IP packet"] += 1
             return None
         parts = self._open.setdefault(key, _Parts())
-        parts.add(offset, data, last=not header.mf)
+        parts.add(offset, data, last=last)
         whole = parts.joined()
         if whole is not None:
             del self._open[key]
@@ -238,21 +242,22 @@ class Assembler:
             self.skipped["IP packet with missing fragments"] += 1
         return whole
 
-    def _udp(self, header: dpkt.ip.IP, data: bytes) -> Udp | None:
-        try:
-            udp = dpkt.udp.UDP(data)
-        except dpkt.UnpackError:
+    def _udp(self, source: bytes, destination: bytes, data: bytes) -> Udp | None:
+        if len(data) < _UDP.size:
             self.skipped["malformed UDP datagram"] += 1
             return None
-        length = udp.ulen or len(data)
-        if length < 8:
+        source_port, destination_port, given = _UDP.unpack_from(data)
+        length = given or len(data)
+        if length < _UDP.size:
             self.skipped["malformed UDP datagram"] += 1
             return None
         if length > len(data):
             self.skipped["UDP datagram cut short by the capture"] += 1
             return None
-        source, destination = socket.inet_ntoa(header.src), socket.inet_ntoa(header.dst)
-        return Udp((source, udp.sport), (destination, udp.dport), data[8:length])
+        return Udp((_address(source), source_port), (_address(destination), destination_port), data[8:length])
+
+
+_address: Final = lru_cache(maxsize=1024)(socket.inet_ntoa)
 
 
 def ip_packet(link_type: int, frame: bytes) -> bytes | None:

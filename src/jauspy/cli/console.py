@@ -10,9 +10,9 @@ import logging
 import os
 import select
 import sys
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
-from typing import TYPE_CHECKING, Any, TextIO
+from typing import TYPE_CHECKING, Any, Final, TextIO
 
 from jauspy.logs import LIMIT
 from jauspy.printable import printable, printable_lines
@@ -60,10 +60,33 @@ def print_lines(*lines: str, file: TextIO | None = None) -> None:
     print(*map(printable, lines), sep="\n", file=file, flush=True)
 
 
-def print_json(value: Any) -> None:
+_UNESCAPED: Final = json.JSONEncoder(ensure_ascii=False)
+
+
+def print_json(value: Any, *, flush: bool = True) -> None:
     """Print one JSON object in a line on stdout."""
-    text = json.dumps(value, ensure_ascii=False)
-    print(text if text.isprintable() else json.dumps(value), flush=True)
+    text = _UNESCAPED.encode(value)
+    sys.stdout.write((text if text.isprintable() else json.dumps(value)) + "\n")
+    if flush:
+        sys.stdout.flush()
+
+
+def styled_printer() -> Callable[[Iterable[tuple[str, str]]], None]:
+    """A function that prints a line of texts and their styles on stdout, without flushing; terminals show the styles.
+
+    Whether stdout is a terminal is asked once: asking takes longer than printing.
+    """
+    out = stdout()
+    if not out.is_terminal:
+        return _print_plain
+    from rich.text import Text
+
+    return lambda parts: out.print(Text.assemble(*parts))
+
+
+def _print_plain(parts: Iterable[tuple[str, str]]) -> None:
+    line = "".join([text for text, _ in parts])
+    sys.stdout.write((line if line.isprintable() else printable_lines(line)) + "\n")
 
 
 def error(message: str) -> None:

@@ -7,12 +7,12 @@ import sys
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass
 from enum import StrEnum
+from functools import cache, lru_cache
 from io import BufferedReader
 from pathlib import Path
 from typing import Annotated, Any, Final, Literal, Protocol, cast
 
 import typer
-from rich.text import Text
 
 from jauspy.capture.dissect import (
     STANDARD,
@@ -28,7 +28,7 @@ from jauspy.capture.reader import CaptureReader, Datagram, from_hex, from_lines,
 from jauspy.cli import console
 from jauspy.cli.can_log import CanFrame, can_frames, changes, is_can_log
 from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, ServiceVersion, definitions
-from jauspy.cli.render import field_lines
+from jauspy.cli.render import Styled, styled_fields
 from jauspy.codec import reference
 from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
@@ -112,11 +112,15 @@ def decode(
         frames = can_frames(source, robot)
         return changes(frames) if only_changes else frames
 
+    is_live = "-" in sources or sys.stdout.isatty()
     for item in listed(sources[0]) if len(sources) == 1 else by_time(map(listed, sources)):
         if isinstance(item, CanFrame):
             printer.show_frame(item)
         else:
             printer.show(item)
+        if is_live:
+            sys.stdout.flush()
+    sys.stdout.flush()
     if printer.failed:
         raise typer.Exit(1)
 
@@ -145,7 +149,7 @@ def _port(text: str) -> int | None:
 _BYTES_SHOWN: Final = 8
 
 
-def explanation(content: Content, model_of: Callable[[type[Message]], model.Message]) -> Iterator[Text]:
+def explanation(content: Content, model_of: Callable[[type[Message]], model.Message]) -> Iterator[Styled]:
     """A table of the fields of a message, a line each, up to the damage; empty if the message is unknown."""
     rows = rows_of(content, model_of)
     if not rows:
@@ -163,15 +167,15 @@ def explanation(content: Content, model_of: Callable[[type[Message]], model.Mess
     ]
     widths = [max(len(line[column]) for line in cells) for column in range(4)]
     for number, (offset, data, path, raw, value) in enumerate(cells):
-        yield Text.assemble(
+        rest = "" if number else "dim"
+        yield [
             (f"{offset:>{widths[0]}}  ", "dim"),
-            f"{data:<{widths[1]}}  ",
-            (f"{path:<{widths[2]}}  ", "cyan"),
-            f"{raw:>{widths[3]}}  ",
-            value,
-            _problem(rows[number - 1]) if number else "",
-            style="" if number else "dim",
-        )
+            (f"{data:<{widths[1]}}  ", rest),
+            (f"{path:<{widths[2]}}  ", "cyan" if number else "dim"),
+            (f"{raw:>{widths[3]}}  ", rest),
+            (value, rest),
+            _problem(rows[number - 1]) if number else ("", ""),
+        ]
 
 
 def rows_of(content: Content, model_of: Callable[[type[Message]], model.Message]) -> list[reference.Row]:
@@ -245,17 +249,17 @@ class JsonPrinter:
         self._explain = explain
 
     def show(self, item: Item) -> None:
-        """Print one item."""
+        """Print one item, without flushing."""
         self.failed |= item.failed
         made = as_json(item)
         if self._explain is not None:
             for shown, content in zip(made["messages"], contents(item), strict=True):
                 shown["explained"] = [_row_json(row) for row in rows_of(content, self._explain.model_of)]
-        console.print_json(made)
+        console.print_json(made, flush=False)
 
     def show_frame(self, frame: CanFrame) -> None:
         """Print one CAN frame."""
-        console.print_json(frame.as_json())
+        console.print_json(frame.as_json(), flush=False)
 
 
 def contents(item: Item) -> list[Content]:
@@ -296,14 +300,26 @@ def as_json(item: Item) -> dict[str, Any]:
 def _part_json(part: Part) -> dict[str, Any]:
     packet = part.packet
     return {
-        "source": str(packet.source),
-        "destination": str(packet.destination),
+        "source": _id_text(packet.source),
+        "destination": _id_text(packet.destination),
         "sequence": packet.sequence,
-        "priority": packet.priority.name,
-        "broadcast": packet.broadcast.name,
-        "ack": packet.ack.name,
-        "data_flag": packet.data_flag.name,
-    } | _content_json(part.content)
+        **_header_names(packet.priority, packet.broadcast, packet.ack, packet.data_flag),
+        **_content_json(part.content),
+    }
+
+
+_id_text: Final = lru_cache(maxsize=1024)(str)
+
+
+@cache
+def _header_names(priority: Priority, broadcast: Broadcast, ack: Ack, data_flag: DataFlag) -> dict[str, str]:
+    """Fields of a header that have names; few combinations occur."""
+    return {
+        "priority": priority.name,
+        "broadcast": broadcast.name,
+        "ack": ack.name,
+        "data_flag": data_flag.name,
+    }
 
 
 def _content_json(content: Content) -> dict[str, Any]:
@@ -334,6 +350,9 @@ class HumanPrinter:
     def __init__(self, explain: Definitions | None = None) -> None:
         self.failed = False
         self._explain = explain
+        self._print = console.styled_printer()
+        self._width = console.stdout().width if console.stdout().is_terminal else 0
+        """Columns of the terminal; 0 if the output is none."""
         self._start: float | None = None
         self._noted: set[int] = set()
 
@@ -349,8 +368,8 @@ class HumanPrinter:
 
     def show_frame(self, frame: CanFrame) -> None:
         """Print one CAN frame in a line."""
-        head = Text(f"      {self._elapsed(frame.time)}  {frame.channel or 'CAN'} {frame.identifier:03X}  ")
-        console.stdout().print(head.append(frame.text, style="magenta"), soft_wrap=True)
+        head = f"      {self._elapsed(frame.time)}  {frame.channel or 'CAN'} {frame.identifier:03X}  "
+        self._print([(head, ""), (frame.text, "magenta")])
 
     def _elapsed(self, time: float) -> str:
         if self._start is None:
@@ -359,50 +378,48 @@ class HumanPrinter:
 
     def _datagram(self, item: Item, dissection: Dissection) -> None:
         if dissection.note:
-            self._heading(item, Text(f"{dissection.note} ({len(dissection.data)} bytes)", style="yellow"))
+            self._heading(item, [(f"{dissection.note} ({len(dissection.data)} bytes)", "yellow")])
         for index, part in enumerate(dissection.parts):
-            line = _route(part.packet).append("  ").append_text(_title(part.content)).append_text(_flags(part.packet))
+            line = [_route(part.packet), ("  ", ""), *_title(part.content), _flags(part.packet)]
             if index == 0:
                 self._heading(item, line)
             else:
-                console.stdout().print(Text("   + ").append_text(line))
+                self._print([("   + ", ""), *line])
             self._content(part.content)
         if not dissection.parts and not dissection.note:
-            self._heading(item, Text(f"{len(dissection.data)} bytes", style="red"))
+            self._heading(item, [(f"{len(dissection.data)} bytes", "red")])
         for error in dissection.errors:
-            console.stdout().print(Text(f"     {error}", style="red"))
+            self._print([(f"     {error}", "red")])
 
-    def _heading(self, item: Item, line: Text) -> None:
-        out = console.stdout()
-        head = Text(f"{item.number:>4}" if item.number else "", style="dim")
+    def _heading(self, item: Item, line: Styled) -> None:
+        head = f"{item.number:>4}" if item.number else ""
         if item.captured is not None:
-            head.append(f"  {self._elapsed(item.captured.time)}")
-            head.append(f"  {_short(item.captured.source)} → {_short(item.captured.destination)}")
-        if out.is_terminal and head.cell_len + 2 + line.cell_len > out.width:
-            out.print(head)
-            out.print(Text("     ").append_text(line))
+            head += f"  {self._elapsed(item.captured.time)}"
+            head += f"  {_short(item.captured.source)} → {_short(item.captured.destination)}"
+        if self._width and len(head) + 2 + sum(len(text) for text, _ in line) > self._width:
+            self._print([(head, "dim")])
+            self._print([("     ", ""), *line])
         else:
-            out.print(Text("  ").join((head, line)) if head else line)
+            self._print([(head, "dim"), ("  ", ""), *line] if head else line)
 
     def _content(self, content: Content) -> None:
-        out = console.stdout()
         if content.problem and not content.broken:
-            out.print(Text(f"     {content.problem}", style="yellow"))
+            self._print([(f"     {content.problem}", "yellow")])
         self._note_others(content)
         if content.message is None and content.payload:
-            out.print(Text(f"     {_hex(content.payload)}", style="dim"))
+            self._print([(f"     {_hex(content.payload)}", "dim")])
         if self._explain:
             for row in explanation(content, self._explain.model_of):
-                out.print(Text("     ").append_text(row))
+                self._print([("     ", ""), *row])
         elif content.message is not None:
-            for line in field_lines(content.message):
-                out.print(Text("     ").append_text(line))
+            for line in styled_fields(content.message):
+                self._print([("     ", ""), *line])
         for deviation in content.deviations:
-            out.print(Text(f"     {deviation}", style="yellow"))
+            self._print([(f"     {deviation}", "yellow")])
         if content.message is not None and not content.reencodes:
             again = content.reencoded()
             text = f"encodes to {_hex(again)}" if again is not None else "does not encode again"
-            out.print(Text(f"     {text}", style="yellow"))
+            self._print([(f"     {text}", "yellow")])
 
     def _note_others(self, content: Content) -> None:
         """Print the other definitions of a message id, the first time that it occurs."""
@@ -412,7 +429,7 @@ class HumanPrinter:
         self._noted.add(message.CODE)
         others = ", ".join(f"{each.name} in {_place(each)} ({_option(each, message)})" for each in content.others)
         here = f"{_service(message.SERVICE)} {message.VERSION}"
-        console.stdout().print(Text(f"     decoded as in {here}; also {others}", style="dim"))
+        self._print([(f"     decoded as in {here}; also {others}", "dim")])
 
 
 def _option(entry: MessageEntry, shown: Message) -> str:
@@ -430,19 +447,19 @@ def _service(urn: str) -> str:
     return urn.removeprefix(STANDARD)
 
 
-def _title(content: Content) -> Text:
+def _title(content: Content) -> Styled:
     if content.message is not None:
-        return Text.assemble((content.message.NAME, "bold cyan"), f" ({content.code:04X}h)")
+        return [(content.message.NAME, "bold cyan"), (f" ({content.code:04X}h)", "")]
     if not content.payload:
-        return Text("no message")
-    return Text(f"message {content.code:04X}h" if content.code is not None else "message", style="bold")
+        return [("no message", "")]
+    return [(f"message {content.code:04X}h" if content.code is not None else "message", "bold")]
 
 
-def _route(packet: Packet) -> Text:
-    return Text(f"{packet.source} → {packet.destination}", style="green")
+def _route(packet: Packet) -> tuple[str, str]:
+    return f"{_id_text(packet.source)} → {_id_text(packet.destination)}", "green"
 
 
-def _flags(packet: Packet) -> Text:
+def _flags(packet: Packet) -> tuple[str, str]:
     """Header fields that are not standard priority, unicast, unacknowledged, unfragmented; and the sequence number."""
     words = []
     if packet.priority != Priority.STANDARD:
@@ -454,7 +471,7 @@ def _flags(packet: Packet) -> Text:
     if packet.data_flag != DataFlag.SINGLE:
         words.append(f"{packet.data_flag.name.lower()} fragment")
     words.append(f"seq {packet.sequence}")
-    return Text("  " + ", ".join(words), style="dim")
+    return "  " + ", ".join(words), "dim"
 
 
 def _short(address: tuple[str, int]) -> str:

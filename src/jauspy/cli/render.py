@@ -5,10 +5,10 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from collections.abc import Callable, Iterator, Mapping
 from enum import IntEnum
-from typing import Any, Final, TypeAlias
+from functools import cache
+from typing import Any, Final, NamedTuple, TypeAlias
 
 from rich.text import Text
 
@@ -23,8 +23,7 @@ _YAML_WORDS: Final = frozenset({"y", "n", "yes", "no", "on", "off", "true", "fal
 _INDENT: Final = "  "
 
 
-@dataclass(frozen=True, slots=True)
-class Leaf:
+class Leaf(NamedTuple):
     """A single value as text; `note` is its unit, or the number of a name."""
 
     text: str
@@ -34,26 +33,36 @@ class Leaf:
 Tree: TypeAlias = "Leaf | dict[str, Tree] | list[Tree]"
 
 
-@dataclass(frozen=True, slots=True)
-class _Line:
+class _Line(NamedTuple):
     indent: str
     name: str
     leaf: Leaf
 
 
-def field_lines(message: Message, *, yaml: bool = False) -> Iterator[Text]:
+Styled: TypeAlias = "list[tuple[str, str]]"
+"""A line: texts, and their styles on terminals."""
+
+
+def styled_fields(message: Message, *, yaml: bool = False) -> Iterator[Styled]:
     """The fields of a message, one line each; with `yaml` the lines together are valid YAML."""
     tree = tree_of(message.layout(), message)
     assert isinstance(tree, dict)
+    mark = "  # " if yaml else " "
     for line in _entries(tree, ""):
-        name = f"{line.name}: " if line.leaf.text else f"{line.name}:"
-        note = f"  # {line.leaf.note}" if yaml else f" {line.leaf.note}"
-        yield Text.assemble(
-            line.indent,
+        leaf = line.leaf
+        name = f"{line.name}: " if leaf.text else f"{line.name}:"
+        yield [
+            (line.indent, ""),
             (name if line.name else "", "cyan"),
-            line.leaf.text,
-            (note if line.leaf.note else "", "dim"),
-        )
+            (leaf.text, ""),
+            (f"{mark}{leaf.note}" if leaf.note else "", "dim"),
+        ]
+
+
+def field_lines(message: Message, *, yaml: bool = False) -> Iterator[Text]:
+    """The same as texts of rich."""
+    for parts in styled_fields(message, yaml=yaml):
+        yield Text.assemble(*parts)
 
 
 # --- from a value to a tree -----------------------------------------------------------------------------------------
@@ -61,48 +70,84 @@ def field_lines(message: Message, *, yaml: bool = False) -> Iterator[Text]:
 
 def tree_of(item: Item, value: Any) -> Tree:
     """Names, texts and units of a value with the layout `item`."""
-    if isinstance(item, Composite):
-        parts = ((slot, getattr(value, slot.name)) for slot in item.slots)
-        return {slot.name: tree_of(slot.item, part) for slot, part in parts if part is not None} | _reserved_bits(value)
-    if isinstance(item, Bits):
-        return {bit.name: _integer(getattr(value, bit.name)) for bit in item.bits} | _reserved_bits(value)
-    if isinstance(item, Union):
-        return {name: tree_of(arm, value) for name, arm in item.arms.items() if arm.cls is type(value)}
-    if isinstance(item, Repeat):
-        return [tree_of(item.item, part) for part in value]
-    if isinstance(item, Grid):
-        inner = Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
-        return [tree_of(inner, part) for part in value]
-    if isinstance(item, Choice):
-        chosen = item.items.get(value.choice)
-        return {"choice": _integer(value.choice), "value": _number(chosen, value.value)}
-    if isinstance(item, Formatted):
-        return {"format": _integer(value.format), "data": _blob(value.data)}
-    if isinstance(item, Blob):
-        return _blob(value)
+    return _renderer(type(item))(item, value)
+
+
+@cache
+def _renderer(kind: type[Item]) -> Callable[[Any, Any], Tree]:
+    """How values of a kind of layout become trees; asked once for each, since a message has many fields."""
+    return next((render for base, render in _RENDERERS.items() if issubclass(kind, base)), _leaf)
+
+
+def _composite(item: Composite, value: Any) -> Tree:
+    found: dict[str, Tree] = {}
+    for slot in item.slots:
+        part = getattr(value, slot.name)
+        if part is not None:
+            found[slot.name] = tree_of(slot.item, part)
+    return found | _reserved_bits(value)
+
+
+def _bits(item: Bits, value: Any) -> Tree:
+    return {bit.name: _integer(getattr(value, bit.name)) for bit in item.bits} | _reserved_bits(value)
+
+
+def _union(item: Union, value: Any) -> Tree:
+    return {name: tree_of(arm, value) for name, arm in item.arms.items() if arm.cls is type(value)}
+
+
+def _repeat(item: Repeat, value: Any) -> Tree:
+    return [tree_of(item.item, part) for part in value]
+
+
+def _grid(item: Grid, value: Any) -> Tree:
+    inner = Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
+    return [tree_of(inner, part) for part in value]
+
+
+def _choice(item: Choice, value: Any) -> Tree:
+    chosen = item.items.get(value.choice)
+    return {"choice": _integer(value.choice), "value": _number(chosen, value.value)}
+
+
+def _formatted(_item: Formatted, value: Any) -> Tree:
+    return {"format": _integer(value.format), "data": _blob(value.data)}
+
+
+def _leaf(item: Item, value: Any) -> Tree:
     return Leaf(_quoted(value)) if isinstance(value, str) else _number(item, value)
+
+
+_RESERVED: Final = ("reserved_bits", "reserved_presence")
 
 
 def _reserved_bits(value: Any) -> dict[str, Tree]:
     """Reserved bits, if they are set."""
-    names = ("reserved_bits", "reserved_presence")
-    return {name: Leaf(f"0x{getattr(value, name):X}") for name in names if getattr(value, name, 0)}
+    return {name: Leaf(f"0x{getattr(value, name):X}") for name in _RESERVED if getattr(value, name, 0)}
 
 
 def _number(item: Item | None, value: float) -> Leaf:
     if isinstance(item, Real):
-        return Leaf(_real(value, item.scaling.factor), unit_symbol(item.units))
+        return Leaf(_real(value, _decimals(item.scaling.factor)), _symbol(item.units))
     if isinstance(item, Number) and item.code in FLOATS:
-        return Leaf(_float(value, 7 if item.code == "f" else 15), unit_symbol(item.units))
+        return Leaf(_float(value, 7 if item.code == "f" else 15), _symbol(item.units))
     if isinstance(item, Number):
         named = _integer(value)
-        return named if named.note else Leaf(named.text, unit_symbol(item.units))
+        return named if named.note else Leaf(named.text, _symbol(item.units))
     return Leaf(str(value))
 
 
-def _real(value: float, steps_per_unit: float) -> str:
-    """As many decimals as the encoding resolves, without trailing zeros."""
-    decimals = min(12, max(0, math.floor(math.log10(steps_per_unit))))
+_symbol: Final = cache(unit_symbol)
+
+
+@cache
+def _decimals(steps_per_unit: float) -> int:
+    """Decimals that the encoding resolves."""
+    return min(12, max(0, math.floor(math.log10(steps_per_unit))))
+
+
+def _real(value: float, decimals: int) -> str:
+    """With at most as many decimals, without trailing zeros."""
     text = f"{value:.{decimals}f}"
     text = text.rstrip("0").rstrip(".") if "." in text else text
     return "0" if text == "-0" else text
@@ -128,6 +173,18 @@ def _blob(value: Message | bytes) -> Tree:
 def _quoted(text: str) -> str:
     plain = _PLAIN.fullmatch(text) and text.lower() not in _YAML_WORDS
     return text if plain else json.dumps(text)
+
+
+_RENDERERS: Final[Mapping[type[Item], Callable[[Any, Any], Tree]]] = {
+    Composite: _composite,
+    Bits: _bits,
+    Union: _union,
+    Repeat: _repeat,
+    Grid: _grid,
+    Choice: _choice,
+    Formatted: _formatted,
+    Blob: lambda _, value: _blob(value),
+}
 
 
 # --- from a tree to lines -------------------------------------------------------------------------------------------
@@ -166,5 +223,5 @@ def _elements(parts: list[Tree], indent: str) -> Iterator[_Line]:
         else:
             deeper = indent + _INDENT
             first, *rest = _entries(part, deeper) if isinstance(part, dict) else _elements(part, deeper)
-            yield replace(first, indent=f"{indent}- {first.indent.removeprefix(deeper)}")
+            yield first._replace(indent=f"{indent}- {first.indent.removeprefix(deeper)}")
             yield from rest

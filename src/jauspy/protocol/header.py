@@ -9,6 +9,7 @@ from __future__ import annotations
 import struct
 from dataclasses import dataclass
 from enum import IntEnum
+from functools import lru_cache
 from typing import Final, NamedTuple
 
 from jauspy.errors import ProtocolError
@@ -167,13 +168,17 @@ def parse_header(data: bytes | memoryview, start: int = 0) -> RawPacket:
     return RawPacket(start, start + size, payload_start, control, destination, source)
 
 
+_id: Final = lru_cache(maxsize=1024)(JausID.from_int)
+"""The ids of a network are few, and are in every packet."""
+
+
 def parse(data: bytes | memoryview, start: int = 0) -> tuple[Packet, int]:
     """The packet at `start` and the offset behind it; raises `ProtocolError`."""
     raw = parse_header(data, start)
     (sequence,) = _SEQUENCE.unpack_from(data, raw.end - 2)
     packet = Packet(
-        JausID.from_int(raw.source),
-        JausID.from_int(raw.destination),
+        _id(raw.source),
+        _id(raw.destination),
         bytes(data[raw.payload_start : raw.end - 2]),
         sequence,
         Priority(raw.priority),
