@@ -286,6 +286,57 @@ async def test_a_width_is_the_distance_between_the_fingers_in_the_simulation():
                     assert measured == pytest.approx(await inc1.gripper.width(), abs=0.002)
 
 
+async def test_an_arm_that_presses_on_something_stops_and_says_which_joint(caplog):
+    mujoco = pytest.importorskip("mujoco")
+    numpy = pytest.importorskip("numpy")
+    async with VirtualNetwork() as network:
+        simulation = Simulation()
+        async with simulated(network, simulation) as running, network.ocu() as ocu:
+            inc1, model, data = await ocu.robot(101), simulation.robot.model, simulation.robot.data
+
+            def pressed() -> float:
+                """Newtons between the forearm and the camera on its mast, on which it comes to lie."""
+                bodies = {model.body(f"inc1/{name}").id for name in ("tilt_link", "arm_link_2")}
+                total, wrench = 0.0, numpy.zeros(6)
+                for number, contact in enumerate(data.contact):
+                    if {model.geom_bodyid[contact.geom1], model.geom_bodyid[contact.geom2]} == bodies:
+                        mujoco.mj_contactForce(model, data, number, wrench)
+                        total += wrench[0]
+                return total
+
+            async def touches() -> float:
+                while not pressed():
+                    await asyncio.sleep(0.05)
+                return loop_time()
+
+            async with inc1.control("arm"):
+                await inc1.arm.move({SHOULDER: 1.8, ELBOW: 0.0})
+                touching = asyncio.create_task(touches())
+                with pytest.raises(
+                    RequestError, match=rf"^Blocked: {SHOULDER}, \d+ N m, 0.08 rad short; 101.1.104 holds"
+                ):
+                    await inc1.arm.move({SHOULDER: 0.0})
+                assert loop_time() - await touching < 1.0
+                await asyncio.sleep(0.5)
+                assert pressed() < 80.0, "without the stop it presses with more than 600 N"
+                assert running.counters["101.1.104.host.blocked"] == 1
+                assert "blocked: " + SHOULDER in caplog.text
+                await inc1.arm.move({SHOULDER: 0.5})
+
+
+async def test_a_slow_move_is_not_taken_for_a_blocked_one():
+    pytest.importorskip("mujoco")
+    async with VirtualNetwork() as network:
+        simulation = Simulation()
+        async with simulated(network, simulation), network.ocu() as ocu:
+            inc1 = await ocu.robot(101)
+            async with inc1.control("arm"):
+                start = (await inc1.arm.joints()).positions[TURN]
+                await inc1.arm.move({TURN: start + 0.05}, speed=0.004)
+                arm = simulation.robot.groups["arm"]
+                assert arm.state().positions[0] == pytest.approx(start + 0.05, abs=0.01)
+
+
 async def test_cancelled_move_stops_the_arm(inc1, robot):
     async with inc1.control("arm"):
         with pytest.raises(TimeoutError):

@@ -152,7 +152,8 @@ TABLE: Final = (
     ),
     *entries(
         "jauspy.messages.description.v1_0.joint_description", "urn:jauspy:description:JointDescription", "1.0",
-        (0xEA80, "QueryJointDescription", "2e38e77b"), (0xFA80, "ReportJointDescription", "113330e1"),
+        (0xEA80, "QueryJointDescription", "2e38e77b"), (0xEA81, "QueryBlockedJoints", "2e38e77b"),
+        (0xFA80, "ReportJointDescription", "113330e1"), (0xFA81, "ReportBlockedJoints", "7ece3ca6"),
     ),
     *entries(
         "jauspy.messages.environment_sensing.v1_0.analog_video", "urn:jaus:jss:environmentSensing:AnalogVideo", "1.0",

@@ -24,6 +24,7 @@ from jauspy.geometry.vectors import (
     scaled,
     transposed,
 )
+from jauspy.messages.description import QueryBlockedJoints, ReportBlockedJoints
 from jauspy.messages.manipulator import (
     ManipulatorCoordinateSystemRec,
     QueryCommandedJointPositions,
@@ -42,7 +43,7 @@ from jauspy.messages.manipulator import (
 from jauspy.ocu.commands import perform
 from jauspy.ocu.connection import Connection
 from jauspy.ocu.explain import check_ready, explain
-from jauspy.ocu.joints import JointTable, MotionLimits, joint_table, position_records, reported
+from jauspy.ocu.joints import DESCRIPTION, JointTable, MotionLimits, joint_table, position_records, reported
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.state import Joints, RobotPose
 from jauspy.ocu.subsystems import ComponentInfo
@@ -411,6 +412,8 @@ class Arm:
             await asyncio.sleep(POLL_INTERVAL)
 
     async def _why(self, command: SetJointPositions, error: RequestError) -> str:
+        if blocked := await self._blocked():
+            return blocked
         reason = await explain(self._connection, self.info.id, command)
         if reason:
             return reason
@@ -420,6 +423,20 @@ class Arm:
         off = {name: now[name] - wanted[name] for name in wanted if abs(now[name] - wanted[name]) > JOINT_TOLERANCE}
         where = ", ".join(f"{name} is {value:+.3f} off" for name, value in off.items())
         return f"{error}; {where}" if where else str(error)
+
+    async def _blocked(self) -> str:
+        """Which joints stood still, with what effort, and how far from their positions; empty if none did."""
+        if self.info.find(DESCRIPTION) is None:
+            return ""
+        report = await self._connection.query(self.info.id, QueryBlockedJoints(), expects=ReportBlockedJoints)
+        assert isinstance(report, ReportBlockedJoints)
+        turns = {joint.name: joint.is_revolute for joint in (await self._joint_table()).joints}
+        parts = [
+            f"{joint.joint_name}, {abs(joint.effort):.0f} {'N m' if turns.get(joint.joint_name, True) else 'N'}, "
+            f"{abs(joint.short):.2f} {'rad' if turns.get(joint.joint_name, True) else 'm'} short"
+            for joint in report.blocked_joint_list
+        ]
+        return f"Blocked: {'; '.join(parts)}; {self.info.id} holds where it is" if parts else ""
 
     async def _base_frame(self) -> Transform:
         """The manipulator's coordinate system in the robot's frame, both with axes of REP-103."""
@@ -448,7 +465,7 @@ class Arm:
         return math.dist(tool.position, goal.position) <= TOOL_TOLERANCE and (not exactly or turn <= ATTITUDE_TOLERANCE)
 
     async def _not_reached(self, goal: Transform, command: SetEndEffectorPose, error: RequestError) -> RequestError:
-        if reason := await explain(self._connection, self.info.id, command):
+        if reason := await self._blocked() or await explain(self._connection, self.info.id, command):
             return RequestError(reason)
         tool = await self._tool()
         distance = math.dist(tool.position, goal.position)

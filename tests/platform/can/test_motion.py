@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import pytest
+from tests.platform.can.conftest import OpenCan
 from tests.platform.can.test_failing_drives import advance_until_fault
 
 from jauspy.platform.can.robot import CanRobot
@@ -43,3 +46,18 @@ def test_a_joint_that_is_commanded_to_its_end_by_effort_stays_within_its_limits(
     with pytest.raises(pytest.fail.Exception, match="no drive has failed"):
         advance_until_fault(robot, 3.0)
     assert arm.joints[WRIST].upper - 0.05 < arm.state().positions[WRIST] <= arm.joints[WRIST].upper + 0.01
+
+
+def test_a_load_that_a_motor_cannot_carry_is_reported_as_by_other_backends(open_can: OpenCan) -> None:
+    pytest.importorskip("mujoco")
+    robot = stretched(open_can(bus="virtual:sim"))
+    assert robot.groups["arm"].state().overloads == {}
+    assert robot.fleet is not None
+    plant: Any = robot.fleet.plant.robot
+    plant.data.xfrc_applied[plant.model.body("inc1/gripper_link").id][2] = -9.81 * 40.0  # N, at the hand
+    robot.advance(1.5)
+    state, joint = robot.groups["arm"].state(), robot.groups["arm"].joints[SHOULDER]
+    brake = plant.groups["arm"].state().overloads[joint.name]
+    assert brake > 0.9 * joint.effort
+    assert state.overloads[joint.name] == pytest.approx(brake, rel=0.1)
+    assert state.velocities[SHOULDER] == pytest.approx(0.0, abs=0.02)

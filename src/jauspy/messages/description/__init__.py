@@ -8,9 +8,10 @@ from jauspy.codec.registry import lazy
 
 if TYPE_CHECKING:
     from jauspy.messages.description.v1_0.joint_description import (
-        QueryJointDescription as QueryJointDescription, ReportJointDescription as ReportJointDescription,
+        QueryBlockedJoints as QueryBlockedJoints, QueryJointDescription as QueryJointDescription,
+        ReportBlockedJoints as ReportBlockedJoints, ReportJointDescription as ReportJointDescription,
     )
 
 __all__, __getattr__, __dir__ = lazy(__name__, {
-    "jauspy.messages.description.v1_0.joint_description": "QueryJointDescription ReportJointDescription",
+    "jauspy.messages.description.v1_0.joint_description": "QueryBlockedJoints QueryJointDescription ReportBlockedJoints ReportJointDescription",
 })

@@ -51,6 +51,14 @@ class Motion(Protocol):
         ...
 
 
+SATURATED: Final = 0.98
+"""Share of the greatest effort above which a motor counts as saturated."""
+STANDING: Final = 0.02
+"""Share of the speed limit below which a joint counts as standing."""
+OVERLOAD_TIME: Final = 0.2
+"""Seconds of overload after which it is reported; shorter ones are shocks."""
+
+
 class Drive:
     """One drive. `receive_*` may be called by another thread than the other methods."""
 
@@ -91,6 +99,15 @@ class Drive:
         self._target: tuple[Mode, float] | None = None
         self._following_since: float | None = None
         self._idle_value = 0.0
+        self._saturated_since: float | None = None
+
+    @property
+    def overload(self) -> float | None:
+        """The load that the motor cannot carry, N m or N: it stands still with all of its torque; None otherwise."""
+        since = self._saturated_since
+        if since is None or self.last_status - since < OVERLOAD_TIME:
+            return None
+        return abs(self.effort)
 
     @property
     def name(self) -> str:
@@ -111,6 +128,11 @@ class Drive:
         self.last_status = now
         self.unanswered = 0
         self.received += 1
+        is_still = abs(self.velocity) <= STANDING * self.joint.velocity
+        if not is_still or abs(self.effort) < SATURATED * self.joint.effort:
+            self._saturated_since = None
+        elif self._saturated_since is None:
+            self._saturated_since = now
 
     def receive_speed(self, data: bytes) -> None:
         """Take a PDO with velocity, mode and error code."""

@@ -78,6 +78,7 @@ class CanJoints:
             tuple([drive.position for drive in drives]),
             tuple([drive.velocity for drive in drives]),
             tuple([drive.effort for drive in drives]),
+            {drive.joint.name: load for drive in drives if (load := drive.overload) is not None},
         )
 
 

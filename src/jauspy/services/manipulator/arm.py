@@ -6,6 +6,7 @@ tip.
 
 from __future__ import annotations
 
+import logging
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -17,6 +18,9 @@ from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.joint_control import ACCELERATION_TIME
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.services.command_timeout import ContinuousCommands
+from jauspy.services.manipulator.blocking import BlockedJoint, StandstillWatch
+
+_LOG: Final = logging.getLogger("jauspy.manipulator")
 
 POSITION_TOLERANCE: Final = 0.01
 """Radians or metres from a position up to which it is reached."""
@@ -58,6 +62,8 @@ class Arm:
         self.profiles = tuple(MotionProfile.of(joint) for joint in joints.joints)
         self.driver: ArmDriver | None = None
         """The service whose command is carried out; None while the joints hold."""
+        self.blocked: tuple[BlockedJoint, ...] = ()
+        """The joints that kept the last command to positions from being carried out."""
 
     def state(self) -> JointState:
         """Positions, velocities and efforts of the joints after the last step; angles within `REPORTED_ANGLES`."""
@@ -79,6 +85,7 @@ class Arm:
     def move(self, driver: ArmDriver, targets: Sequence[Target]) -> None:
         """Command each joint, base to tip."""
         before, self.driver = self.driver, driver
+        self.blocked = ()
         if before is not None and before is not driver:
             before.on_preempted()
         present = self.joints.state().positions
@@ -102,6 +109,25 @@ class Arm:
         """True if all joints are at these positions, or at their limits."""
         rows = zip(self.limited(positions), self.state().positions, self.geometry.links, strict=True)
         return all(abs(_way(link.joint, position, goal)) <= POSITION_TOLERANCE for goal, position, link in rows)
+
+    def watch(self) -> StandstillWatch:
+        """Watch the joints during a command to positions within the present motion profile."""
+        limits = [(profile.speed, min(profile.acceleration, profile.deceleration)) for profile in self.profiles]
+        return StandstillWatch(self.joints.joints, limits)
+
+    def stop_if_blocked(self, watch: StandstillWatch, now: float, positions: Sequence[float]) -> bool:
+        """Stop pushing if a joint stands still short of these positions."""
+        present = self.state()
+        rows = zip(self.limited(positions), present.positions, self.geometry.links, self.joints.joints, strict=True)
+        ways = [
+            _way(link.joint, position, goal) * (1.0 if link.joint.axis == joint.axis else -1.0)
+            for goal, position, link, joint in rows
+        ]
+        found = watch.blocked(now, self.joints.state(), ways)
+        if found:
+            self.stop()
+            self.blocked = found
+        return bool(found)
 
     def stop(self) -> None:
         """Hold the present positions, whichever service moves the joints. May be called twice."""
@@ -165,6 +191,15 @@ class ArmDriver(ContinuousCommands):
 
     def on_preempted(self) -> None:
         """Called when another service's command, or a stop, ends this service's motion."""
+
+    def stops_if_blocked(self, watch: StandstillWatch, positions: Sequence[float]) -> bool:
+        """Stop pushing, and count and log it, if a joint stands still short of these positions."""
+        if not self.arm.stop_if_blocked(watch, self.host.now, positions):
+            return False
+        text = "; ".join(map(str, self.arm.blocked))
+        self.host.count("blocked", text)
+        _LOG.warning("%s: blocked: %s; the arm holds", self.host.id, text)
+        return True
 
     def on_endless_motion(self) -> None:
         """Hold unless the client sends a further command in time."""

@@ -26,6 +26,7 @@ from jauspy.messages.manipulator import (
 )
 from jauspy.platform.joints import ControlMode, JointGroup, Target
 from jauspy.services.manipulator.arm import Arm, ArmDriver
+from jauspy.services.manipulator.blocking import StandstillWatch
 from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
@@ -107,19 +108,19 @@ class ToolPoseDriver(ArmDriver):
         self._search = None
         if found.reaches_point:
             self.arm.to_positions(self, found.positions)
-            self._check(found, goal)
+            self._check(found, goal, self.arm.watch())
         else:
             self.host.count("out_of_reach", f"{goal.position}: {found.distance:.3f} m are missing")
             self.arm.stop()
 
-    def _check(self, found: Solution, goal: Transform) -> None:
+    def _check(self, found: Solution, goal: Transform, watch: StandstillWatch) -> None:
         tool = self.arm.kinematic_state().tool
         distance = math.dist(goal.position, tool.position) - found.distance
         turn = math.hypot(*rotation_vector(tool.rotation, goal.rotation)) - found.angle
         if distance <= POSITION_TOLERANCE and turn <= ATTITUDE_TOLERANCE:
             self.reached(exactly=found.reaches_pose)
-        else:
-            self.host.set_timer(self, self.host.now + CHECK_PERIOD, lambda: self._check(found, goal))
+        elif not self.stops_if_blocked(watch, found.positions):
+            self.host.set_timer(self, self.host.now + CHECK_PERIOD, lambda: self._check(found, goal, watch))
 
 
 def commanded_pose(msg: SetEndEffectorPose) -> Transform | None:

@@ -72,11 +72,13 @@ class PositionDriver(JointDriver):
         super().__init__(arm)
         self._command = CommandCompletion()
         self._timer = (_TIMER, self.urn)
+        self._watch = arm.watch()
 
     def go(self, positions: Sequence[float]) -> None:
         """Move to positions within the motion profile."""
         self.arm.to_positions(self, positions)
         self.commanded = positions
+        self._watch = self.arm.watch()
         self._command(False)
         self._command = self.host.begin_command()
         self.host.set_timer(self._timer, self.host.now + CHECK_PERIOD, self._check)
@@ -90,7 +92,7 @@ class PositionDriver(JointDriver):
     def _check(self) -> None:
         if self.commanded is not None and self.arm.is_at(self.commanded):
             self._command(True)
-        else:
+        elif self.commanded is None or not self.stops_if_blocked(self._watch, self.commanded):
             self.host.set_timer(self._timer, self.host.now + CHECK_PERIOD, self._check)
 
 

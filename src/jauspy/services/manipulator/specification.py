@@ -10,7 +10,7 @@ from jauspy.geometry.frames import joint_frame
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.geometry.vectors import Rotation, quaternion
-from jauspy.messages.description import ReportJointDescription
+from jauspy.messages.description import ReportBlockedJoints, ReportJointDescription
 from jauspy.messages.manipulator import (
     ManipulatorCoordinateSystemRec,
     ReportJointMotionProfile,
@@ -186,6 +186,15 @@ class JointDescription(Service, urn="urn:jauspy:description:JointDescription"):
         return ReportJointDescription(
             group,
             [_description(joint, link.joint, link.zero_position, rates.get(joint.name, 0.0)) for joint, link in rows],
+        )
+
+    def report_blocked_joints(self) -> ReportBlockedJoints:
+        """The joints that kept the last command to positions from being carried out; as of the description."""
+        return ReportBlockedJoints(
+            [
+                ReportBlockedJoints.BlockedJointRec(blocked.joint.name[:255], blocked.effort, blocked.short)
+                for blocked in self._arm.blocked
+            ]
         )
 
 

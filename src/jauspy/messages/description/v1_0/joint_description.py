@@ -70,3 +70,29 @@ class ReportJointDescription(jd.Message):
 class QueryJointDescription(jd.Message):
     """QueryJointDescription (0xEA80): Asks for the names, limits and zero positions of the joints."""
     REPORT = ReportJointDescription
+
+
+@jd.message(_SERVICE, 0xFA81)
+class ReportBlockedJoints(jd.Message):
+    """ReportBlockedJoints (0xFA81): The joints that stood still short of their positions, until the next command.
+
+    blocked_joint_list: 0..255 items. None if nothing was in the way
+    """
+
+    @jd.record()
+    class BlockedJointRec(jd.Struct):
+        """joint_name: up to 255 characters. Name of the joint in the description
+        effort: With which it pushed: newton metres or newtons
+        short: How far it was from its position: radians or metres, in the description's direction
+        """
+        joint_name: str = jd.field("JointName", jd.Text(count=jd.Count("B", 0, 255)))
+        effort: float = jd.field("Effort", jd.Number("d"))
+        short: float = jd.field("Short", jd.Number("d"))
+
+    blocked_joint_list: list[ReportBlockedJoints.BlockedJointRec] = jd.field("BlockedJointList", lambda: jd.Repeat(jd.Count("B", 0, 255), ReportBlockedJoints.BlockedJointRec.layout()))
+
+
+@jd.message(_SERVICE, 0xEA81, query=True)
+class QueryBlockedJoints(jd.Message):
+    """QueryBlockedJoints (0xEA81): Asks which joints something has kept from their positions."""
+    REPORT = ReportBlockedJoints

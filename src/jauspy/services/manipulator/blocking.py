@@ -1,0 +1,57 @@
+"""Joints that stand still short of their positions, because something is in the way or their load is too heavy."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Final
+
+from jauspy.geometry.urdf import Joint
+from jauspy.platform.joints import JointState
+
+BLOCKED_TIME: Final = 0.7
+"""Seconds for which a joint stands still before it counts as blocked."""
+LEAST_SHORT: Final = 0.015
+"""Radians or metres from its position from which on a joint that stands still is blocked."""
+LEAST_MOTION: Final = 0.003
+"""Radians or metres in that time with which a fast joint counts as moving."""
+SLOW: Final = 0.25
+"""Share of the motion that its profile permits in that time, with which a slow joint counts as moving."""
+
+
+@dataclass(frozen=True, slots=True)
+class BlockedJoint:
+    """A joint that does not follow."""
+
+    joint: Joint
+    effort: float
+    """With which it pushed, N m or N."""
+    short: float
+    """Radians or metres from its position."""
+
+    def __str__(self) -> str:
+        push, way = ("N m", "rad") if self.joint.turns else ("N", "m")
+        return f"{self.joint.name}, {abs(self.effort):.0f} {push}, {abs(self.short):.2f} {way} short"
+
+
+class StandstillWatch:
+    """Watches the joints during one command to positions; positions and ways as the description counts them."""
+
+    def __init__(self, joints: Sequence[Joint], limits: Sequence[tuple[float, float]]) -> None:
+        self._joints = joints
+        rows = [min(speed * BLOCKED_TIME, acceleration * BLOCKED_TIME**2 / 2.0) for speed, acceleration in limits]
+        self._least = [min(LEAST_MOTION, SLOW * way) for way in rows]
+        self._since: list[tuple[float, float]] | None = None
+
+    def blocked(self, now: float, state: JointState, ways: Sequence[float]) -> tuple[BlockedJoint, ...]:
+        """The joints that have stood still for `BLOCKED_TIME`, where `ways` are left to their positions."""
+        if self._since is None:
+            self._since = [(position, now) for position in state.positions]
+        found = []
+        for number, (joint, position, way) in enumerate(zip(self._joints, state.positions, ways, strict=True)):
+            start, since = self._since[number]
+            if abs(way) < LEAST_SHORT or abs(position - start) > self._least[number]:
+                self._since[number] = (position, now)
+            elif now - since >= BLOCKED_TIME:
+                found.append(BlockedJoint(joint, state.efforts[number], way))
+        return tuple(found)
