@@ -53,8 +53,12 @@ class Motion(Protocol):
 
 SATURATED: Final = 0.98
 """Share of the greatest effort above which a motor counts as saturated."""
+CARRIES: Final = 0.9
+"""Share of the greatest effort below which the motor carries its load again."""
 STANDING: Final = 0.02
 """Share of the speed limit below which a joint counts as standing."""
+MOVING: Final = 0.1
+"""Share of the speed limit above which a joint with an overload counts as moving."""
 OVERLOAD_TIME: Final = 0.2
 """Seconds of overload after which it is reported; shorter ones are shocks."""
 
@@ -128,10 +132,11 @@ class Drive:
         self.last_status = now
         self.unanswered = 0
         self.received += 1
-        is_still = abs(self.velocity) <= STANDING * self.joint.velocity
-        if not is_still or abs(self.effort) < SATURATED * self.joint.effort:
+        begun = self._saturated_since is not None  # an overload ends later than it begins: it does not flicker
+        speed, effort = abs(self.velocity) / self.joint.velocity, abs(self.effort) / self.joint.effort
+        if speed > (MOVING if begun else STANDING) or effort < (CARRIES if begun else SATURATED):
             self._saturated_since = None
-        elif self._saturated_since is None:
+        elif not begun:
             self._saturated_since = now
 
     def receive_speed(self, data: bytes) -> None:
