@@ -21,7 +21,7 @@ GATE = Path(__file__).parent / "vendor" / "Gate.xml"
 
 def test_documented_synchronous_ocu_runs(node_manager: LocalNode, robot) -> None:
     source = program("ocu.md", "from jauspy.sync import OCU")
-    start = "from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort\n"
+    start = "import math, time\nfrom jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort\n"
     exec(start + source.replace('OCU("42.1.1")', f'OCU("42.1.1", "{node_manager.local}")'), {})
     assert robot.snapshot.pose.x > 1.99
     assert robot.components[0].host.state.endswith("NotControlled.Available.Standby")

@@ -50,7 +50,7 @@ class ReportJointDescription(jd.Message):
         upper_limit: Greatest position in the description: radians or metres
         max_speed: Greatest speed: radians per second or metres per second
         max_effort: Greatest effort: newton metres or newtons
-        width_rate: Metres by which a metre of this joint widens the fingers; zero if it has no fingers
+        width_rate: Metres by which a metre of this joint widens the fingers; zero if it has none
         """
         joint_name: str = jd.field("JointName", jd.Text(count=jd.Count("B", 0, 255)))
         joint_type: ReportJointDescription.JointType | int = jd.field("JointType", lambda: jd.Number("B", jd.Values(ReportJointDescription.JointType)))
@@ -83,7 +83,7 @@ class ReportBlockedJoints(jd.Message):
     class BlockedJointRec(jd.Struct):
         """joint_name: up to 255 characters. Name of the joint in the description
         effort: With which it pushed: newton metres or newtons
-        short: How far it was from its position: radians or metres, in the description's direction
+        short: How far it was from its position: radians or metres, as in the description
         """
         joint_name: str = jd.field("JointName", jd.Text(count=jd.Count("B", 0, 255)))
         effort: float = jd.field("Effort", jd.Number("d"))
