@@ -117,11 +117,10 @@ def test_options_select_service_and_version():
     [
         ("query", ["QueryLamp"], "was sent QueryLamp 6 times"),
         ("query", ["SetLamp", "brightness=3"], "SetLamp is not a query"),
-        ("send", ["SetLamp", "brightness=3"], "sent, but 101.1.7 does not answer"),
+        ("send", ["SetLamp", "brightness=3"], "SetLamp was sent, but 101.1.7 does not answer"),
         ("send", ["QueryLamp"], "QueryLamp is a query"),
     ],
 )
 def test_user_defined_messages_are_sent(verb, message, sentence, free_port):
     where = ("--connect", f"udp://127.0.0.1:{free_port}", "--timeout", "0.3", "--schemas", LAMP, "--version", "1.2")
-    status = 0 if "does not answer" in sentence else 1
-    assert sentence in run(verb, "101.1.7", *message, *where, status=status).stderr
+    assert sentence in run(verb, "101.1.7", *message, *where, status=1).stderr

@@ -121,15 +121,16 @@ def test_verbs_run_side_by_side_and_a_wildcard_names_who_answered(beside):
             assert sources == set(MODULES)
 
 
-def test_send_notes_what_prevents_an_effect(beside):
+def test_send_tells_what_prevents_an_effect(beside):
     where = ("--connect", beside.local)
     effort = ("SetWrenchEffort", "propulsive_linear_effort_x=40")
-    assert "which is nobody: use --control AUTHORITY" in jauspy("send", "101.1.102", *effort, *where).stderr
-    assert "101.1.103 does not offer SetWrenchEffort" in jauspy("send", "101.1.103", *effort, *where).stderr
-    assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where).stderr
+    assert "which is nobody: use --control AUTHORITY" in jauspy("send", "101.1.102", *effort, *where, status=1).stderr
+    assert "101.1.103 does not offer SetWrenchEffort" in jauspy("send", "101.1.103", *effort, *where, status=1).stderr
+    assert "does not answer" in jauspy("send", "101.1.99", "Resume", "--timeout", "0.3", *where, status=1).stderr
     emergency = ("Emergency", "emergency_code=STOP")
     assert jauspy("send", "101.1.102", f"Set{emergency[0]}", emergency[1], *where).stderr == ""
-    other = jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], "--id", "42.1.77", *where).stderr
+    clear = ("send", "101.1.102", f"Clear{emergency[0]}", emergency[1])
+    other = jauspy(*clear, "--id", "42.1.77", *where, status=1).stderr
     assert "still in EMERGENCY; only the id that set it can clear it; this is 42.1.77" in other
     assert jauspy("send", "101.1.102", f"Clear{emergency[0]}", emergency[1], *where).stderr == ""
 

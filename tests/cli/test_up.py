@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -10,6 +11,7 @@ import pytest
 from jauspy.cli.up import print_summary
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.robot_files import load
+from jauspy.platform.kinematic import KinematicRobot
 
 
 @pytest.mark.parametrize(("services", "drives"), [(None, True), (("Discovery", "LocalPoseSensor"), False)])
@@ -18,7 +20,9 @@ def test_drive_example_is_printed_only_for_robots_that_drive(capsys, services, d
     module = config.modules[0].model_copy(update={"services": services})
     config = config.model_copy(update={"modules": (module,)})
     component = SimpleNamespace(id=config.id_of(module))
-    runner = SimpleNamespace(config=config, audit=None, components=[component], running=[(component, module)])
+    runner = SimpleNamespace(
+        config=config, audit=None, components=[component], running=[(component, module)], faults={}
+    )
     print_summary(runner, "running", Path("/tmp/elsewhere"))
     text = capsys.readouterr().out
     assert ("drive it:  jauspy send 101.1.102 SetWrenchEffort" in text) == drives
@@ -41,6 +45,22 @@ def test_long_control_timeout_causes_a_warning(capsys, robot, timeout, warning) 
         config = config.model_copy(update={"modules": modules})
     components = [SimpleNamespace(id="105.1.1")] * len(config.modules)
     running = list(zip(components, config.modules, strict=True))
-    print_summary(SimpleNamespace(config=config, audit=None, components=components, running=running), "", Path())
+    runner = SimpleNamespace(config=config, audit=None, components=components, running=running, faults={})
+    print_summary(runner, "", Path())
     lines = [line for line in capsys.readouterr().out.splitlines() if line.startswith("warning:")]
     assert lines[:1] == [warning] * bool(warning)
+
+
+async def test_modules_in_failure_are_named_with_the_reason(virtual_network, monkeypatch, capsys) -> None:
+    def no_bus(self: KinematicRobot, dt: float) -> None:
+        raise OSError("no such bus")
+
+    monkeypatch.setattr(KinematicRobot, "advance", no_bus)
+    async with virtual_network.robot() as runner:
+        await asyncio.sleep(0.2)
+        print_summary(runner, "running", Path("/tmp/elsewhere"))
+    first, *lines = capsys.readouterr().out.splitlines()
+    assert first.startswith("inc1 is up, but 101.1.102, 101.1.103,")
+    assert "are in Failure: subsystem 101" in first
+    reset = "`jauspy send 101.1.103 Reset --connect local:/tmp/elsewhere` tries again"
+    assert f"failed:    101.1.103: the robot: OSError: no such bus; {reset}" in lines

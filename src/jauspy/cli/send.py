@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncGenerator
 from contextlib import asynccontextmanager, suppress
-from typing import Annotated, Final
+from typing import Annotated, Final, TypeAlias
 
 import typer
 
@@ -19,7 +19,7 @@ from jauspy.cli.query import Destination, Fields, MessageName
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, RequestError, ResponseTimeout
 from jauspy.ids import JausID
-from jauspy.messages.core import QueryStatus, ReportStatus
+from jauspy.messages.core import QueryStatus, ReportStatus, Reset
 from jauspy.ocu import OCU
 from jauspy.ocu.explain import TAKE_CONTROL, needs_control
 from jauspy.ocu.service import ServiceClient
@@ -28,6 +28,11 @@ from jauspy.services.command_timeout import CONTINUOUS_COMMANDS
 REPEAT_RATE: Final = 5.0
 """Hz, at which efforts, velocities and vectors are sent during --hold."""
 ACCESS_CONTROL: Final = "urn:jaus:jss:core:AccessControl"
+STATUS_INTERVAL: Final = 0.1
+"""Seconds between two queries of the status after Reset."""
+LEFT_FAILURE: Final = 5
+"""Reports of Standby in a row, after which a component has left Failure."""
+Status: TypeAlias = ReportStatus.Status
 
 
 def send(
@@ -69,7 +74,8 @@ def send(
     and releases control. Efforts, velocities and vectors are sent five times a second meanwhile, and zero before
     Standby. Exit status 1 means that control was lost meanwhile, that the component ignores or refuses the command
     (not offered, wrong joints, out of range, not Ready), or that it did not acknowledge Standby and release. Without
-    --control the message is sent, and a note on stderr names what may prevent its effect.
+    --control the message is sent, too, and status 1 means that the component ignores it, for the reason on stderr.
+    Reset of a component in Failure needs no control, and is awaited.
 
     Examples:
       jauspy send 101.1.102 SetWrenchEffort propulsive_linear_effort_x=40 --control 200 --hold 2
@@ -92,18 +98,24 @@ def send(
         raise ConfigError(f"--control takes control of one component, and {to} has wildcards")
     ocu = client.make_ocu(own_id, connect, timeout, known.registry, operator=operator_key)
     if control is None:
-        warning = run(_send(ocu, to, command))
-        if warning:
-            console.note(warning)
+        run(send_without_control(ocu, to, command, max_wait=timeout))
     else:
         run(send_in_control(ocu, to, command, authority=control, hold=hold, within=within, max_wait=timeout))
 
 
-async def _send(ocu: OCU, to: JausID, command: Message) -> str:
-    """Send; returns what may prevent the effect, or an empty string."""
+async def send_without_control(ocu: OCU, to: JausID, command: Message, *, max_wait: float) -> None:
+    """Send; raises `RequestError` with the reason if the component has ignored it.
+
+    Reset of a component in Failure is awaited.
+    """
     async with ocu:
+        if isinstance(command, Reset) and not to.is_wildcard and await _status(ocu, to) == Status.FAILURE:
+            await _recover(ocu, to, max_wait)
+            return
         await ocu.send(to, command)
-        return "" if to.is_wildcard else await _obstacle(ocu, to, command)
+        reason = "" if to.is_wildcard else await _obstacle(ocu, to, command)
+        if reason:
+            raise RequestError(f"{command.NAME} was sent, but {reason}")
 
 
 async def _obstacle(ocu: OCU, to: JausID, command: Message) -> str:
@@ -113,14 +125,40 @@ async def _obstacle(ocu: OCU, to: JausID, command: Message) -> str:
         return ""  # the log says why
     if command.NAME == "ClearEmergency":
         reason = reason or await _still_in_emergency(ocu, to)
-    return f"sent, but {reason.replace(TAKE_CONTROL, 'use --control AUTHORITY')}" if reason else ""
+    return reason.replace(TAKE_CONTROL, "use --control AUTHORITY")
+
+
+async def _status(ocu: OCU, id: JausID) -> int | None:
+    """The status that a component reports, None if it reports none."""
+    with suppress(ResponseTimeout):
+        return (await ocu.query(id, QueryStatus(), expects=ReportStatus)).status
+    return None
+
+
+async def _recover(ocu: OCU, id: JausID, max_wait: float) -> None:
+    """Send Reset to a component in Failure; raises `RequestError` if it fails again or stays there for `max_wait` s.
+
+    A part that has not recovered fails again a moment after Reset, so one report of another state is not enough.
+    """
+    await ocu.send(id, Reset(), ack=True)
+    left, status = 0, None
+    for _ in range(max(LEFT_FAILURE, round(max_wait / STATUS_INTERVAL))):
+        await asyncio.sleep(STATUS_INTERVAL)
+        status = await _status(ocu, id)
+        left = left + 1 if status == Status.STANDBY else 0
+        if left == LEFT_FAILURE:
+            console.note(f"{id} has left Failure: it is in Standby")
+            return
+    where = "still in Failure" if status == Status.FAILURE else f"in status {getattr(status, 'name', status)}"
+    raise RequestError(
+        f"Reset was sent, but {id} is {where}: what has failed does not work yet (its log names it), or it has no "
+        "recovery by Reset, which AS5710 does not require; then start the component again"
+    )
 
 
 async def _still_in_emergency(ocu: OCU, to: JausID) -> str:
-    with suppress(ResponseTimeout):
-        status = await ocu.query(to, QueryStatus(), expects=ReportStatus)
-        if status.status == ReportStatus.Status.EMERGENCY:
-            return f"{to} is still in EMERGENCY; only the id that set it can clear it; this is {ocu.id} (see --id)"
+    if await _status(ocu, to) == Status.EMERGENCY:
+        return f"{to} is still in EMERGENCY; only the id that set it can clear it; this is {ocu.id} (see --id)"
     return ""
 
 
@@ -132,6 +170,9 @@ async def send_in_control(
     The component is not discovered first: many inherit from AccessControl without listing it, or have no Discovery.
     """
     async with ocu:
+        if isinstance(command, Reset) and await _status(ocu, to) == Status.FAILURE:
+            await _recover(ocu, to, max_wait)  # in Failure nobody gets control, and Reset needs none
+            return
         client = ocu.service(to, ACCESS_CONTROL)
         async with client.control(authority) as control:
             if not command.SERVICE.endswith(":Management") and await _has_management(client):

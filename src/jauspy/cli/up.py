@@ -6,7 +6,7 @@ import asyncio
 import math
 import signal
 import sys
-from collections.abc import AsyncIterator, Sequence
+from collections.abc import AsyncIterator, Collection, Sequence
 from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
 from pathlib import Path
 from typing import Annotated, Final
@@ -48,6 +48,7 @@ from jauspy.platform.camera import Quality
 from jauspy.platform.contract import PartId, Snapshot
 from jauspy.platform.lights import TimeOfDay
 from jauspy.platform.localization import Localization
+from jauspy.printable import printable
 from jauspy.protocol import junior
 from jauspy.transport import LocalTransport, local as local_socket
 
@@ -216,9 +217,11 @@ def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -
     connect = "" if root == DEFAULT_ROOT else f" --connect local:{root}"
     sealed = " --operator-key NAME.key" if config.operators and config.require_operator else ""
     world = "" if config.backend == KINEMATIC else f", world {config.world}"
+    faults = runner.faults.items()
     lines = [
-        f"{config.name} is up: subsystem {config.subsystem}, backend {config.backend}{world}",
+        f"{config.name} {_is_up(runner.faults)}: subsystem {config.subsystem}, backend {config.backend}{world}",
         *(f"  {each.id}  {module.type}{f' {module.part}' if module.part else ''}" for each, module in pairs),
+        *(f"failed:    {id}: {printable(why)}; `jauspy send {id} Reset{connect}` tries again" for id, why in faults),
         f"  node manager: {where}",
         *([f"  audit log: {runner.audit.path}, head {runner.audit.head}"] if runner.audit else []),
         *[f"console:   {page}"] * bool(page),
@@ -229,6 +232,13 @@ def print_summary(runner: RobotRunner, where: str, root: Path, page: str = "") -
         "stop it:   Ctrl-C",
     ]
     console.print_lines(*lines)
+
+
+def _is_up(faults: Collection[str]) -> str:
+    """States that the robot runs, and which of its modules are in Failure."""
+    if not faults:
+        return "is up"
+    return f"is up, but {', '.join(faults)} {'are' if len(faults) > 1 else 'is'} in Failure"
 
 
 def note_audit_log(runner: RobotRunner) -> None:

@@ -197,7 +197,10 @@ def table(config: RobotConfig, look: RobotStatus, seconds: float) -> RenderableT
     if look.faults:
         parts += [
             Text(),
-            *(Text(f"{id} has failed: {why}; Reset tries again", "bold red") for id, why in _grouped(look.faults)),
+            *(
+                Text(f"{ids} failed: {why}; `jauspy send ID Reset` tries again", "bold red")
+                for ids, why in _grouped(look.faults)
+            ),
         ]
     if look.overloads:
         parts += [

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Mapping
 from contextlib import ExitStack
 from types import TracebackType
 from typing import TYPE_CHECKING, Final, Self
@@ -55,6 +56,13 @@ RELEASE_TIMEOUT: Final = 0.5
 NO_CONTROLLER: Final = JausID(0, 0, 0)
 """The controller that ReportControl names when no client has control."""
 
+REMEDIES: Final[Mapping[int, str]] = {
+    ReportStatus.Status.EMERGENCY: "whoever set the emergency must clear it",
+    ReportStatus.Status.FAILURE: "send Reset, which needs no control in this state; its log says why it failed",
+    ReportStatus.Status.SHUTDOWN: "start the component again",
+}
+"""What ends the states in which a component gives control to nobody (AS5710), apart from initialization."""
+
 _LEAVES_READY: Final = tuple(each.CODE for each in (Standby, SetEmergency, Reset, Shutdown))
 """After one of these from this OCU the component is expected to leave Ready."""
 
@@ -85,8 +93,10 @@ class ControlStatus:
         asked = f"requested with {authority}"
         if code == ConfirmControl.ResponseCode.NOT_AVAILABLE:
             status = await self.query(QueryStatus())
-            now = f" (its status is {status_name(status)})" if isinstance(status, ReportStatus) else ""
-            return f"{self._id} is not available for control{now}; clear an emergency, or wait until it is ready"
+            if not isinstance(status, ReportStatus):
+                return f"{self._id} is not available for control; clear an emergency, or wait until it is ready"
+            remedy = REMEDIES.get(status.status, "wait until it is in Standby")
+            return f"{self._id} is not available for control (its status is {status_name(status)}); {remedy}"
         if isinstance(control := await self.query(QueryControl()), ReportControl) and self.is_held_by_other(control):
             return f"{self._id} {self.held_by()}; {asked}"
         least = await self.query(QueryAuthority())

@@ -11,15 +11,17 @@ from jauspy.ids import JausID
 from jauspy.messages.core import (
     QueryControl,
     QueryEventTimeout,
+    QueryIdentification,
     QueryStatus,
     ReportControl,
     ReportServices,
     ReportStatus,
+    Reset,
 )
 from jauspy.messages.manipulator import QueryJointPositions, ReportJointPositions
 from jauspy.messages.mobility import QueryVelocityCommand, ReportVelocityCommand, SetVelocityCommand
 from jauspy.ocu.connection import COMMANDS_WITHOUT_CONTROL, Connection, RetryPolicy
-from jauspy.ocu.control import NO_CONTROLLER, STATUS_RETRY, controller, status_name
+from jauspy.ocu.control import NO_CONTROLLER, REMEDIES, STATUS_RETRY, controller, status_name
 from jauspy.ocu.discovery import query_all_services
 from jauspy.ocu.subsystems import offered_services
 
@@ -34,10 +36,12 @@ NOT_CONTROLLED: Final = f"{{}} is not controlled by this program; {TAKE_CONTROL}
 _STATES: Final[dict[int, str]] = {
     ReportStatus.Status.INITIALIZE: "still starting: wait until it is in Standby, then resume it",
     ReportStatus.Status.STANDBY: "in Standby: resume first",
-    ReportStatus.Status.SHUTDOWN: "in Shutdown: start the component again",
-    ReportStatus.Status.FAILURE: "in Failure: see its log; Reset may help",
-    ReportStatus.Status.EMERGENCY: "in Emergency: whoever set the emergency must clear it",
+    ReportStatus.Status.SHUTDOWN: f"in Shutdown: {REMEDIES[ReportStatus.Status.SHUTDOWN]}",
+    ReportStatus.Status.FAILURE: f"in Failure: {REMEDIES[ReportStatus.Status.FAILURE]}",
+    ReportStatus.Status.EMERGENCY: f"in Emergency: {REMEDIES[ReportStatus.Status.EMERGENCY]}",
 }
+_UNAVAILABLE: Final = frozenset({*REMEDIES, ReportStatus.Status.INITIALIZE})
+"""The states in which a component gives control to nobody (AS5710)."""
 _JOINT_LISTS: Final = {
     "SetJointPositions": "joint_position_list",
     "SetJointVelocity": "joint_velocity_list",
@@ -47,6 +51,7 @@ _JOINT_LISTS: Final = {
 }
 _LISTS_WITH_TYPES: Final = {"SetJointPositions": "joint_position"}
 _FULL: Final = 0xFF
+_COMPONENT_LEVEL: Final = QueryIdentification.QueryType.COMPONENT
 
 
 def needs_control(command: Message) -> bool:
@@ -61,16 +66,19 @@ async def explain(
 ) -> str:
     """Why `id` ignores commands, or this one, as one sentence; empty when nothing is found that prevents its effect."""
     # Every component answers QueryEventTimeout, whatever services it offers.
-    queries = QueryControl(), QueryStatus(), QueryEventTimeout()
+    # Those of some vendors answer Discovery only.
+    queries = QueryControl(), QueryStatus(), QueryEventTimeout(), QueryIdentification(_COMPONENT_LEVEL)
     answers: list[Any] = await asyncio.gather(
-        *(connection.query(id, each, retry=retry) for each in queries), return_exceptions=True
+        *(connection.query(id, query, retry=retry) for query in queries), return_exceptions=True
     )
-    control, status, _ = answers
-    if all(isinstance(each, BaseException) for each in answers):
+    control, status, *_ = answers
+    if all(isinstance(answer, BaseException) for answer in answers):
         return f"{id} does not answer queries and may not exist; `jauspy ls` lists the components"
     if command is not None and (problem := await _not_offered(connection, id, command, retry)):
         return problem
     if command is None or needs_control(command):
+        if isinstance(status, ReportStatus) and status.status in _UNAVAILABLE:
+            return "" if _recovers(command, status) else f"{id} is {_STATES[status.status]}"
         if isinstance(control, ReportControl) and (holder := controller(control)) != connection.id:
             who = "nobody" if holder == NO_CONTROLLER else f"{holder} with authority {control.authority_code}"
             return f"{id} takes commands only from the client in control, which is {who}: {TAKE_CONTROL}"
@@ -100,6 +108,11 @@ def _is_taken(command: Message | None, status: ReportStatus) -> bool:
     return command is not None and (
         command.SERVICE.endswith(":Management") or command.NAME.startswith(_TAKEN_IN_STANDBY)
     )
+
+
+def _recovers(command: Message | None, status: ReportStatus) -> bool:
+    """True for Reset in Failure, in which nobody is in control."""
+    return isinstance(command, Reset) and status.status == ReportStatus.Status.FAILURE
 
 
 async def _not_offered(connection: Connection, id: JausID, command: Message, retry: RetryPolicy) -> str:

@@ -16,7 +16,7 @@ from jauspy.ids import JausID
 from jauspy.messages.core import QueryStatus, ReportStatus, Resume, Standby
 from jauspy.ocu.commands import CommandStream, perform
 from jauspy.ocu.connection import Connection
-from jauspy.ocu.control import DEFAULT_AUTHORITY, Control
+from jauspy.ocu.control import DEFAULT_AUTHORITY, REMEDIES, Control
 from jauspy.ocu.explain import explain
 from jauspy.ocu.lists import Elements
 from jauspy.ocu.replies import reply_class
@@ -32,9 +32,7 @@ _NOT_IN_CONTROL: Final = "it accepts commands only from the client in control: u
 _REFUSES: Final = "you are in control, so it refuses or takes longer; see its log, or allow more `timeout`"
 _HINTS: Final[Mapping[int, str]] = {
     ReportStatus.Status.INITIALIZE: "it is still starting; allow more `timeout`",
-    ReportStatus.Status.EMERGENCY: "whoever set the emergency must clear it",
-    ReportStatus.Status.FAILURE: "see why it failed; Reset may help",
-    ReportStatus.Status.SHUTDOWN: "start the component again",
+    **REMEDIES,
 }
 
 
