@@ -21,9 +21,9 @@ from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message, Struct
 from jauspy.conformance import TargetComponent, VirtualTarget, silences, state_tables
 from jauspy.conformance.state_tests import sample_messages
-from jauspy.conformance.state_tests.explorer import MIN_AUTHORITY
 from jauspy.conformance.state_tests.sensors import IMAGE_TIMEOUT as PICTURE_TIMEOUT
 from jauspy.conformance.state_tests.state_test import StateTest
+from jauspy.conformance.steering import MIN_AUTHORITY
 from jauspy.conformance.tester import CLIENTS, OBSERVER
 from jauspy.ids import JausID
 from jauspy.messages import core, registry

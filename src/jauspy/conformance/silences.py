@@ -26,8 +26,8 @@ class Silences:
         self._tester = tester
         self._component = component
         self._queries: Counter[type[Message]] = Counter()
-        self._inputs: dict[str, list[str]] = {}
-        """The reasons of silent steps by the message that was sent."""
+        self._inputs: dict[tuple[str, str], list[str]] = {}
+        """The reasons of silent steps by the state, and the message that was sent."""
 
     def ask(self, query: Message, report: type[M]) -> M | None:
         """The answer to the observer; None if the query was given up.
@@ -51,11 +51,11 @@ class Silences:
         return answer
 
     @contextmanager
-    def of_input(self, message: str) -> Iterator[None]:
-        """A step that sends this message. Raises `Skipped` if the last ones were silent."""
-        before = self._inputs.setdefault(message, [])
+    def of_input(self, message: str, state: str) -> Iterator[None]:
+        """A step that sends this message in a state. Raises `Skipped` if the last ones there were silent."""
+        before = self._inputs.setdefault((state, message), [])
         if len(before) >= MAX_SILENCES:
-            raise Skipped(f"{message} is not sent again: {before[-1]} in {len(before)} steps before")
+            raise Skipped(f"{message} is not sent again in {state}: {before[-1]} in {len(before)} steps before")
         try:
             yield
         except Silent as silent:

@@ -16,17 +16,20 @@ from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check, has, near
 from jauspy.conformance.profile import ALL_SERVICES, ServiceKey, Step
 from jauspy.conformance.results import Failed, Skipped, StepOutcome
-from jauspy.conformance.silences import silences_of
-from jauspy.conformance.tester import (
-    CLIENTS,
-    CONTROLLER,
-    EMERGENCY_CLIENT,
-    OBSERVER,
-    OTHER_CLIENT,
-    Client,
-    Tester,
-    pauses,
+from jauspy.conformance.steering import (
+    ACCESS_CONTROL,
+    MANAGEMENT,
+    MIN_AUTHORITY,
+    STOP,
+    WAIT_FOR_NOTHING,
+    Goal,
+    ObservedState,
+    Path,
+    Status,
+    Steering,
+    judged_at_pace,
 )
+from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Client, Tester
 from jauspy.ids import JausID
 from jauspy.messages.core import (
     AllEventsRec,
@@ -88,32 +91,28 @@ from jauspy.messages.mobility import (
     SetWrenchEffort,
 )
 
-Status: TypeAlias = ReportStatus.Status
 OTHER: Final = OTHER_CLIENT
-STOP: Final = SetEmergency.EmergencyCode.STOP
 ACCEPTED, NOT_AVAILABLE, INSUFFICIENT = ConfirmControl.ResponseCode
-MIN_AUTHORITY: Final = 200
-"""Authority of the controller, unless the default authority of the component is higher."""
-MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
 
 
 @dataclass(frozen=True, slots=True)
 class State:
-    """A state as seen from outside, and the messages that lead there from `FREE`, each with the role of its sender."""
+    """A state as seen from outside, and the messages that lead there from `FREE`."""
 
     name: str
     status: Status
     controller: str | None = None
-    route: tuple[tuple[str, type[Message]], ...] = ()
+    """The role of the client in control."""
+    route: Path = ()
 
 
 FREE: Final = State("NotControlled.Standby", Status.STANDBY)
-STANDBY: Final = State("Controlled.Standby", Status.STANDBY, CONTROLLER, ((CONTROLLER, RequestControl),))
-READY: Final = State("Controlled.Ready", Status.READY, CONTROLLER, (*STANDBY.route, (CONTROLLER, Resume)))
+STANDBY: Final = State("Controlled.Standby", Status.STANDBY, CONTROLLER, (("RequestControl", CONTROLLER),))
+READY: Final = State("Controlled.Ready", Status.READY, CONTROLLER, (*STANDBY.route, ("Resume", CONTROLLER)))
 EMERGENCY: Final = State(
-    "Controlled.Emergency", Status.EMERGENCY, CONTROLLER, (*STANDBY.route, (EMERGENCY_CLIENT, SetEmergency))
+    "Controlled.Emergency", Status.EMERGENCY, CONTROLLER, (*STANDBY.route, ("SetEmergency", EMERGENCY_CLIENT))
 )
-FREE_EMERGENCY: Final = State("NotControlled.Emergency", Status.EMERGENCY, None, ((EMERGENCY_CLIENT, SetEmergency),))
+FREE_EMERGENCY: Final = State("NotControlled.Emergency", Status.EMERGENCY, None, (("SetEmergency", EMERGENCY_CLIENT),))
 TAKEN_OVER: Final = State("Controlled.Standby by the other client", Status.STANDBY, OTHER)
 EVERYWHERE: Final = (FREE, STANDBY, READY, EMERGENCY, FREE_EMERGENCY)
 
@@ -448,14 +447,27 @@ class RowTest:
 
 def _run(test: RowTest, tester: Tester) -> None:
     """Bring the component to the state, and run the row."""
-    authority = _bring(test, tester)
-    message = test.row.message if isinstance(test.row.message, Message) else test.row.message(authority)
+    steering = _steering_of(test, tester)
     try:
-        with silences_of(test.component, tester).of_input(message.NAME):
-            attempt(test, tester, message, authority)
+        judged_at_pace(tester, lambda: _bring(test, steering), lambda: _attempt(test, steering))
     finally:
         with tester.unreported(), suppress(StepOutcome):  # the verdict of the row stands
             _cancel_events(test, tester.client(CLIENTS[test.row.sender]))
+
+
+def _attempt(test: RowTest, steering: Steering) -> None:
+    row, authority = test.row, steering.authority
+    message = row.message if isinstance(row.message, Message) else row.message(authority)
+    with steering.silences.of_input(message.NAME, row.state.name):
+        attempt(test, steering, message)
+
+
+def _steering_of(test: RowTest, tester: Tester) -> Steering:
+    """The one steering of this component for all tables of this run."""
+    known: dict[JausID, Steering] = tester.memory.setdefault("steering of tables", {})
+    if test.component not in known:
+        known[test.component] = Steering(tester, test.component, test.services)
+    return known[test.component]
 
 
 def _cancel_events(test: RowTest, client: Client) -> None:
@@ -465,96 +477,45 @@ def _cancel_events(test: RowTest, client: Client) -> None:
             client.ask(CancelEvent(REQUEST, event), ConfirmEventRequest, to=test.component)
 
 
-def _bring(test: RowTest, tester: Tester) -> int:
-    """Lead the component to the state of the row. Returns the authority that the controller has there.
+def _bring(test: RowTest, steering: Steering) -> None:
+    """Lead the component to the state of the row.
 
     The first step that cannot get there fails; later ones for the same state are skipped.
     """
+    tester, state = steering.tester, test.row.state
     lost: set[str] = tester.memory.setdefault(f"states out of reach of {test.component}", set())
-    state = test.row.state
+    kind: type[StepOutcome] = Failed
     try:
-        authority = _go(test, tester, state)
-        seen = _settled(test, tester, state)
+        seen = steering.travel(_goal(FREE), state.route, _goal(state))
+        problem = "" if _fits(seen, state) else f"it reports {seen}"
     except StepOutcome as outcome:
-        error = Skipped if state.name in lost else type(outcome)
+        problem, kind = str(outcome), type(outcome)
+    if problem:
+        kind = Skipped if state.name in lost else kind
         lost.add(state.name)
-        raise error(f"the component cannot be brought to {state.name}: {outcome}") from outcome
-    if seen:
-        kind = Skipped if state.name in lost else Failed
-        lost.add(state.name)
-        raise kind(f"the component cannot be brought to {state.name}: {seen}")
+        raise kind(f"the component cannot be brought to {state.name}: {problem}")
+    tester.keep_pace()
     for role in CLIENTS:
         client = tester.client(CLIENTS[role])
         client.pending.clear()
         client.confirmed.clear()
     for notes in (tester.why, tester.checks, tester.expected):
         notes.clear()
-    return authority
 
 
-def _go(test: RowTest, tester: Tester, state: State) -> int:
-    """Undo what the tester may have done; then send what leads to the state."""
-    if MANAGEMENT in test.services:
-        for id in CLIENTS.values():
-            tester.client(id).send(ClearEmergency(STOP), to=test.component)
-    if ACCESS_CONTROL not in test.services:
-        return MIN_AUTHORITY
-    for id in CLIENTS.values():
-        tester.client(id).send(ReleaseControl(), to=test.component)
-    if problem := _settled(test, tester, FREE):
-        raise Failed(problem)
-    default = silences_of(test.component, tester).ask(QueryAuthority(), ReportAuthority)
-    authority: int = min(254, max(MIN_AUTHORITY, default.authority_code + 2 if default else 0))
-    for role, kind in state.route:
-        client = tester.client(CLIENTS[role])
-        if kind is RequestControl:
-            client.ask(RequestControl(authority), ConfirmControl, to=test.component)
-        else:
-            client.send(SetEmergency(STOP) if kind is SetEmergency else kind(), to=test.component)
-    return authority
+def _goal(state: State) -> Goal:
+    return Goal(state.name, lambda seen: _fits(seen, state))
 
 
-def _settled(test: RowTest, tester: Tester, state: State) -> str:
-    """Wait for this state, at most for a timeout; returns the reported state if it is another one.
-
-    Initialization takes time, and services may notify each other asynchronously.
-    """
-    settled_wrong: dict[str, str] = tester.memory.setdefault(f"where {test.component} settled instead", {})
-    problem = _difference(test, tester, state)
-    if problem == settled_wrong.get(state.name):
-        return problem  # it stays so; waiting in each step would take long
-    for pause in pauses(tester.timeout):
-        if not problem:
-            return ""
-        tester.wait(pause)
-        problem = _difference(test, tester, state)
-    settled_wrong[state.name] = problem
-    return problem
+def _fits(seen: ObservedState, state: State) -> bool:
+    """True if this state was observed. A value that is not reported counts as right."""
+    controller = JausID.parse(CLIENTS[state.controller]) if state.controller else None
+    return seen.status in (None, state.status) and (not seen.is_controller_known or seen.controller == controller)
 
 
-def _difference(test: RowTest, tester: Tester, state: State) -> str:
-    """The reported state if it is not this one, else an empty string. A value that is not reported counts as right."""
-    silences = silences_of(test.component, tester)
-    report = silences.ask(QueryStatus(), ReportStatus) if MANAGEMENT in test.services else None
-    status = report.status if report else state.status
-    control = silences.ask(QueryControl(), ReportControl) if ACCESS_CONTROL in test.services else None
-    controller = _role_of(control) if control else state.controller
-    if (status, controller) == (state.status, state.controller):
-        return ""
-    name = getattr(status, "name", status)
-    return f"it reports status {name}, controlled by {controller or 'nobody'}"
-
-
-def _role_of(report: ReportControl) -> str | None:
-    """The role of the client in control, or its id if it has no role."""
-    id = JausID(report.subsystem_id, report.node_id, report.component_id)
-    roles = {text: role for role, text in CLIENTS.items()}
-    return roles.get(str(id), str(id)) if int(id) else None
-
-
-def attempt(test: RowTest, tester: Tester, message: Message, authority: int) -> None:
+def attempt(test: RowTest, steering: Steering, message: Message) -> None:
     """Send the message of the row, and compare the answers and the state afterwards with the row."""
-    row = test.row
+    row, tester = test.row, steering.tester
     client = tester.client(CLIENTS[row.sender])
     if row.answer is None:
         client.send(message, to=test.component)
@@ -563,7 +524,12 @@ def attempt(test: RowTest, tester: Tester, message: Message, authority: int) -> 
     if row.notice is not None:
         tester.client(CLIENTS[CONTROLLER]).expect(row.notice.kind, *row.notice.checks, source=test.component)
     with tester.unreported():
-        problem = _settled(test, tester, row.next) if _shows_state(test) else _wait_for_answer(client)
+        if _shows_state(test):
+            seen = steering.settle_on(_goal(row.next))
+            problem = "" if _fits(seen, row.next) else f"it reports {seen}"
+        else:  # it has time to answer
+            tester.wait(WAIT_FOR_NOTHING * tester.timeout)
+            problem = ""
     _check_no_other_messages(tester, answered=row.answer is not None)
     name = f"the state is {row.next.name}"
     tester.expected.append(name)
@@ -571,18 +537,12 @@ def attempt(test: RowTest, tester: Tester, message: Message, authority: int) -> 
     if row.effect is not None:
         checks = row.effect.checks
         observer = tester.client(CLIENTS[OBSERVER])
-        right = checks(authority) if callable(checks) else checks
+        right = checks(steering.authority) if callable(checks) else checks
         observer.ask_until_right(row.effect.query, row.effect.report, *right, to=test.component)
 
 
 def _shows_state(test: RowTest) -> bool:
     return bool(test.services & {MANAGEMENT, ACCESS_CONTROL})
-
-
-def _wait_for_answer(client: Client) -> str:
-    """Give a component that reports no state time to answer."""
-    client.tester.wait(0.1 * client.tester.timeout)
-    return ""
 
 
 def _check_no_other_messages(tester: Tester, *, answered: bool) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
@@ -205,11 +206,14 @@ class Client:
     def send(self, message: Message | bytes, *, to: JausID | None = None, ack: Ack = Ack.NONE) -> None:
         """Send a message to the target, or to `to`."""
         payload = message if isinstance(message, bytes) else message.encode()
-        self.sent.add(int.from_bytes(payload[:2], "little"))
+        code = int.from_bytes(payload[:2], "little")
+        self.tester.keep_pace()
+        self.sent.add(code)
         if isinstance(message, Message):
             self.tester.why.append(f"{message.SERVICE} {message.VERSION}: {message_name(type(message))}")
         self._endpoint.send(to or self.tester.target, payload, now=self.tester.now, ack=ack)
         self._flush()
+        self.tester.on_sent(code)
 
     def broadcast(self, message: Message) -> None:
         """Send a message to all components of all subsystems."""
@@ -228,6 +232,7 @@ class Client:
         within: float = 1.0,
     ) -> M:
         """Send a message and expect this answer; earlier answers of the same kind are discarded."""
+        self.tester.keep_pace()
         self.forget(answer)
         self.send(message, to=to)
         asked = None if to is None or to.is_wildcard else to
@@ -332,7 +337,12 @@ class Client:
 
 def is_answer(code: int) -> bool:
     """True unless the message is an event or a query (2000h to 3FFFh)."""
-    return code not in EVENTS and not 0x2000 <= code < 0x4000
+    return code not in EVENTS and not is_query(code)
+
+
+def is_query(code: int) -> bool:
+    """True for the ids of queries (2000h to 3FFFh)."""
+    return 0x2000 <= code < 0x4000
 
 
 TIMEOUT: Final = 1.5
@@ -401,6 +411,9 @@ class Tester:
         self.why: list[str] = []
         self.taken: list[str] = []
         """Transitions of state machines that the target takes in this step."""
+        self.pace = 0.0
+        """Seconds that pass after a command, at least, before anything else is sent."""
+        self._commanded_at = -math.inf
         self._start = wire.now()
         self._clients: dict[JausID, Client] = {}
 
@@ -476,6 +489,24 @@ class Tester:
     def wait(self, seconds: float) -> None:
         """Wait this many seconds; messages that arrive stay pending."""
         self.pump(self.now + seconds, lambda: False)
+
+    def keep_pace(self) -> None:
+        """Wait until the pace allows to send."""
+        self.wait(max(0.0, self._commanded_at + self.pace - self.now))
+
+    def on_sent(self, code: int) -> None:
+        """Called for each message that a client sends; the pace counts from commands, not from queries."""
+        if not is_query(code):
+            self._commanded_at = self.now
+
+    @contextmanager
+    def at_pace(self, pace: float) -> Iterator[None]:
+        """Take a pace, in seconds, in the block."""
+        before, self.pace = self.pace, pace
+        try:
+            yield
+        finally:
+            self.pace = before
 
     def pump(self, until: float, done: Callable[[], bool]) -> bool:
         """Receive until `done` is true or the time is over; returns whether it was done.

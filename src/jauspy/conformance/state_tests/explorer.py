@@ -1,4 +1,4 @@
-"""Brings a component from state to state and observes its state; the stimuli that are sent in each state."""
+"""Brings a component to a situation of its merged state machine; the stimuli that are sent in each situation."""
 
 from __future__ import annotations
 
@@ -9,53 +9,23 @@ from typing import Final, TypeAlias
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Silent, Skipped, StepOutcome
-from jauspy.conformance.silences import silences_of
 from jauspy.conformance.state_tests.behaviour import ComponentUnderTest, Decide, Prediction, Situation, TruthValue
-from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, Client, Tester, pauses
+from jauspy.conformance.steering import ACCESS_CONTROL, Goal, ObservedState, Path, Status, Steering
+from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, Tester
 from jauspy.ids import JausID
-from jauspy.messages.core import (
-    AllEventsRec,
-    ClearEmergency,
-    ConfirmControl,
-    QueryAuthority,
-    QueryControl,
-    QueryEvents,
-    QueryStatus,
-    QueryTimeout,
-    ReleaseControl,
-    ReportAuthority,
-    ReportControl,
-    ReportEvents,
-    ReportStatus,
-    ReportTimeout,
-    RequestControl,
-    Reset,
-    Resume,
-    SetEmergency,
-    Shutdown,
-    Standby,
-)
 from jauspy.schema import behavior
 
-STOP: Final = SetEmergency.EmergencyCode.STOP
-SLOW_PAUSE: Final = 1 / 8
-"""Timeouts between two inputs if the component did not follow them immediately."""
-WAIT_FOR_NOTHING: Final = 0.1
-"""Timeouts in which an answer would come, if no query is answered that would show it."""
-MIN_AUTHORITY: Final = 200
-"""Authority of the controller, if the default authority of the component is lower."""
-STATUS: Final[Mapping[str, ReportStatus.Status]] = {
-    "Init": ReportStatus.Status.INITIALIZE,
-    "Ready": ReportStatus.Status.READY,
-    "Standby": ReportStatus.Status.STANDBY,
-    "Shutdown": ReportStatus.Status.SHUTDOWN,
-    "Failure": ReportStatus.Status.FAILURE,
-    "Emergency": ReportStatus.Status.EMERGENCY,
+STATUS: Final[Mapping[str, Status]] = {
+    "Init": Status.INITIALIZE,
+    "Ready": Status.READY,
+    "Standby": Status.STANDBY,
+    "Shutdown": Status.SHUTDOWN,
+    "Failure": Status.FAILURE,
+    "Emergency": Status.EMERGENCY,
 }
 """Status that Management reports, by the name of the state (AS5710)."""
-MANAGEMENT, ACCESS_CONTROL = "urn:jaus:jss:core:Management", "urn:jaus:jss:core:AccessControl"
 
-STEERING_INPUTS: Final[tuple[tuple[str, str], ...]] = (
+STEERING_INPUTS: Final[Path] = (
     ("RequestControl", CONTROLLER),
     ("Resume", CONTROLLER),
     ("Standby", CONTROLLER),
@@ -68,61 +38,28 @@ STEERING_INPUTS: Final[tuple[tuple[str, str], ...]] = (
 """The inputs that lead from state to state."""
 
 
-@dataclass(frozen=True, slots=True)
-class ObservedState:
-    """Status and controller as the component reports them; None without a service that reports them, or an answer."""
-
-    status: ReportStatus.Status | int | None
-    controller: JausID | None
-    """None also without a controller."""
-    is_controller_known: bool = True
-
-    def __str__(self) -> str:
-        name = getattr(self.status, "name", self.status)
-        controlled = f"controlled by {self.controller}" if self.controller else "not controlled"
-        return f"status {name}, " + (controlled if self.is_controller_known else "its controller is not reported")
-
-
-class Explorer:
-    """One component of the target, with the tester's clients in their roles."""
+class Explorer(Steering):
+    """One component of the target, whose situations are those of its merged state machine."""
 
     def __init__(self, tester: Tester, subject: ComponentUnderTest) -> None:
-        self.tester = tester
-        self.component = component = subject.component
+        super().__init__(tester, subject.component, [each.id for each in subject.definitions])
         self.start = subject.machine.start
-        self.services = frozenset(each.id for each in subject.definitions)
         self.inputs = frozenset(message.code for each in subject.definitions for message in each.inputs)
         """The ids of all messages that the component takes."""
-        self.silences = silences_of(component, tester)
-        self._measured = False
         self._start_failed = False
-        self._settled_wrong: dict[tuple[Situation, ...], ObservedState] = {}
-        """States that the component still had after the timeout, where it should have been in these situations."""
         self._unreachable_situations: set[Situation] = set()
         self.where: Situation | None = None
         """The situation after the last step, if it is known."""
-        self.default_authority = 0
-        self.timeout = 0
-        """Seconds after which control ends; 0: never."""
 
-    @property
-    def authority(self) -> int:
-        """Authority of the controller."""
-        return min(254, max(MIN_AUTHORITY, self.default_authority + 2))
-
-    def client(self, role: str) -> Client:
-        """The client in this role."""
-        return self.tester.client(CLIENTS[role])
-
-    def reach(self, goal: Situation, path: tuple[tuple[str, str], ...]) -> None:
+    def reach(self, goal: Situation, path: Path) -> None:
         """Bring the component to a situation, along `path` from the start. Skips the step if that fails."""
         self._reach_start()
         try:
-            self._measure()
+            self.measure()
             where, self.where = self.where, None
             seen = self.observe()
             if where != goal or not self.agrees(seen, goal):
-                seen = self._travel(goal, path)
+                seen = self.travel(self._goal(self.start), path, self._goal(goal))
             if goal.controller == CONTROLLER and "Emergency" not in goal.state:
                 self.steer("RequestControl", CONTROLLER)
         except StepOutcome as outcome:
@@ -132,15 +69,16 @@ class Explorer:
             raise self._unreachable(goal, str(outcome), first) from outcome
         if not self.agrees(seen, goal):
             raise self._unreachable(goal, f"it reports {seen}")
+        self.tester.keep_pace()
         self.discard_received()
 
     def _reach_start(self) -> None:
         """Bring the component to the start before the first step. If that fails, the other steps are skipped."""
-        if self._measured or ACCESS_CONTROL not in self.services:
+        if self.is_measured or ACCESS_CONTROL not in self.services:
             return
         again, self._start_failed = self._start_failed, True
         try:
-            seen = self._return_to(self.start)
+            seen = self.return_to(self._goal(self.start))
         except StepOutcome as outcome:
             raise Skipped(str(outcome)) if again else outcome from None
         self._start_failed = not self.agrees(seen, self.start)
@@ -158,60 +96,6 @@ class Explorer:
         self._unreachable_situations.add(goal)
         return kind(f"the component cannot be brought to {goal}: {why}")
 
-    def _travel(self, goal: Situation, path: tuple[tuple[str, str], ...]) -> ObservedState:
-        """Go to the start and along the path; if that fails, once more with a pause after each input."""
-        for pause in (0.0, SLOW_PAUSE * self.tester.timeout):
-            seen = self._return_to(self.start)
-            if not self.agrees(seen, self.start):
-                return seen  # some states cannot be left, and may be the goal
-            for message, role in path:
-                self.steer(message, role)
-                self.tester.wait(pause)
-            seen = self.settle(goal)
-            if self.agrees(seen, goal):
-                break
-        return seen
-
-    def steer(self, message: str, role: str) -> None:
-        """Send one steering input."""
-        made = self.steering(message)
-        client = self.client(role)
-        if isinstance(made, RequestControl):
-            with self.tester.unreported():
-                client.ask(made, ConfirmControl, to=self.component)
-        else:
-            client.send(made, to=self.component)
-
-    def steering(self, message: str) -> Message:
-        """The message for `STEERING_INPUTS`."""
-        made: Mapping[str, Message] = {
-            "RequestControl": RequestControl(self.authority),
-            "Resume": Resume(),
-            "Standby": Standby(),
-            "SetEmergency": SetEmergency(STOP),
-            "ClearEmergency": ClearEmergency(STOP),
-            "ReleaseControl": ReleaseControl(),
-            "Reset": Reset(),
-            "Shutdown": Shutdown(),
-        }
-        return made[message]
-
-    def observe(self) -> ObservedState:
-        """Query the state of the component; the answer also shows that it has handled all earlier messages."""
-        with self.tester.unreported():
-            return self._ask()
-
-    def _ask(self) -> ObservedState:
-        status = self.silences.ask(QueryStatus(), ReportStatus) if MANAGEMENT in self.services else None
-        control = self.silences.ask(QueryControl(), ReportControl) if ACCESS_CONTROL in self.services else None
-        if status is None and control is None:
-            answer = self.silences.ask(QueryEvents(AllEventsRec(0)), ReportEvents)
-            self.tester.wait(0.0 if answer else WAIT_FOR_NOTHING * self.tester.timeout)
-        id = JausID(control.subsystem_id, control.node_id, control.component_id) if control else None
-        return ObservedState(
-            status.status if status else None, id if id and int(id) else None, is_controller_known=control is not None
-        )
-
     def agrees(self, seen: ObservedState, situation: Situation) -> bool:
         """True if the reported state fits a situation; initialization may have ended already."""
         wanted = status_of(situation)
@@ -222,21 +106,11 @@ class Explorer:
         )
 
     def settle(self, *situations: Situation) -> ObservedState:
-        """As `observe`, until the state fits one of the situations, at most for a timeout.
+        """As `observe`, until the state fits one of the situations, at most for a timeout."""
+        return self.settle_on(self._goal(*situations))
 
-        The services of a component may notify each other asynchronously, and initialization takes time.
-        """
-        seen = self.observe()
-        if self._settled_wrong.get(situations) == seen:
-            return seen  # it stays so; waiting in each step would take long
-        for pause in pauses(self.tester.timeout):
-            fits = any(self.agrees(seen, each) for each in situations)
-            if (fits and seen.status != STATUS["Init"]) or seen.status == STATUS["Shutdown"]:
-                return seen
-            self.tester.wait(pause)
-            seen = self.observe()
-        self._settled_wrong[situations] = seen
-        return seen
+    def _goal(self, *situations: Situation) -> Goal:
+        return Goal(situations, lambda seen: any(self.agrees(seen, each) for each in situations))
 
     def discard_received(self) -> None:
         """Discard pending messages and checks, which belong to earlier inputs."""
@@ -245,26 +119,6 @@ class Explorer:
         self.tester.why.clear()
         self.tester.checks.clear()
         self.tester.expected.clear()
-
-    def _return_to(self, start: Situation) -> ObservedState:
-        """Clear emergencies and release control, to return to the start."""
-        if MANAGEMENT in self.services:
-            for role in CLIENTS:
-                self.client(role).send(ClearEmergency(STOP), to=self.component)
-        if ACCESS_CONTROL in self.services:
-            for role in CLIENTS:
-                self.client(role).send(ReleaseControl(), to=self.component)
-        return self.settle(start)
-
-    def _measure(self) -> None:
-        """Query default authority and timeout of the component, once, before a client takes control."""
-        if self._measured or ACCESS_CONTROL not in self.services:
-            return
-        authority = self.silences.ask(QueryAuthority(), ReportAuthority)
-        timeout = self.silences.ask(QueryTimeout(), ReportTimeout)
-        self.default_authority = authority.authority_code if authority else 0
-        self.timeout = int(timeout.timeout) if timeout else 0
-        self._measured = True
 
 
 def explorer_of(subject: ComponentUnderTest, tester: Tester) -> Explorer:
@@ -275,7 +129,7 @@ def explorer_of(subject: ComponentUnderTest, tester: Tester) -> Explorer:
     return known[subject.component]
 
 
-def status_of(situation: Situation) -> ReportStatus.Status | None:
+def status_of(situation: Situation) -> Status | None:
     """The status that Management reports: the innermost state with a status, below `Receiving.Ready`."""
     return next((STATUS[name] for name in reversed(situation.state[2:]) if name in STATUS), None)
 

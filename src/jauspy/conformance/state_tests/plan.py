@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import groupby
-from typing import Final, TypeAlias
+from typing import Final
 
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import has
@@ -34,13 +34,13 @@ from jauspy.conformance.state_tests.explorer import (
     EMERGENCY_PREDICATES,
     SENDER_PREDICATES,
     STEERING_INPUTS,
-    STOP,
     Stimulus,
 )
 from jauspy.conformance.state_tests.lists import LISTS
 from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
 from jauspy.conformance.state_tests.sensors import SENSORS, STILL_IMAGES
 from jauspy.conformance.state_tests.state_test import StateTest
+from jauspy.conformance.steering import STOP, Path
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Tester
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
@@ -97,9 +97,6 @@ def skip(reason: str) -> Callable[[Tester], None]:
 
     return action
 
-
-Path: TypeAlias = tuple[tuple[str, str], ...]
-"""Inputs, each with the role that sends it."""
 
 _STEERED: Final = {
     each.message: each for each in ACCESS if (each.message, each.variant) == ("RequestControl", "the same authority")

@@ -14,11 +14,11 @@ from jauspy.conformance.state_tests.behaviour import INITIALIZED, ComponentUnder
 from jauspy.conformance.state_tests.explorer import (
     STATUS,
     Explorer,
-    ObservedState,
     Stimulus,
     StimulusResult,
     explorer_of,
 )
+from jauspy.conformance.steering import ObservedState, Path, judged_at_pace
 from jauspy.conformance.tester import CLIENTS, EVENTS, Tester
 from jauspy.conformance.trace import ReceivedMessage, message_name
 from jauspy.errors import DecodeError
@@ -33,7 +33,7 @@ class StateTest:
 
     subject: ComponentUnderTest
     situation: Situation
-    path: tuple[tuple[str, str], ...]
+    path: Path
     stimulus: Stimulus
     role: str
 
@@ -64,12 +64,16 @@ class StateTest:
     def __call__(self, tester: Tester) -> None:
         """Bring the component to the situation, send the input, and check the outcome."""
         explorer = explorer_of(self.subject, tester)
-        explorer.reach(self.situation, self.path)
-        with explorer.silences.of_input(self.stimulus.message):
+        judged_at_pace(
+            tester, lambda: explorer.reach(self.situation, self.path), lambda: self._send_and_check(explorer)
+        )
+
+    def _send_and_check(self, explorer: Explorer) -> None:
+        """Send the input in the situation, and check the outcome."""
+        with explorer.silences.of_input(self.stimulus.message, str(self.situation)):
             self._try(explorer)
 
     def _try(self, explorer: Explorer) -> None:
-        """Send the input in the situation, and check the outcome."""
         tester = explorer.tester
         try:
             self.stimulus.before(explorer, self.role)
