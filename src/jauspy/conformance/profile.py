@@ -55,6 +55,8 @@ class Step:
     """Transitions of the target's state machines that the step may take."""
 
 
+StartCheck: TypeAlias = "Callable[[Tester, Offers], None]"
+"""Raises `ConfigError` if the target is in a state in which no test can begin."""
 Plan: TypeAlias = "Callable[[Offers], Sequence[Step]]"
 """Makes the steps for the services of a target."""
 
@@ -74,6 +76,8 @@ class Profile:
     """Notes for the readers of its reports."""
     one_component: bool = False
     """True if all steps need one component; then several that answer to a wildcard are an error before the first."""
+    check: StartCheck | None = None
+    """Called before the first step."""
 
     @property
     def asks_for_services(self) -> bool:

@@ -238,7 +238,11 @@ def _results(profile: Profile, tester: Tester, offers: Offers | None, settings: 
     """Run step by step, and stop if the target has never answered."""
     if profile.one_component and tester.target.is_wildcard:
         _check_one_component(tester)
-    for result in results(_chosen(profile.plan(_offers(profile, tester, offers)), settings.only), tester, settings):
+    offered = _offers(profile, tester, offers)
+    steps = _chosen(profile.plan(offered), settings.only)
+    if profile.check is not None:
+        profile.check(tester, offered)
+    for result in results(steps, tester, settings):
         yield result
         if result.verdict is Verdict.SILENT and tester.has_sent and not tester.has_received:
             return

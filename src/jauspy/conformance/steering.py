@@ -189,12 +189,17 @@ class Steering:
     def return_to(self, start: Goal) -> ObservedState:
         """Clear emergencies and release control, to return to the start."""
         if MANAGEMENT in self.services:
-            for role in CLIENTS:
-                self.client(role).send(ClearEmergency(STOP), to=self.component)
+            self._send_from_all(ClearEmergency(STOP))
         if ACCESS_CONTROL in self.services:
-            for role in CLIENTS:
-                self.client(role).send(ReleaseControl(), to=self.component)
+            self._send_from_all(ReleaseControl())
         return self.settle_on(start)
+
+    def _send_from_all(self, message: Message) -> None:
+        """Send from every client, at once."""
+        self.tester.keep_pace()
+        with self.tester.at_pace(0.0):
+            for role in CLIENTS:
+                self.client(role).send(message, to=self.component)
 
 
 def judged_at_pace(tester: Tester, prepare: Callable[[], object], attempt: Callable[[], object]) -> None:

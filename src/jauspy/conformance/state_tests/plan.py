@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import deque
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
 from itertools import groupby
@@ -12,7 +13,7 @@ from typing import Final
 from jauspy.codec.message import Message
 from jauspy.conformance.checks import has
 from jauspy.conformance.profile import ALL_SERVICES, Offers, Profile, ServiceKey, Step
-from jauspy.conformance.results import Skipped
+from jauspy.conformance.results import Skipped, StepOutcome
 from jauspy.conformance.state_tables import table_steps
 from jauspy.conformance.state_tests import sample_messages
 from jauspy.conformance.state_tests.access_control import ACCESS, SILENT_CLIENT
@@ -40,11 +41,18 @@ from jauspy.conformance.state_tests.lists import LISTS
 from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
 from jauspy.conformance.state_tests.sensors import SENSORS, STILL_IMAGES
 from jauspy.conformance.state_tests.state_test import StateTest
-from jauspy.conformance.steering import STOP, Path
+from jauspy.conformance.steering import MANAGEMENT, STOP, Path
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Tester
 from jauspy.errors import ConfigError
 from jauspy.messages import registry
-from jauspy.messages.core import ClearEmergency, QueryConfiguration, QueryIdentification, SetEmergency
+from jauspy.messages.core import (
+    ClearEmergency,
+    QueryConfiguration,
+    QueryIdentification,
+    QueryStatus,
+    ReportStatus,
+    SetEmergency,
+)
 from jauspy.schema import behavior
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.loader import load_builtin
@@ -225,7 +233,22 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
                 planned += (replace(step, id=f"{prefix}/{step.id}") if prefix else step for step in steps)
         return planned
 
-    return Profile(name, title, steps, (ROLE_NOTE,))
+    return Profile(name, title, steps, (ROLE_NOTE,), check=_check_start)
+
+
+def _check_start(tester: Tester, offers: Offers) -> None:
+    """Raise `ConfigError` if a component was shut down, as at the end of an earlier test, which it cannot leave."""
+    down = []
+    for id, services in offers.components.items():
+        if any(urn == MANAGEMENT for urn, _ in services) and tester.target.matches(id):
+            with suppress(StepOutcome):  # the first step tells what is wrong
+                report = tester.client(CLIENTS[OBSERVER]).ask(QueryStatus(), ReportStatus, to=id)
+                down += [str(id)] if report.status == ReportStatus.Status.SHUTDOWN else []
+    if down:
+        raise ConfigError(
+            f"{', '.join(down)} {'are' if len(down) > 1 else 'is'} shut down, as at the end of a test of core "
+            "services: restart the robot before the next test"
+        )
 
 
 def _generations(offered: frozenset[ServiceKey]) -> dict[str, frozenset[ServiceKey]]:
