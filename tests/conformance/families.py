@@ -20,7 +20,7 @@ from tests.conformance.mistakes import goes_on, stuck, wrong_report
 from jauspy.codec.layout import Composite
 from jauspy.codec.message import Message, Struct
 from jauspy.conformance import TargetComponent, VirtualTarget, silences, state_tables
-from jauspy.conformance.state_tests import sample_messages
+from jauspy.conformance.state_tests import neutral_messages
 from jauspy.conformance.state_tests.sensors import IMAGE_TIMEOUT as PICTURE_TIMEOUT
 from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.steering import MIN_AUTHORITY
@@ -213,10 +213,10 @@ def full(payload: bytes) -> list[bytes]:
 
 def _fill(item: Any, out: bytearray) -> None:
     if not isinstance(item, Composite):
-        sample_messages._write(item, out)
+        neutral_messages._write(item, out)
         return
     optional = sum(slot.optional for slot in item.slots)
-    out += sample_messages._packed(item.presence, (1 << optional) - 1) if item.presence else b""
+    out += neutral_messages._packed(item.presence, (1 << optional) - 1) if item.presence else b""
     for slot in item.slots:
         _fill(slot.item, out)
 

@@ -14,8 +14,8 @@ from tests.helpers.sampling import sampled
 from jauspy.conformance import TargetComponent, Verdict, VirtualTarget, find, offers_of
 from jauspy.conformance.profile import Offers
 from jauspy.conformance.state_tests.behaviour import component_under_test
+from jauspy.conformance.state_tests.neutral_messages import neutral
 from jauspy.conformance.state_tests.plan import Planner
-from jauspy.conformance.state_tests.sample_messages import neutral
 from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.trace import Direction
 from jauspy.ids import JausID

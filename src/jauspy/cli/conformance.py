@@ -27,18 +27,21 @@ from jauspy.conformance.profile import Offers, Profile, Step, find, known
 from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
 from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
 from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
+from jauspy.conformance.state_tests.plan import service_profile
 from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.messages import registry
-from jauspy.schema import load_builtin
+from jauspy.schema import Schema, load_builtin
 from jauspy.schema.inheritance import lineage, parents_among
 from jauspy.schema.model import Service
 
 ProfileName = Annotated[
     str | None,
     typer.Argument(
-        metavar="PROFILE", help="The profile, as in igvc-2015; --list lists them. MODULE:NAME is one of your own."
+        metavar="PROFILE",
+        help="The profile, as in igvc-2015; --list lists them. MODULE:NAME is one of your own. A URN, as in "
+        "urn:acme:Winch, tests every transition of this service, which --schemas may define.",
     ),
 ]
 Target = Annotated[
@@ -116,27 +119,32 @@ def conformance(
       jauspy conformance igvc-2015 --target 101.1.255 --html report.html
       jauspy conformance core-1.1 --target 101.1.102 --connect udp://192.168.1.101
       jauspy conformance core-1.1 --target 126.1.11 --connect local:/tmp --services Management@1.0
+      jauspy conformance urn:acme:Winch --target 101.1.120 --schemas Winch.xml
       jauspy conformance acme_steps:PROFILE --target 101.1.120 --schemas acme.xml
       jauspy conformance --list
     """
-    if profile is not None and ":" in profile:
+    if profile is not None and ":" in profile and not _is_urn(profile):
         sys.path.append("")  # the user's profile may be in the current directory; last, so that it hides no module
     try:
+        known = definitions(schemas)
+        offers = named_offers(services, target, known.own)
         if list_:
-            offers = named_offers(services, target)
-            show_steps(steps_of(find(profile), target, connect, timeout, offers)) if profile else show_list()
+            if profile is None:
+                show_list()
+            else:
+                chosen = chosen_profile(profile, known.registry)
+                show_steps(steps_of(chosen, target, connect, timeout, offers, messages=known.registry))
             return
         if profile is None or target is None:
             raise ConfigError("name a profile and a target, as in `jauspy conformance igvc-2015 --target 101.1.255`")
         files = ReportFiles(junit=junit, html=html, pcapng=pcapng)
         settings = Settings(timeout, motion, tuple(only or ()))
-        offers = named_offers(services, target)
         with stoppable() as stopped:
             try:
                 with progress_line() as progress:
                     watch = _print_json if json else progress
-                    chosen, messages = find(profile), definitions(schemas).registry
-                    report = report_of(chosen, target, connect, settings, watch, offers=offers, messages=messages)
+                    chosen = chosen_profile(profile, known.registry)
+                    report = report_of(chosen, target, connect, settings, watch, offers=offers, messages=known.registry)
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
@@ -230,13 +238,25 @@ def _write(path: Path | None, content: Callable[[], bytes]) -> str:
     return ""
 
 
-def named_offers(names: str | None, target: str | None) -> Offers | None:
-    """The services that the user names, and their ancestors, as offers of the target; None without names."""
+def _is_urn(profile: str) -> bool:
+    return profile.startswith("urn:")
+
+
+def chosen_profile(name: str, messages: Registry) -> Profile:
+    """The profile of this name, or that of the service with this URN. Raises `ConfigError` for an unknown one."""
+    return service_profile(name, messages) if _is_urn(name) else find(name)
+
+
+def named_offers(names: str | None, target: str | None, own: Schema | None = None) -> Offers | None:
+    """The services that the user names, and their ancestors, as offers of the target; None without names.
+
+    `own` has the user's definitions.
+    """
     if names is None or target is None:
         return None
     if (id := _id(target)).is_wildcard:
         raise ConfigError(f"--services names the services of one component, and {id} has wildcards")
-    schema = load_builtin()
+    schema = Schema(services=(*(own.services if own else ()), *load_builtin().services))
     parent_of = parents_among(schema.services)
     found: dict[str, Service] = {}
     for name in filter(None, (each.strip() for each in names.split(","))):
@@ -254,7 +274,13 @@ def named_offers(names: str | None, target: str | None) -> Offers | None:
 
 
 def steps_of(
-    profile: Profile, target: str | None, connect: str | None, timeout: float, offers: Offers | None
+    profile: Profile,
+    target: str | None,
+    connect: str | None,
+    timeout: float,
+    offers: Offers | None,
+    *,
+    messages: Registry,
 ) -> tuple[Step, ...]:
     """The steps of a profile; the target is queried only if they depend on its services, and these are not named."""
     if not profile.asks_for_services:
@@ -264,7 +290,7 @@ def steps_of(
             f"the steps of {profile.name} depend on the target's services; add --target, as in --target 101.1.102"
         )
     with closing(asyncio.run(open_wire(connect))) as wire:
-        return planned_steps(profile, wire, _id(target), offers=offers, timeout=timeout)
+        return planned_steps(profile, wire, _id(target), offers=offers, timeout=timeout, registry=messages)
 
 
 def report_of(

@@ -9,7 +9,7 @@ from jauspy.conformance.results import Skipped, StepOutcome
 from jauspy.conformance.state_tests import lists
 from jauspy.conformance.state_tests.events import UNKNOWN_ID
 from jauspy.conformance.state_tests.explorer import Explorer, Prepare, Stimulus
-from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.conformance.state_tests.neutral_messages import neutral
 from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages.manipulator import (
     ExecuteList,

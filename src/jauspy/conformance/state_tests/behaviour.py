@@ -326,10 +326,18 @@ class ComponentUnderTest:
         return self.registry.by_name(name)
 
 
-def component_under_test(id: JausID, offered: frozenset[ServiceKey]) -> ComponentUnderTest:
-    """The component with all offered services whose definitions are known, most derived first."""
-    known = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
-    schema = load_needed(frozenset(offered & known))
-    services = [schema.service(*key) for key in sorted(offered & known)]
-    ordered = most_derived_first(services, parents_among(schema.services))
-    return ComponentUnderTest(id, ordered, BehaviourModel(ordered), registry)
+def component_under_test(
+    id: JausID, offered: frozenset[ServiceKey], messages: Registry = registry
+) -> ComponentUnderTest:
+    """The component with all offered services whose definitions are known, most derived first.
+
+    `messages` may be those of the user's own definitions, which are preferred to built-in ones.
+    """
+    built_in = {(each.service, each.version) for each in registry.entries} | {(TRANSPORT, "1.0"), (TRANSPORT, "1.1")}
+    own = {each.key: each for each in messages.schema.services} if messages.schema else {}
+    parents = {each.inherits_from.key for each in own.values() if each.inherits_from}
+    schema = load_needed(frozenset((offered | parents) & built_in))
+    known = {each.key: each for each in schema.services} | own
+    services = [known[key] for key in sorted(offered & known.keys())]
+    ordered = most_derived_first(services, parents_among(known.values()))
+    return ComponentUnderTest(id, ordered, BehaviourModel(ordered), messages)

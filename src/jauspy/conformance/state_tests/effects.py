@@ -16,7 +16,7 @@ from jauspy.conformance.checks import Check, near, value_of
 from jauspy.conformance.results import Failed, Skipped, StepOutcome
 from jauspy.conformance.state_tests.behaviour import TruthValue
 from jauspy.conformance.state_tests.explorer import Explorer, Prepare, Stimulus, StimulusResult, no_preparation
-from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.conformance.state_tests.neutral_messages import neutral
 from jauspy.conformance.tester import OBSERVER
 from jauspy.messages.core import QueryTime, ReportTime, SetTime
 from jauspy.messages.manipulator import (

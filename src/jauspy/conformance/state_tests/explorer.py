@@ -10,6 +10,7 @@ from jauspy.codec.message import Message
 from jauspy.conformance.checks import Check
 from jauspy.conformance.results import Failed, Silent, Skipped, StepOutcome
 from jauspy.conformance.state_tests.behaviour import ComponentUnderTest, Decide, Prediction, Situation, TruthValue
+from jauspy.conformance.state_tests.neutral_messages import neutral
 from jauspy.conformance.steering import ACCESS_CONTROL, Goal, ObservedState, Path, Status, Steering
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, Tester
 from jauspy.ids import JausID
@@ -43,6 +44,7 @@ class Explorer(Steering):
 
     def __init__(self, tester: Tester, subject: ComponentUnderTest) -> None:
         super().__init__(tester, subject.component, [each.id for each in subject.definitions])
+        self._subject = subject
         self.start = subject.machine.start
         self.inputs = frozenset(message.code for each in subject.definitions for message in each.inputs)
         """The ids of all messages that the component takes."""
@@ -50,6 +52,12 @@ class Explorer(Steering):
         self._unreachable_situations: set[Situation] = set()
         self.where: Situation | None = None
         """The situation after the last step, if it is known."""
+
+    def steering(self, message: str) -> Message:
+        """A message of the core services, or the neutral command of this name."""
+        if message in {name for name, _ in STEERING_INPUTS}:
+            return super().steering(message)
+        return neutral(self._subject.kind(message))
 
     def reach(self, goal: Situation, path: Path) -> None:
         """Bring the component to a situation, along `path` from the start. Skips the step if that fails."""

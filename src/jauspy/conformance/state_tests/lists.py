@@ -10,7 +10,7 @@ from jauspy.conformance.checks import has, that
 from jauspy.conformance.results import Failed, Skipped
 from jauspy.conformance.state_tests.events import CREATE, UNKNOWN_ID
 from jauspy.conformance.state_tests.explorer import Explorer, Stimulus, StimulusResult
-from jauspy.conformance.state_tests.sample_messages import neutral
+from jauspy.conformance.state_tests.neutral_messages import neutral
 from jauspy.conformance.tester import CONTROLLER, OBSERVER
 from jauspy.messages import registry
 from jauspy.messages.core import (

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import deque
-from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
@@ -11,6 +11,7 @@ from itertools import groupby
 from typing import Final
 
 from jauspy.codec.message import Message
+from jauspy.codec.registry import Registry
 from jauspy.conformance.checks import has
 from jauspy.conformance.profile import ALL_SERVICES, Offers, Profile, ServiceKey, Step
 from jauspy.conformance.results import Skipped, StepOutcome
@@ -38,12 +39,13 @@ from jauspy.conformance.state_tests.explorer import (
     Stimulus,
 )
 from jauspy.conformance.state_tests.lists import LISTS
-from jauspy.conformance.state_tests.sample_messages import neutral, presence_fields
+from jauspy.conformance.state_tests.neutral_messages import neutral, presence_fields
 from jauspy.conformance.state_tests.sensors import SENSORS, STILL_IMAGES
 from jauspy.conformance.state_tests.state_test import StateTest
 from jauspy.conformance.steering import MANAGEMENT, STOP, Path
 from jauspy.conformance.tester import CLIENTS, CONTROLLER, EMERGENCY_CLIENT, OBSERVER, OTHER_CLIENT, Tester
 from jauspy.errors import ConfigError
+from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import (
     ClearEmergency,
@@ -113,9 +115,10 @@ _STEERED: Final = {
 
 @dataclass(frozen=True)
 class Routes:
-    """Paths through the state machine by `STEERING_INPUTS`."""
+    """Paths through the state machine by `STEERING_INPUTS`, and by commands of services that are not built in."""
 
     machine: BehaviourModel
+    commands: tuple[str, ...] = ()
 
     def paths(self) -> dict[Situation, Path]:
         """One situation for each state that can be reached, and the inputs that lead there."""
@@ -134,7 +137,7 @@ class Routes:
 
     def moves(self, situation: Situation) -> Iterator[tuple[Situation, tuple[str, str]]]:
         """The situations after single inputs, with the inputs; inputs with several possible outcomes are omitted."""
-        for message, role in STEERING_INPUTS:
+        for message, role in (*STEERING_INPUTS, *((name, CONTROLLER) for name in self.commands)):
             stimulus = _STEERED.get(message) or Stimulus(message, None)
             (first, *others) = self.machine.predict(situation, message, role, stimulus.judge(role))
             after = self._settled(first.after)
@@ -218,22 +221,56 @@ def profile_of(name: str, title: str, set_name: str, version: str) -> Profile:
     def steps(offers: Offers) -> Sequence[Step]:
         found = offers.with_any(_services(set_name, version))
         if not found:
-            there = sorted(f"{urn.removeprefix(STANDARD)} {v}" for urn, v in set().union(*offers.components.values()))
             raise ConfigError(
                 f"the target offers no service of {set_name} {version} or older, so nothing was tested; "
-                f"it offers {', '.join(there) or 'nothing'}"
+                f"it offers {_offered_text(offers)}"
             )
-        planned: list[Step] = []
-        for id, services in found.items():
-            for label, offered in _generations(offers.components[id]).items():
-                prefix = "/".join((str(id),) * (len(found) > 1) + (label,) * bool(label))
-                tested = services & offered
-                planner = Planner(component_under_test(id, offered), tested, may_end=not label)
-                steps = (*table_steps(id, offered, tested), *planner.steps())
-                planned += (replace(step, id=f"{prefix}/{step.id}") if prefix else step for step in steps)
-        return planned
+        return _planned(found, offers, registry)
 
     return Profile(name, title, steps, (ROLE_NOTE,), check=_check_start)
+
+
+def service_profile(urn: str, messages: Registry) -> Profile:
+    """The profile for one service, which may be one of the user's own definitions.
+
+    Raises `ConfigError` if the service is not defined.
+    """
+    keys = frozenset((each.service, each.version) for each in messages.entries if each.service == urn)
+    if not keys:
+        own = sorted({each.service for each in messages.own}) if messages.schema else []
+        known = f"; the files define {', '.join(own)}" if own else "; `--schemas FILE` reads your own definitions"
+        raise ConfigError(f"no definition of {urn} is known{known}")
+
+    def steps(offers: Offers) -> Sequence[Step]:
+        found = offers.with_any(keys)
+        if not found:
+            versions = " and ".join(sorted(version for _, version in keys))
+            raise ConfigError(
+                f"the target does not offer {urn} {versions}, so nothing was tested; it offers {_offered_text(offers)}"
+            )
+        return _planned(found, offers, messages)
+
+    return Profile(urn, f"{urn}: every transition", steps, (ROLE_NOTE,), check=_check_start)
+
+
+def _offered_text(offers: Offers) -> str:
+    offered = sorted(
+        f"{urn.removeprefix(STANDARD)} {version}" for urn, version in set().union(*offers.components.values())
+    )
+    return ", ".join(offered) or "nothing"
+
+
+def _planned(found: Mapping[JausID, frozenset[ServiceKey]], offers: Offers, messages: Registry) -> list[Step]:
+    """The steps for these services of each component."""
+    planned: list[Step] = []
+    for id, services in found.items():
+        for label, offered in _generations(offers.components[id], messages).items():
+            prefix = "/".join((str(id),) * (len(found) > 1) + (label,) * bool(label))
+            tested = services & offered
+            planner = Planner(component_under_test(id, offered, messages), tested, may_end=not label)
+            steps = (*table_steps(id, offered, tested), *planner.steps())
+            planned += (replace(step, id=f"{prefix}/{step.id}") if prefix else step for step in steps)
+    return planned
 
 
 def _check_start(tester: Tester, offers: Offers) -> None:
@@ -251,13 +288,13 @@ def _check_start(tester: Tester, offers: Offers) -> None:
         )
 
 
-def _generations(offered: frozenset[ServiceKey]) -> dict[str, frozenset[ServiceKey]]:
+def _generations(offered: frozenset[ServiceKey], messages: Registry) -> dict[str, frozenset[ServiceKey]]:
     """The services of a component by the version of the core services that they inherit from.
 
     A component may offer version 1.0 of its services beside the newer ones: then each version is tested separately, the
     older one under the label `1.0`.
     """
-    older = frozenset(key for key in offered if key in _inheriting_from(TRANSPORT_1_0))
+    older = offered & _inheriting_from(TRANSPORT_1_0, messages)
     newer = offered - older
     if not older or (TRANSPORT, "1.1") not in newer:
         return {"": offered}
@@ -265,18 +302,26 @@ def _generations(offered: frozenset[ServiceKey]) -> dict[str, frozenset[ServiceK
 
 
 @cache
-def _inheriting_from(root: ServiceKey) -> frozenset[ServiceKey]:
-    """The built-in services that inherit from a service, and the service itself."""
-    schema = load_builtin()
-    parent_of = parents_among(schema.services)
-    return frozenset(each.key for each in schema.services if lineage(each, parent_of)[-1].key == root)
+def _inheriting_from(root: ServiceKey, messages: Registry) -> frozenset[ServiceKey]:
+    """The known services that inherit from a service, and the service itself."""
+    services = (*load_builtin().services, *(messages.schema.services if messages.schema else ()))
+    parent_of = parents_among(services)
+    return frozenset(each.key for each in services if lineage(each, parent_of)[-1].key == root)
 
 
 def _services(set_name: str, newest: str) -> frozenset[ServiceKey]:
-    keys = {(each.service, each.version) for each in registry.entries}
     limit = _number(newest)
     names = tuple(f"{prefix}{set_name}:" for prefix in (STANDARD, OWN))
-    return frozenset((urn, v) for urn, v in keys if urn.startswith(names) and _number(v) <= limit)
+    return frozenset((urn, v) for urn, v in _built_in_keys() if urn.startswith(names) and _number(v) <= limit)
+
+
+def _is_built_in(service: ServiceKey) -> bool:
+    return service in _built_in_keys()
+
+
+@cache
+def _built_in_keys() -> frozenset[ServiceKey]:
+    return frozenset((each.service, each.version) for each in registry.entries)
 
 
 def _number(version: str) -> tuple[int, ...]:
@@ -294,7 +339,7 @@ class Planner:
 
     def steps(self) -> list[Step]:
         """All steps: states that can be left come first, steps that end the component last."""
-        routes = Routes(self.subject.machine)
+        routes = Routes(self.subject.machine, self._own_commands())
         paths = routes.paths()
         ends = {situation for situation in paths if not routes.returns(situation)}
         lasting = [each for each in paths if each not in ends]
@@ -309,6 +354,12 @@ class Planner:
         if fatal:
             steps += [_step(test) for end in sorted(ends, key=str) for test in self._state_tests(end, paths[end])]
         return [*steps, *untried(self.subject, self.services, steps, paths)]
+
+    def _own_commands(self) -> tuple[str, ...]:
+        """Commands of services that are not built in: only they lead to the states of these services."""
+        own = [each for each in self.subject.definitions if each.key in self.services and not _is_built_in(each.key)]
+        names = [message.name for definition in own for message in definition.inputs]
+        return tuple(name for name in names if self.subject.kind(name).IS_COMMAND)
 
     def _state_tests(self, situation: Situation, path: Path) -> Iterator[StateTest]:
         for stimulus in (*self._stimuli(), *self._spontaneous()):
@@ -327,7 +378,7 @@ class Planner:
     def _variants(self, name: str) -> Iterable[Stimulus]:
         kind = self.subject.kind(name)
         known = [each for each in STIMULI if each.message == name and kind.SERVICE.startswith(each.of)]
-        if known:
+        if known and _is_built_in((kind.SERVICE, kind.VERSION)):
             return known
         if not presence_fields(kind):
             return [Stimulus(name, lambda _: neutral(kind))]
@@ -367,7 +418,9 @@ def _step(test: StateTest) -> Step:
 
 
 def _moves(test: StateTest) -> bool:
-    """True if the step may cause motion: in Ready, by any command that is not of a core service."""
+    """True if the step may cause motion: in Ready, by any command that is not of a core service, also on the way."""
+    if any(each not in STEERING_INPUTS for each in test.path):
+        return True
     if not set(test.situation.state[len(PREFIX) :]) >= {"Controlled", "Ready"}:
         return False
     if test.stimulus.moves or test.stimulus.make is None:
