@@ -81,6 +81,19 @@ async def test_group_is_received_without_own_datagrams(free_port: int) -> None:
     await theirs.close()
 
 
+@pytest.mark.parametrize(("port", "clashes"), [(0, False), (1, True)], ids=["the own port", "another port"])
+async def test_echo_without_an_address_is_no_clash(sockets: list[socket.socket], port: int, clashes: bool) -> None:
+    """A host that has only the loopback interface, with a route for multicasts, sends them from 0.0.0.0."""
+    transport = UdpTransport(US, peer=sockets[0].getsockname())
+    await transport.open()
+    transport.send(packet(US, PEER))
+    _, (_, own) = await receive(sockets[0])
+    transport._take(packet(US, EVERYONE), ("0.0.0.0", own + port))
+    assert (await transport.id_clash() is not None) == clashes
+    assert transport.counters["echoes"] == (not clashes)
+    await transport.close()
+
+
 async def test_late_network_is_joined(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(multicast, "WATCH_INTERVAL", 0.01)
     attempts: list[OSError | None] = []
