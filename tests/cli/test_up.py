@@ -3,12 +3,17 @@
 from __future__ import annotations
 
 import asyncio
+import socket
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
+from typer.testing import CliRunner
 
+from jauspy.cli import up
+from jauspy.cli.main import app
 from jauspy.cli.up import print_summary
+from jauspy.ids import JausID
 from jauspy.modules.config import AccessControlConfig
 from jauspy.modules.robot_files import load
 from jauspy.platform.kinematic import KinematicRobot
@@ -64,3 +69,20 @@ async def test_modules_in_failure_are_named_with_the_reason(virtual_network, mon
     assert "are in Failure: subsystem 101" in first
     reset = "`jauspy send 101.1.103 Reset --connect local:/tmp/elsewhere` tries again"
     assert f"failed:    101.1.103: the robot: OSError: no such bus; {reset}" in lines
+
+
+def test_second_robot_of_one_kind_gets_its_own_id(monkeypatch, tmp_path) -> None:
+    started = []
+    monkeypatch.setattr(up, "run", lambda coroutine: (started.append(coroutine.cr_frame.f_locals), coroutine.close()))
+    command = ["up", "inc1", "--backend", "kinematic", "--local-root", str(tmp_path), "--no-node-manager"]
+    with socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM) as first:
+        first.bind(str(tmp_path / str(int(JausID(101, 1, 102)))))
+        result = CliRunner().invoke(app, command)
+        assert result.exit_code == 1
+        assert "101.1.102 is in use in" in result.stderr
+        assert "a second one needs its own: `jauspy up inc1 --id 102`" in " ".join(result.stderr.split())
+        assert started == []
+        assert CliRunner().invoke(app, [*command, "--id", "102"]).exit_code == 0
+    (second,) = started
+    config = second["runner"].config
+    assert {config.id_of(module).subsystem for module in config.modules} == {102}

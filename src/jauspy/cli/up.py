@@ -8,6 +8,7 @@ import signal
 import sys
 from collections.abc import AsyncIterator, Collection, Sequence
 from contextlib import AbstractAsyncContextManager, AsyncExitStack, asynccontextmanager
+from dataclasses import replace
 from pathlib import Path
 from typing import Annotated, Final
 
@@ -38,6 +39,7 @@ from jauspy.cli.options import (
 )
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
+from jauspy.ids import JausID
 from jauspy.modules import robot_files
 from jauspy.modules.cloud import Clouds
 from jauspy.modules.config import MOTIONLESS, RobotConfig
@@ -64,11 +66,24 @@ Backend = Annotated[
 ]
 
 
+LAST_SUBSYSTEM: Final = 65534
+
+
 def up(
     *,
     robot: Annotated[
         str, typer.Argument(metavar="ROBOT", help="The robot's name, as in inc1, or the path of its .toml file.")
     ],
+    subsystem: Annotated[
+        int | None,
+        typer.Option(
+            "--id",
+            min=1,
+            max=LAST_SUBSYSTEM,
+            metavar="SUBSYSTEM",
+            help="The robot's subsystem id, as for a second robot of one kind. Default: the robot's own.",
+        ),
+    ] = None,
     backend: Backend = None,
     bus: Bus = None,
     port: Port = DEFAULT_PORT,
@@ -152,8 +167,9 @@ def up(
     table shows modules, cameras and the node manager. SIGUSR1 prints all counters,
     and the true pose of a simulated robot; Ctrl-C stops all processes in order.
 
-    Example:
+    Examples:
       jauspy up inc1 --backend kinematic
+      jauspy up inc1 --id 102
     """
     file_mode(socket_mode)
     if verbose:
@@ -161,10 +177,11 @@ def up(
     if with_parent:
         end_with_parent()
     config = on_bus(robot_files.load(robot), bus)
-    scene: dict[str, object] = {"time_of_day": time_of_day, "quality": quality}
+    changes: dict[str, object] = {"subsystem": subsystem, "time_of_day": time_of_day, "quality": quality}
     if model_path:
-        scene["model_path"] = (*map(str, model_path), *config.model_path)
-    config = config.model_copy(update={key: value for key, value in scene.items() if value is not None})
+        changes["model_path"] = (*map(str, model_path), *config.model_path)
+    config = config.model_copy(update={key: value for key, value in changes.items() if value is not None})
+    check_ids_are_free(config, robot, local_root)
     clouds = Clouds(config, cloud or ())
     runner = RobotRunner(
         config,
@@ -196,6 +213,23 @@ def up(
     run(run_robot(runner, node, local_root, clouds, live=live, page=page))
     if own_root:
         remove_if_empty(local_root)
+
+
+def check_ids_are_free(config: RobotConfig, robot: str, root: Path) -> None:
+    """Raise `ConfigError` if a component of this machine has the id of one of the robot's modules."""
+    taken = _taken(config, config.subsystem, root)
+    if taken:
+        free = (number for number in range(config.subsystem + 1, LAST_SUBSYSTEM) if not _taken(config, number, root))
+        raise ConfigError(
+            f"{', '.join(map(str, taken))} {'are' if len(taken) > 1 else 'is'} in use in {root}: {config.name} is up, "
+            f"or another robot with its id; a second one needs its own: `jauspy up {robot} --id {next(free, 1)}`"
+        )
+
+
+def _taken(config: RobotConfig, subsystem: int, root: Path) -> list[JausID]:
+    """The ids of the robot's modules in this subsystem that components of this machine have."""
+    ids = [replace(config.id_of(module), subsystem=subsystem) for module in config.modules]
+    return [id for id in ids if local_socket.is_alive(root / str(int(id)))]
 
 
 KINEMATIC: Final = "kinematic"
