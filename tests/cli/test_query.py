@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-import pytest
+import asyncio
 
-from jauspy.cli.query import _ask
+import pytest
+from typer.testing import CliRunner
+
+from jauspy.cli.main import app
+from jauspy.cli.query import _ask, repeated
 from jauspy.errors import ResponseTimeout
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryHeartbeatPulse
@@ -12,9 +16,40 @@ from jauspy.messages.manipulator import QueryJointPositions
 from jauspy.services.core import Liveness
 
 
+async def asked(network, id, message):
+    ocu = network.ocu()
+    async with ocu:
+        await _ask(ocu, id, message)
+
+
 async def test_a_query_that_is_not_offered_says_so(virtual_network):
     async with virtual_network.component("7.1.1", [Liveness()]):
         with pytest.raises(ResponseTimeout, match=r"7\.1\.1 does not offer QueryJointPositions of manipulator:"):
-            await _ask(virtual_network.ocu(), JausID(7, 1, 1), QueryJointPositions())
+            await asked(virtual_network, JausID(7, 1, 1), QueryJointPositions())
     with pytest.raises(ResponseTimeout, match=r"QueryHeartbeatPulse .* times in .* and no answer came"):
-        await _ask(virtual_network.ocu(), JausID(7, 1, 1), QueryHeartbeatPulse())
+        await asked(virtual_network, JausID(7, 1, 1), QueryHeartbeatPulse())
+
+
+async def test_a_query_is_repeated_and_goes_on_after_a_missing_answer(virtual_network, capsys):
+    ocu = virtual_network.ocu()
+    clock, times = asyncio.get_running_loop().time, []
+
+    async def ask(first):
+        times.append(clock())
+        if len(times) == 2:
+            raise ResponseTimeout("7.1.1 did not answer")
+        await _ask(ocu, JausID(7, 1, 1), QueryHeartbeatPulse(), first=first)
+
+    async with virtual_network.component("7.1.1", [Liveness()]):
+        await repeated(ocu, ask, 0.5, 3)
+    assert [round(time - times[0], 6) for time in times] == [0.0, 0.5, 1.0]
+    printed = capsys.readouterr()
+    assert printed.out.count("ReportHeartbeatPulse") == 2
+    assert "7.1.1 did not answer" in printed.err
+
+
+def test_a_report_is_no_query():
+    result = CliRunner().invoke(app, ["query", "7.1.1", "ReportStatus", "status=1", "reserved=0"])
+    assert result.exit_code == 1
+    sentence = "ReportStatus is not a query but the answer to one; `jauspy query ID QueryStatus` asks for it"
+    assert sentence in " ".join(result.stderr.split())

@@ -11,7 +11,7 @@ import pytest
 from jauspy.component import Component, ComponentOptions
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportHeartbeatPulse
-from jauspy.node import NodeConfig, NodeManager
+from jauspy.node import NodeConfig, NodeManager, status
 from jauspy.protocol.delivery import Delivery
 from jauspy.protocol.header import Ack, Packet
 from jauspy.services.core import Liveness
@@ -77,3 +77,5 @@ async def test_ipv6(root: Path) -> None:
         ):
             await b.deliver(A, ReportHeartbeatPulse())
             assert (await arrived.get()).source == B
+            (network,) = (await status.read(root / "a"))["networks"]
+            assert network["address6"] == f"[::1]:{first.port}"

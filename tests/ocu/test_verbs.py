@@ -118,7 +118,10 @@ async def test_arm_positions_are_those_of_the_description(inc1, robot):
 
 
 async def test_all_joints_are_reported_as_in_the_description(inc1, robot):
-    joints = (await inc1.joints()).positions
+    reported = await inc1.joints()
+    joints = reported.positions
+    assert dict(reported.items()) == dict(joints)
+    assert (list(reported), len(reported)) == (list(joints), len(joints))
     for name, value in {
         TURN: 0.0,
         SHOULDER: 2.7,

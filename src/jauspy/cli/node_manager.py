@@ -282,7 +282,11 @@ def _network(network: Mapping[str, Any]) -> tuple[str, ...]:
     buffer = network["receive_buffer"]
     notes = [word for word in ("inside", "authenticated") if network[word]]
     kernel = f"{buffer['bytes']} of {buffer['limit']} bytes buffered, {buffer['dropped']} dropped by the kernel"
-    return network["name"], network["address"], f"group {network['multicast_group']}", ", ".join([*notes, kernel])
+    addresses, groups = (
+        " and ".join(network[key] for key in keys if network.get(key))
+        for keys in (("address", "address6"), ("multicast_group", "multicast_group6"))
+    )
+    return network["name"], addresses, f"group {groups}", ", ".join([*notes, kernel])
 
 
 def _peer(peer: Mapping[str, Any]) -> tuple[str, ...]:

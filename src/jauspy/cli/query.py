@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import asyncio
+import itertools
+from collections.abc import Awaitable, Callable
 from typing import Annotated, Final
 
 import typer
@@ -49,6 +52,13 @@ def query(
     version: ServiceVersion = None,
     connect: Connect = None,
     own_id: OwnId = None,
+    every: Annotated[
+        float | None,
+        typer.Option("--every", min=0.01, metavar="SECONDS", help="Query again at this interval, until Ctrl-C."),
+    ] = None,
+    count: Annotated[
+        int | None, typer.Option("--count", min=1, metavar="N", help="With --every: end after this many queries.")
+    ] = None,
     timeout: Timeout = 2.0,
 ) -> None:
     """Query a component and print its answer.
@@ -56,12 +66,14 @@ def query(
     The answer is YAML on a terminal and one JSON object per line in a pipe. For an id with wildcards, as in 101.1.255,
     all answers within the timeout are printed. Without a presence vector, every field is requested. Lengths are in
     metres, angles in radians, times in seconds. Poses and velocities of messages have the axes of JAUS: x forward, y
-    right, z down; `jauspy tf` shows poses with y to the left (REP-103).
+    right, z down; `jauspy tf` shows poses with y to the left (REP-103). With --every, a missing answer is noted on
+    stderr, and the next query is sent all the same.
 
     Examples:
       jauspy query 101.1.102 QueryStatus
       jauspy query 101.1.102 QueryLocalPose presence_vector=0x43
       jauspy query 65535.255.255 QueryIdentification query_type=2
+      jauspy query 101.1.102 QueryLocalPose --every 0.5 --count 10
 
     `jauspy schema show MESSAGE` prints an example of any message, lists and records included.
     """
@@ -69,31 +81,67 @@ def query(
     known = definitions(sources)
     query_message = message_from(known.registry, message, fields or [], known.hints(service, version))
     if not query_message.IS_QUERY:
-        raise ConfigError(f"{query_message.NAME} is not a query and has no answer; use `jauspy send`")
+        raise ConfigError(f"{query_message.NAME} {_no_query(query_message)}")
+    if count is not None and every is None:
+        raise typer.BadParameter("it requires --every", param_hint="--count")
     ocu = client.make_ocu(own_id, connect, timeout, known.registry)
-    run(_ask_all(ocu, to, query_message, timeout) if to.is_wildcard else _ask(ocu, to, query_message))
+
+    async def ask(first: bool) -> None:
+        if to.is_wildcard:
+            await _ask_all(ocu, to, query_message, timeout, first=first)
+        else:
+            await _ask(ocu, to, query_message, first=first)
+
+    run(repeated(ocu, ask, every, count))
 
 
-async def _ask(ocu: OCU, to: JausID, query_message: Message) -> None:
-    """Print the answer of one component."""
+def _no_query(message: Message) -> str:
+    """What a message that is no query is, and which verb is meant."""
+    if message.IS_COMMAND or not message.NAME.startswith("Report"):
+        return "is not a query and has no answer; use `jauspy send`"
+    query_name = message.NAME.replace("Report", "Query", 1)
+    return f"is not a query but the answer to one; `jauspy query ID {query_name}` asks for it"
+
+
+async def repeated(ocu: OCU, ask: Callable[[bool], Awaitable[None]], every: float | None, count: int | None) -> None:
+    """Call `ask` once, or at an interval in seconds; `count` times, or until cancelled.
+
+    Its argument is true the first time.
+    """
     async with ocu:
-        try:
-            answer = await ocu.query(to, query_message)
-        except ResponseTimeout as error:
-            reason = await ocu.explain(to, query_message)
-            if reason and not reason.startswith(f"{to} does not answer"):
-                raise ResponseTimeout(f"{query_message.NAME} was not answered: {reason}") from error
-            raise
-    _show(answer, to)
+        if every is None:
+            await ask(True)
+            return
+        clock = asyncio.get_running_loop().time
+        due = clock()
+        for number in range(count) if count is not None else itertools.count():
+            due = max(due, clock())
+            await asyncio.sleep(due - clock())
+            due += every
+            try:
+                await ask(number == 0)
+            except ResponseTimeout as error:
+                console.note(str(error))
 
 
-async def _ask_all(ocu: OCU, to: JausID, query_message: Message, max_wait: float) -> None:
+async def _ask(ocu: OCU, to: JausID, query_message: Message, *, first: bool = True) -> None:
+    """Print the answer of one component."""
+    try:
+        answer = await ocu.query(to, query_message)
+    except ResponseTimeout as error:
+        reason = await ocu.explain(to, query_message)
+        if reason and not reason.startswith(f"{to} does not answer"):
+            raise ResponseTimeout(f"{query_message.NAME} was not answered: {reason}") from error
+        raise
+    _show(answer, to, first=first)
+
+
+async def _ask_all(ocu: OCU, to: JausID, query_message: Message, max_wait: float, *, first: bool = True) -> None:
     """Print all answers as they arrive."""
     count = 0
-    async with ocu:
-        async for source, answer in ocu.query_each(to, query_message, within=max_wait):
-            _show(answer, source, first=not count)
-            count += 1
+    async for source, answer in ocu.query_each(to, query_message, within=max_wait):
+        _show(answer, source, first=first and not count)
+        count += 1
     if not count:
         raise ResponseTimeout(f"no component of {to} answered {query_message.NAME} within {max_wait:g} s")
 

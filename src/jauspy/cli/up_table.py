@@ -168,7 +168,7 @@ def _node_status(status: Mapping[str, Any], packets: float) -> NodeStatus:
     kernel = sum(each["receive_buffer"]["dropped"] for each in status["networks"])
     dropped = {name: n for name, n in status["counters"].items() if name.startswith("dropped.") and n}
     return NodeStatus(
-        tuple(each["address"] for each in status["networks"]),
+        tuple(each[key] for each in status["networks"] for key in ("address", "address6") if each.get(key)),
         len(status["components"]),
         len(status["peers"]),
         packets,

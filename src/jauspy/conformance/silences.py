@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Iterator
 from contextlib import contextmanager
 from typing import Final, TypeVar
@@ -26,8 +26,10 @@ class Silences:
         self._tester = tester
         self._component = component
         self._queries: Counter[type[Message]] = Counter()
-        self._inputs: dict[tuple[str, str], list[str]] = {}
-        """The reasons of silent steps by the state, and the message that was sent."""
+        self._inputs: defaultdict[str, dict[str, list[str]]] = defaultdict(dict)
+        """The reasons of silent steps by the message that was sent, and the state."""
+        self._passed: set[str] = set()
+        """The messages of steps that were not silent."""
 
     def ask(self, query: Message, report: type[M]) -> M | None:
         """The answer to the observer; None if the query was given up.
@@ -52,16 +54,23 @@ class Silences:
 
     @contextmanager
     def of_input(self, message: str, state: str) -> Iterator[None]:
-        """A step that sends this message in a state. Raises `Skipped` if the last ones there were silent."""
-        before = self._inputs.setdefault((state, message), [])
-        if len(before) >= MAX_SILENCES:
-            raise Skipped(f"{message} is not sent again in {state}: {before[-1]} in {len(before)} steps before")
+        """A step that sends this message in a state.
+
+        Raises `Skipped` if the last ones there were silent, or if those in several states were and it never passed.
+        """
+        here = self._inputs[message].setdefault(state, [])
+        if len(here) >= MAX_SILENCES:
+            raise Skipped(f"{message} is not sent again in {state}: {here[-1]} in {len(here)} steps before")
+        everywhere = [reason for reasons in self._inputs[message].values() for reason in reasons]
+        if message not in self._passed and len(everywhere) > MAX_SILENCES:
+            raise Skipped(f"{message} is not sent again: {everywhere[-1]} in {len(everywhere)} steps before")
         try:
             yield
         except Silent as silent:
-            before.append(str(silent))
+            here.append(str(silent))
             raise
-        before.clear()
+        here.clear()
+        self._passed.add(message)
 
 
 def silences_of(component: JausID, tester: Tester) -> Silences:

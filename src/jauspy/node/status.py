@@ -60,7 +60,9 @@ class NodeState:
         return {
             "name": name,
             "address": f"{config.address}:{network.port}",
+            "address6": None if config.address6 is None else f"[{config.address6}]:{network.port}",
             "multicast_group": config.multicast_group,
+            "multicast_group6": config.multicast_group6,
             "inside": inside,
             "authenticated": network.authenticator is not None,
             "receive_buffer": {"bytes": buffer.bytes, "limit": buffer.limit, "dropped": buffer.dropped},

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import ItemsView, Iterator, Mapping
 from dataclasses import dataclass
 from datetime import UTC, datetime, timedelta
 from typing import Final
@@ -30,7 +30,7 @@ class RobotPose:
 
 @dataclass(frozen=True, slots=True)
 class Joints:
-    """Positions by the name of the joint, in radians or metres; `joints["elbow"]`."""
+    """Positions by the name of the joint, in radians or metres: `joints["elbow"]`, `joints.items()`."""
 
     positions: Mapping[str, float]
     time: datetime
@@ -38,6 +38,17 @@ class Joints:
 
     def __getitem__(self, name: str) -> float:
         return self.positions[name]
+
+    def __iter__(self) -> Iterator[str]:
+        """The names."""
+        return iter(self.positions)
+
+    def __len__(self) -> int:
+        return len(self.positions)
+
+    def items(self) -> ItemsView[str, float]:
+        """Names and positions, as of a mapping."""
+        return self.positions.items()
 
 
 def pose_of(report: ReportLocalPose, now: datetime) -> RobotPose:
