@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from jauspy.ids import EVERYONE, JausID
-from jauspy.node import NodeConfig, NodeManager
+from jauspy.node import NodeConfig, NodeManager, status
 from jauspy.protocol import judp, junior
 from jauspy.protocol.header import Ack, Broadcast, Packet
 
@@ -49,6 +49,10 @@ async def test_ocu_reaches_a_module_behind_the_gateway(root: Path, free_port: in
         ocu.sendto(judp.pack(Packet(OCU, LOCAL, b"\x02\x20")), ("127.0.0.1", free_port))
         await receive(local)
         assert node.counters["dropped.gateway.not_addressed_here"] == 2
+        reported = await status.read(root)
+        assert reported["refused"] == [
+            {"message": "QueryStatus 2002h", "network": "lan", "why": "not_addressed_here", "count": 2}
+        ]
         assert node.counters["relayed"] == 40
 
 

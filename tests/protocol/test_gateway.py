@@ -261,3 +261,15 @@ def test_unicast_in_a_ring_of_networks_ends() -> None:
     assert len(ring.crossings) <= 2
     ring.hear(message(MOB, JausID(43, 1, 1)), MOB_PORT)
     assert len(ring.crossings) <= 4
+
+
+def test_refused_messages_are_counted_by_kind_and_bounded() -> None:
+    core = gateway(GatewayRule(True, messages=(range(0x2000, 0x2100),)))
+    for code in (0x2002, 0x0405, 0x0405):
+        after(core, message(OCU, MOB, code=code), OCU_PORT)
+    assert core.gateway is not None
+    assert dict(core.gateway.refused) == {("rule", "lan", 0x0405): 2}
+    for code in range(rules.MAX_REFUSED + 1):
+        after(core, message(OCU, MOB, code=code), OCU_PORT)
+    assert len(core.gateway.refused) == rules.MAX_REFUSED
+    assert ("rule", "lan", 0x0405) not in core.gateway.refused

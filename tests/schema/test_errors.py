@@ -328,7 +328,9 @@ def test_error_in_an_unused_type(jsidl):
 
 def test_type_set_that_is_not_loaded(jsidl):
     jsidl.service(types=f'<declared_type_set_ref name="t" id="urn:t" version="1.0"/>{HERE}')
-    assert_matches(jsidl.error(), "no declared_type_set urn:t 1.0 is loaded; there are none")
+    assert_matches(
+        jsidl.error(), "no declared_type_set urn:t 1.0 is loaded; there are none; name its file, too, or the folder"
+    )
 
 
 def test_parent_that_is_not_loaded(jsidl):
@@ -336,7 +338,8 @@ def test_parent_that_is_not_loaded(jsidl):
         references=f'<references>\n<inherits_from name="p" id="urn:test:Tset" version="1.0"/>{HERE}</references>'
     )
     assert_matches(
-        jsidl.error(), "inherits_from: no service urn:test:Tset 1.0 is loaded; did you mean urn:test:Test 1.0?"
+        jsidl.error(),
+        r"no service urn:test:Tset 1.0 is loaded; did you mean urn:test:Test 1.0\?; name its file, too, or the folder",
     )
 
 

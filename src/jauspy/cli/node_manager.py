@@ -271,6 +271,9 @@ def _show(status: Mapping[str, Any]) -> None:
     _table("networks", map(_network, status["networks"]))
     _table("components", ((each["id"], each["path"], f"{each['waiting']} waiting") for each in status["components"]))
     _table("peers", map(_peer, status["peers"]))
+    if refused := status.get("refused"):
+        rows = ((each["message"], f"from {each['network']}", each["why"], str(each["count"])) for each in refused)
+        _table("refused by the gateway", rows)
     _table("queues", ((name, str(count)) for name, count in status["queues"].items()))
     counters = status["counters"]
     dropped = {name: count for name, count in counters.items() if name.startswith("dropped.")}

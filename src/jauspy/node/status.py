@@ -14,9 +14,11 @@ from typing import Any, Final
 
 from jauspy.errors import TransportError
 from jauspy.ids import JausID
+from jauspy.messages import registry
 from jauspy.node.config import NodeConfig
 from jauspy.node.network import Network
 from jauspy.protocol.addressing import NetworkPort, format_port
+from jauspy.protocol.gateway import Refused
 from jauspy.protocol.routing import Router
 from jauspy.transport import local
 from jauspy.transport.listener import Listener, stream_protocol
@@ -50,6 +52,7 @@ class NodeState:
             "components": [self._component(id, format_port(port)) for id, port in sorted(self.router.components)],
             "peers": [self._peer(*entry) for entry in self.router.address_book],
             "clashes": [self._clash(*entry) for entry in self.router.clashes.recent(self.now)],
+            "refused": [self._refused(*entry) for entry in self._gateway_refusals()],
             "queues": {"ingress": self.ingress, "unknown_destinations": self.router.pending_messages},
             "counters": dict(sorted(self.router.counters.items())),
         }
@@ -74,6 +77,14 @@ class NodeState:
     def _clash(self, id: int, port: NetworkPort, heard: float) -> dict[str, Any]:
         return {"id": str(JausID.from_int(id)), "address": format_port(port), "heard": round(heard, 3)}
 
+    def _gateway_refusals(self) -> list[tuple[Refused, int]]:
+        """What the gateway refused, the most frequent first."""
+        gateway = self.router.gateway
+        return sorted(gateway.refused.items(), key=lambda entry: -entry[1]) if gateway is not None else []
+
+    def _refused(self, kind: Refused, count: int) -> dict[str, Any]:
+        return {"message": _message_name(kind.code), "network": kind.network, "why": kind.why, "count": count}
+
     def _peer(self, id: int, port: NetworkPort, heard: float | None) -> dict[str, Any]:
         return {
             "id": str(JausID.from_int(id)),
@@ -81,6 +92,14 @@ class NodeState:
             "network": port.network,
             "heard": None if heard is None else round(self.now - heard, 3),
         }
+
+
+def _message_name(code: int | None) -> str:
+    """The name and id of a message, as in `SetWrenchEffort 0405h`; vendors' messages have only their id here."""
+    if code is None:
+        return "ACK or further fragment"
+    names = dict.fromkeys(entry.name for entry in registry.entries_of(code))
+    return " or ".join(names) + f"{' ' if names else ''}{code:04X}h"
 
 
 class StatusServer:

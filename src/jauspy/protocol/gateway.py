@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from typing import Final
+from typing import Final, NamedTuple
 
 from jauspy.ids import EVERYONE, JausID
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, RawPacket
@@ -21,6 +21,18 @@ MAX_FRAGMENT_STREAMS: Final = 1024
 _ACKNOWLEDGEMENTS: Final = frozenset({Ack.ACK, Ack.NAK})
 FRAGMENT_TIMEOUT: Final = 10.0
 """Seconds after an allowed fragment in which the next one is allowed without a first one."""
+
+
+MAX_REFUSED: Final = 64
+"""Kinds of refused packets that are counted."""
+
+
+class Refused(NamedTuple):
+    """A kind of refused packets. `why` is a counter's name, `code` the message id, None of ACKs and further fragments."""
+
+    why: str
+    network: str
+    code: int | None
 
 
 @dataclass(frozen=True, slots=True)
@@ -124,9 +136,21 @@ class Gateway:
         self._inside = tuple(inside)
         self._outside = tuple(name for name in networks if name not in self._inside)
         self._rules = rules
+        self.refused: OrderedDict[Refused, int] = OrderedDict()
+        """How many packets of each kind were refused; of the kinds refused last, at most `MAX_REFUSED`."""
 
     def refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
         """Why a packet from `network` is refused, as a counter's name; None when it is accepted."""
+        why = self._refusal(raw, data, network, now)
+        if why is not None:
+            continues = raw.control >> 6 in (DataFlag.MIDDLE, DataFlag.LAST)
+            kind = Refused(why, network, None if continues else _message_id(raw, data))
+            self.refused[kind] = self.refused.pop(kind, 0) + 1
+            if len(self.refused) > MAX_REFUSED:
+                self.refused.popitem(last=False)
+        return why
+
+    def _refusal(self, raw: RawPacket, data: bytes, network: str, now: float) -> str | None:
         if network in self._outside:
             if raw.source >> 16 == self._subsystem:
                 return "own_id_outside"

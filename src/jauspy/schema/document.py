@@ -60,6 +60,10 @@ def suggestion(name: str, known: Iterable[str]) -> str:
     return f"; known: {', '.join(names[:12])}{', ...' if len(names) > 12 else ''}"
 
 
+NAME_ITS_FILE: Final = "name its file, too, or the folder of its set, such as core"
+"""What to do when a definition of another file is missing."""
+
+
 def required(element: Element, name: str) -> str:
     """The text of a mandatory attribute."""
     text = element.get(name)

@@ -9,7 +9,19 @@ from dataclasses import replace
 from lxml.etree import _Element as Element
 
 from jauspy.schema.behavior import read_behavior
-from jauspy.schema.document import child, flag, identity, line_of, location, prose, required, suggestion, text_of, wrong
+from jauspy.schema.document import (
+    NAME_ITS_FILE,
+    child,
+    flag,
+    identity,
+    line_of,
+    location,
+    prose,
+    required,
+    suggestion,
+    text_of,
+    wrong,
+)
 from jauspy.schema.fields import read_content
 from jauspy.schema.library import Key, Scope
 from jauspy.schema.model import DeclaredType, FixedField, InternalEvent, Message, Record, Reference, Service
@@ -179,7 +191,7 @@ def _resolve_parent(service: Service, versions: Mapping[str, list[str]], root: E
         element = child(child(root, "references"), "inherits_from")
         wanted = f"{parent.id} {parent.version}"
         known = suggestion(wanted, (f"{urn} {version}" for urn, found in versions.items() for version in found))
-        raise wrong(element, f"inherits_from: no service {wanted} is loaded{known}")
+        raise wrong(element, f"inherits_from: no service {wanted} is loaded{known}; {NAME_ITS_FILE}")
     return replace(service, inherits_from=replace(parent, version=max(matches, key=version_key)))
 
 
