@@ -6,7 +6,7 @@ import asyncio
 
 import pytest
 
-from jauspy.messages.core import SetEmergency, Standby
+from jauspy.messages.core import SetEmergency, Shutdown, Standby
 from jauspy.messages.manipulator import JointEffortRec, JointPositionRec, SetJointEffort, SetJointPositions
 from jauspy.messages.mobility import SetVelocityCommand, SetWrenchEffort
 from jauspy.messages.ugv import SetSkidSteerEffort
@@ -38,6 +38,13 @@ async def test_standby_and_emergency(inc1, ocu):
         assert await ocu.explain(DRIVER, WRENCH) == f"{DRIVER} is in Standby: resume first"
         await ocu.send(DRIVER, SetEmergency(SetEmergency.EmergencyCode.STOP), ack=True)
         assert "in Emergency: whoever set the emergency must clear it" in await ocu.explain(DRIVER, WRENCH)
+
+
+async def test_shutdown_that_was_taken_needs_no_explanation(inc1, ocu):
+    async with inc1.control("drive"):
+        await ocu.send(DRIVER, Shutdown(), ack=True)
+        assert await ocu.explain(DRIVER, Shutdown()) == ""
+        assert await ocu.explain(DRIVER, WRENCH) == f"{DRIVER} is in Shutdown: start the component again"
 
 
 async def test_service_that_is_not_offered(inc1, ocu):

@@ -27,7 +27,6 @@ from jauspy.conformance.profile import Offers, Profile, Step, find, known
 from jauspy.conformance.reports import explanation, result_json, summary, summary_json, transcript
 from jauspy.conformance.results import Report, Result, Verdict, transitions_summary
 from jauspy.conformance.runner import Interrupted, OnResult, Settings, planned_steps, run
-from jauspy.conformance.state_tests.plan import service_profile
 from jauspy.conformance.wire import Wire, open_wire
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
@@ -126,14 +125,14 @@ def conformance(
     if profile is not None and ":" in profile and not _is_urn(profile):
         sys.path.append("")  # the user's profile may be in the current directory; last, so that it hides no module
     try:
-        known = definitions(schemas)
-        offers = named_offers(services, target, known.own)
+        defined = definitions(schemas)
+        offers = named_offers(services, target, defined.own)
         if list_:
             if profile is None:
                 show_list()
             else:
-                chosen = chosen_profile(profile, known.registry)
-                show_steps(steps_of(chosen, target, connect, timeout, offers, messages=known.registry))
+                chosen = chosen_profile(profile, defined.registry)
+                show_steps(steps_of(chosen, target, connect, timeout, offers, messages=defined.registry))
             return
         if profile is None or target is None:
             raise ConfigError("name a profile and a target, as in `jauspy conformance igvc-2015 --target 101.1.255`")
@@ -143,8 +142,10 @@ def conformance(
             try:
                 with progress_line() as progress:
                     watch = _print_json if json else progress
-                    chosen = chosen_profile(profile, known.registry)
-                    report = report_of(chosen, target, connect, settings, watch, offers=offers, messages=known.registry)
+                    chosen = chosen_profile(profile, defined.registry)
+                    report = report_of(
+                        chosen, target, connect, settings, watch, offers=offers, messages=defined.registry
+                    )
                 status = report.status
             except Interrupted as stop:
                 report, status = stop.report, stopped()
@@ -244,7 +245,11 @@ def _is_urn(profile: str) -> bool:
 
 def chosen_profile(name: str, messages: Registry) -> Profile:
     """The profile of this name, or that of the service with this URN. Raises `ConfigError` for an unknown one."""
-    return service_profile(name, messages) if _is_urn(name) else find(name)
+    if not _is_urn(name):
+        return find(name)
+    from jauspy.conformance.state_tests.plan import service_profile
+
+    return service_profile(name, messages)
 
 
 def named_offers(names: str | None, target: str | None, own: Schema | None = None) -> Offers | None:

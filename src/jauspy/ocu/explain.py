@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import asyncio
+from collections.abc import Mapping
 from typing import Any, Final
 
 from jauspy.codec.message import Message
@@ -17,6 +18,7 @@ from jauspy.messages.core import (
     ReportServices,
     ReportStatus,
     Reset,
+    Shutdown,
 )
 from jauspy.messages.manipulator import QueryJointPositions, ReportJointPositions
 from jauspy.messages.mobility import QueryVelocityCommand, ReportVelocityCommand, SetVelocityCommand
@@ -42,6 +44,11 @@ _STATES: Final[dict[int, str]] = {
 }
 _UNAVAILABLE: Final = frozenset({*REMEDIES, ReportStatus.Status.INITIALIZE})
 """The states in which a component gives control to nobody (AS5710)."""
+_FITTING: Final[Mapping[int, tuple[type[Message], ...]]] = {
+    ReportStatus.Status.FAILURE: (Reset,),
+    ReportStatus.Status.SHUTDOWN: (Shutdown,),
+}
+"""Commands that are taken in such a state, or lead to it."""
 _JOINT_LISTS: Final = {
     "SetJointPositions": "joint_position_list",
     "SetJointVelocity": "joint_velocity_list",
@@ -78,7 +85,8 @@ async def explain(
         return problem
     if command is None or needs_control(command):
         if isinstance(status, ReportStatus) and status.status in _UNAVAILABLE:
-            return "" if _recovers(command, status) else f"{id} is {_STATES[status.status]}"
+            fits = isinstance(command, _FITTING.get(status.status, ()))
+            return "" if fits else f"{id} is {_STATES[status.status]}"
         if isinstance(control, ReportControl) and (holder := controller(control)) != connection.id:
             who = "nobody" if holder == NO_CONTROLLER else f"{holder} with authority {control.authority_code}"
             return f"{id} takes commands only from the client in control, which is {who}: {TAKE_CONTROL}"
@@ -108,11 +116,6 @@ def _is_taken(command: Message | None, status: ReportStatus) -> bool:
     return command is not None and (
         command.SERVICE.endswith(":Management") or command.NAME.startswith(_TAKEN_IN_STANDBY)
     )
-
-
-def _recovers(command: Message | None, status: ReportStatus) -> bool:
-    """True for Reset in Failure, in which nobody is in control."""
-    return isinstance(command, Reset) and status.status == ReportStatus.Status.FAILURE
 
 
 async def _not_offered(connection: Connection, id: JausID, command: Message, retry: RetryPolicy) -> str:

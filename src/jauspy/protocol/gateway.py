@@ -28,7 +28,7 @@ MAX_REFUSED: Final = 64
 
 
 class Refused(NamedTuple):
-    """A kind of refused packets. `why` is a counter's name, `code` the message id, None of ACKs and further fragments."""
+    """A kind of refused packets. `why` is a counter's name, `code` the message id: None in ACKs and later fragments."""
 
     why: str
     network: str
