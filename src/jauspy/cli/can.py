@@ -25,6 +25,10 @@ Robot = Annotated[
     str, typer.Argument(metavar="ROBOT", help="The robot's name, as in inc1, or the path of its .toml file.")
 ]
 
+NODE_BITS: Final = 0x7F
+SERVICES: Final = frozenset({0x180, 0x280, 0x580, 0x700})
+"""Identifiers without the node, of the frames by which nodes are found and read."""
+
 SCAN_TIME: Final = 0.5
 """Seconds in which drives answer a scan."""
 
@@ -49,6 +53,7 @@ def _network(setup: CanSetup) -> Iterator[canopen.Network]:
     import canopen
 
     from jauspy.platform.can import bus as buses
+    from jauspy.platform.can.inbox import deviation
 
     if buses.split(setup.bus)[0] == buses.VIRTUAL:
         raise ConfigError(
@@ -59,9 +64,15 @@ def _network(setup: CanSetup) -> Iterator[canopen.Network]:
     network = canopen.Network(bus)
 
     def receive(message: can.Message) -> None:
-        network.notify(message.arbitration_id, message.data, message.timestamp)
+        if not deviation(message) and (message.arbitration_id & ~NODE_BITS in SERVICES):
+            network.notify(message.arbitration_id, message.data, message.timestamp)
 
-    receiver = buses.Receiver(bus, receive, lambda why: console.note(f"{setup.bus}: {why}"))
+    receiver = buses.Receiver(
+        bus,
+        receive,
+        lambda why: console.note(f"{setup.bus}: {why}"),
+        errors_forgeable=buses.split(setup.bus)[0] in buses.OPEN,
+    )
     try:
         yield network
     except (can.CanError, OSError) as error:
@@ -109,11 +120,13 @@ def _row(network: canopen.Network, setup: CanSetup, node: int, name: str, answer
     row: dict[str, Any] = {"node": node, "drive": name, "moves": setup.drives[name].moves if name else ""}
     if not answers:
         return row | {"state": "no answer"}
+    from jauspy.platform.can.configuration import read_object
+
     sdo: Any = network.add_node(node, canopen.ObjectDictionary()).sdo
 
     def read(index: int, sub: int = 0) -> bytes | None:
         try:
-            return bytes(sdo.upload(index, sub))
+            return read_object(sdo, index, sub)
         except SdoError:
             return None
 

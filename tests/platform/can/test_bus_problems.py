@@ -88,7 +88,7 @@ def test_another_master_stops_the_robot(robot: CanRobot) -> None:
     assert robot.wire is not None
     for _ in range(5):
         robot.wire.far.send(can.Message(arbitration_id=pdo.SYNC, is_extended_id=False))
-    assert "another master sends on virtual:motors: end it" in advance_until_fault(robot)
+    assert "another master sends SYNC on virtual:motors: end it" in advance_until_fault(robot)
 
 
 def test_a_robot_does_not_start_beside_another_master(open_can: OpenCan, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -30,6 +30,9 @@ VIRTUAL: Final = "virtual"
 ECHOING: Final = frozenset({"udp_multicast"})
 """Interfaces that echo sent frames."""
 
+OPEN: Final = frozenset({"udp_multicast"})
+"""Interfaces on which each program of the network may send, and also frames that say that the bus has failed."""
+
 
 def split(bus: str) -> tuple[str, str, dict[str, Any]]:
     """Interface, channel and options of `udp_multicast:239.0.0.1,port=43200`; raises `ConfigError`."""
@@ -171,10 +174,19 @@ MAX_ERRORS: Final = 5
 class Receiver:
     """A thread that passes each frame of a bus to `receive`.
 
-    Unreadable frames are counted and logged, and never end the thread. `failed` is called with `bus-off`.
+    Unreadable frames are counted and logged, and never end the thread. `failed` is called with `bus-off`, unless error
+    frames can be forged.
     """
 
-    def __init__(self, bus: can.BusABC, receive: Callable[[can.Message], None], failed: Callable[[str], None]) -> None:
+    def __init__(
+        self,
+        bus: can.BusABC,
+        receive: Callable[[can.Message], None],
+        failed: Callable[[str], None],
+        *,
+        errors_forgeable: bool = False,
+    ) -> None:
+        self._errors_forgeable = errors_forgeable
         self.counters: Counter[str] = Counter(frames=0, unreadable=0, error_frames=0)
         self._bus = bus
         self._receive = receive
@@ -202,12 +214,14 @@ class Receiver:
         self.counters["frames"] += 1
         if message.is_error_frame:
             self.counters["error_frames"] += 1
+            if self._errors_forgeable:
+                return
             text = error_frame_text(message)
             if text == "bus-off" or self._bus.state is can.BusState.ERROR:
                 self._failed("bus-off")
             else:
                 _LOG.warning("an error of the CAN bus: %s", text)
-        elif not message.is_remote_frame:
+        else:
             self._receive(message)
 
     def close(self) -> None:

@@ -157,6 +157,7 @@ ERRORS: Final = {
     0x8120: "CAN in error passive mode",
     0x8130: "the heartbeat of the robot stopped",
     0x8140: "recovered from bus-off",
+    0x8210: "a command (RPDO) of a wrong length was ignored",
     0x8250: "a command (RPDO) did not arrive in time",
     0x8400: "the speed is not what it should be",
     0x8611: "following error: the joint does not follow its command",

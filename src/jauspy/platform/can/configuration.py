@@ -27,6 +27,15 @@ PROFILE: Final = 402
 SDO_TIMEOUT: Final = 0.3
 SDO_TRIES: Final = 4
 
+NO_ANSWER: Final = "No SDO response received"
+"""The text of canopen's error."""
+
+MAX_ANSWERS: Final = 8
+"""Answers of a node that wait; canopen reads one, and drops the others."""
+
+MAX_OBJECT: Final = 256
+"""Bytes of an object that are read."""
+
 MODE_READS: Final = 20
 """Reads of the mode until the drive shows the one that was written."""
 
@@ -61,10 +70,13 @@ class Configurator:
     def __init__(self, network: canopen.Network, setup: CanSetup) -> None:
         self._network = network
         self._setup = setup
+        self._asked: tuple[int, Any] | None = None
+        """The node that is configured now, and its client."""
 
     def configure(self, drive: Drive) -> None:
         """Bring a drive to Pre-operational, check it, and write its settings. Raises `DriveFault`."""
         sdo = self._client(drive)
+        self._asked = drive.setup.node, sdo
         try:
             self._network.send_message(0, bytes((0x80, drive.setup.node)))  # NMT: Pre-operational
             check_identity(sdo, drive)
@@ -75,7 +87,12 @@ class Configurator:
             for wanted in pdo.ALL:
                 _map(sdo, wanted, drive)
             drive.homed = drive.setup.homing is None or is_homed(sdo)
-        except SdoCommunicationError:
+        except SdoCommunicationError as error:
+            if str(error) != NO_ANSWER:
+                raise DriveFault(
+                    f"{drive.name} gives wrong answers on {self._setup.bus} ({error}): another program sends as this "
+                    "node, or two drives have its node id"
+                ) from error
             raise DriveFault(
                 f"{drive.name} does not answer on {self._setup.bus}: check its supply, node id, bit rate "
                 f"({self._setup.bit_rate}), wiring and termination"
@@ -84,6 +101,18 @@ class Configurator:
             raise DriveFault(f"{drive.name} refuses its configuration: {error}") from error
         except (can.CanError, OSError) as error:
             raise DriveFault(f"{self._setup.bus} takes no frames: {describe(error)}") from error
+        finally:
+            self._asked = None
+
+    def receive_answer(self, node: int, data: bytes) -> bool:
+        """Take an answer of a node; False if it was not asked, or has answered more often than it was."""
+        if self._asked is None or self._asked[0] != node:
+            return False
+        answers = self._asked[1].responses
+        if answers.qsize() >= MAX_ANSWERS:
+            return False
+        answers.put(data)
+        return True
 
     def _client(self, drive: Drive) -> Any:
         node: Any = self._network.nodes.get(drive.setup.node)
@@ -199,8 +228,17 @@ def _map(sdo: Any, wanted: pdo.Pdo, drive: Drive) -> None:
         raise DriveFault(f"{drive.name} does not keep the mapping of PDO {wanted.parameter:04X}h: its mapping is fixed")
 
 
+def read_object(sdo: Any, index: int, sub: int) -> bytes:
+    """The first bytes of an object, `MAX_OBJECT` at most: an answer may go on for ever."""
+    found = b""
+    with sdo.open(index, sub, "rb", buffering=0) as stream:
+        while len(found) < MAX_OBJECT and (data := stream.read(MAX_OBJECT)):
+            found += data
+    return found
+
+
 def _read(sdo: Any, index: int, sub: int) -> int:
-    return int.from_bytes(sdo.upload(index, sub), "little")
+    return int.from_bytes(read_object(sdo, index, sub)[:4], "little")
 
 
 def _write(sdo: Any, index: int, sub: int, value: int, size: int) -> None:

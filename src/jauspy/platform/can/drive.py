@@ -21,6 +21,7 @@ from jauspy.platform.can.cia402 import (
     state_of,
     towards_operation,
 )
+from jauspy.platform.can.other_senders import Balance
 from jauspy.platform.can.setup import DriveSetup
 from jauspy.platform.can.units import DriveUnits, unwrapped
 
@@ -30,6 +31,11 @@ TRANSITION_TIME: Final = 0.1
 OPERATIONAL: Final = 5
 """The NMT state in which a drive sends and takes PDOs."""
 NMT_STATES: Final = {0: "has restarted", 4: "is stopped (NMT)", 127: "is in NMT state Pre-operational"}
+
+FAULTY: Final = frozenset({DriveState.FAULT, DriveState.FAULT_REACTION_ACTIVE})
+
+MAX_EXCESS: Final = 2
+"""Answers beyond SYNCs that a drive may send."""
 
 LIMIT_MARGIN: Final = 0.02
 """Fraction of a joint's range by which it may be beyond its limits."""
@@ -96,6 +102,10 @@ class Drive:
         """SYNCs since its last answer. SYNCs that this process did not send because it was blocked do not count."""
         self.received = 0
         """PDOs with its status."""
+        self.answers = Balance(max_unanswered)
+        """PDOs with its status, compared with SYNCs."""
+        self._failed_in = DriveState.NOT_READY
+        """Its state when the drives were stopped."""
         self._restarted = False
         self._enabled_at: float | None = None
         self._powered_at: float | None = None
@@ -118,12 +128,16 @@ class Drive:
         """As in `drive 'arm_2' (node 4)`."""
         return f"drive {self.setup.name!r} (node {self.setup.node})"
 
+    @property
+    def bounded_velocity(self) -> float:
+        """Its velocity within the limit of the joint, from which a new motion may begin."""
+        limit = self.joint.velocity
+        return max(-limit, min(limit, self.velocity))
+
     # --- received ---------------------------------------------------------------------------------------------------
 
-    def receive_status(self, data: bytes, now: float) -> None:
+    def receive_status(self, data: bytes, now: float) -> bool:
         """Take a PDO with status, position and torque."""
-        if len(data) != pdo.STATUS_LAYOUT.size:
-            return
         self.statusword, counts, torque = pdo.STATUS_LAYOUT.unpack(data)
         self.state = state_of(self.statusword)
         self.counts = counts if self.counts is None else unwrapped(counts, self.counts)
@@ -138,29 +152,33 @@ class Drive:
             self._saturated_since = None
         elif not begun:
             self._saturated_since = now
+        self.answers.received += 1
+        return True
 
-    def receive_speed(self, data: bytes) -> None:
+    def receive_speed(self, data: bytes) -> bool:
         """Take a PDO with velocity, mode and error code."""
-        if len(data) != pdo.SPEED_LAYOUT.size:
-            return
         velocity, self.mode_display, code = pdo.SPEED_LAYOUT.unpack(data)
         self.velocity = self.units.velocity(velocity)
         if code or self.state is not DriveState.FAULT:
             self.error_code = code
+        return True
 
-    def receive_emergency(self, data: bytes) -> None:
-        """Take an emergency message."""
-        if len(data) >= 3:
-            self.error_code, self.error_register = int.from_bytes(data[:2], "little"), data[2]
+    def receive_emergency(self, data: bytes) -> bool:
+        """Take an emergency message. It explains a fault, and is none: the statusword says whether the drive works."""
+        self.error_code, self.error_register = int.from_bytes(data[:2], "little"), data[2]
+        return True
 
-    def receive_heartbeat(self, data: bytes, now: float) -> None:
-        """Take a heartbeat; the state 0 means that the drive has started."""
-        if data:
-            self.nmt_state = data[0] & 0x7F
-            self.last_heartbeat = now
-            if not self.nmt_state:
-                self._restarted = True
-                self.configured = False
+    def receive_heartbeat(self, data: bytes, now: float) -> bool:
+        """Take a heartbeat; the state 0 means that the drive has started. Returns False for an unknown state."""
+        state = data[0] & 0x7F
+        if state != OPERATIONAL and state not in NMT_STATES:
+            return False
+        self.nmt_state = state
+        self.last_heartbeat = now
+        if not state:
+            self._restarted = True
+            self.configured = False
+        return True
 
     # --- commanded --------------------------------------------------------------------------------------------------
 
@@ -174,6 +192,11 @@ class Drive:
         self.last_status = self.last_heartbeat = now
         self.unanswered = 0
         self.configured = True
+
+    def forget_position(self) -> None:
+        """Read the encoder anew, beyond whose 32 bits forged positions may have led."""
+        self.counts = None
+        self.answers.reset()
 
     def start(self) -> None:
         """Hold the present position when it is enabled."""
@@ -222,9 +245,11 @@ class Drive:
         return True if self.statusword & HOMING_ATTAINED and self.statusword & TARGET_REACHED else None
 
     def stop(self) -> tuple[int, bytes]:
-        """COB-ID and bytes of a quick stop; a drive without power stays without."""
-        powered = self.state in {DriveState.OPERATION_ENABLED, DriveState.QUICK_STOP_ACTIVE}
-        return self.idle(Control.QUICK_STOP if powered else Control.SHUTDOWN)
+        """COB-ID and bytes of a quick stop; a drive without power stays without.
+
+        It does not depend on the reported state: a forged one must not take the power of a drive that holds a load.
+        """
+        return self.idle(Control.QUICK_STOP)
 
     def idle(self, control: int) -> tuple[int, bytes]:
         """COB-ID and bytes of a controlword, with the present position as target."""
@@ -263,13 +288,30 @@ class Drive:
 
     def fault(self, now: float) -> str:
         """Why it does not work although it can be reached; empty if it works. To be called after `run`."""
-        if self.state in {DriveState.FAULT, DriveState.FAULT_REACTION_ACTIVE}:
+        if self.state in FAULTY:
             return f"is in {self.state.value}: {self.error()}"
         if self._enabled_at is None:
             return ""
         if self.state is not DriveState.OPERATION_ENABLED and now - self._enabled_at > TRANSITION_TIME:
             return f"has left {DriveState.OPERATION_ENABLED.value} and is in {self.state.value}: {self.error()}"
         return self._deviation(now)
+
+    def imitation(self) -> str:
+        """Why its frames cannot all be its own; empty if they can."""
+        return "is not the only one that sends with its node id" if self.answers.excess() > self._max_unanswered else ""
+
+    def note_failure(self) -> None:
+        """Remember the state in which the drives are stopped."""
+        self._failed_in = self.state
+
+    def contradiction(self) -> str:
+        """What its frames since a failure contradict, as `but it answers SYNC`; empty if they agree."""
+        if (self._restarted or self.nmt_state in NMT_STATES) and self.unanswered <= 1:
+            return "but it answers SYNC"
+        if self._failed_in in FAULTY and self.state not in FAULTY:
+            return "and then that it is not, without a reset"
+        excess = self.answers.excess()
+        return f"and {excess} frames more than SYNCs were received from it" if excess > MAX_EXCESS else ""
 
     def error(self) -> str:
         """The text of its last error."""

@@ -21,6 +21,8 @@ from jauspy.platform.can.bus import hint, split
 from jauspy.platform.can.cia402 import Control, DriveState, towards_operation
 from jauspy.platform.can.configuration import Configurator
 from jauspy.platform.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
+from jauspy.platform.can.inbox import Inbox
+from jauspy.platform.can.other_senders import OtherMasters
 from jauspy.platform.can.setup import CanSetup, DriveFault
 
 _LOG: Final = get_logger("jauspy.can")
@@ -45,8 +47,8 @@ PAUSE: Final = 0.1
 MAX_SEND_ERRORS: Final = 5
 """Cycles in a row in which nothing could be sent."""
 
-FOREIGN_SYNCS: Final = 3
-"""SYNCs that this process did not send, after which there is another master."""
+FLOOD: Final = 2000.0
+"""Frames a second that are ignored, from which on silence of a drive is explained by them."""
 
 
 class Phase(Enum):
@@ -87,7 +89,6 @@ class Master:
         self._network = network
         self._clock = clock
         self._wait_cycle = wait_cycle
-        self._echoes = echoes
         self._configurator = Configurator(network, setup)
         self._phase = Phase.LISTENING
         self._failure = ""
@@ -96,44 +97,31 @@ class Master:
         self._next_heartbeat = 0.0
         self._last_cycle: float | None = None
         self._send_errors = 0
-        self._foreign = 0
         self._reset = False
         self._homing: Drive | None = None
         self._bus_error = ""
-        self._by_node = {drive.setup.node: drive for drive in drives.values()}
+        self._others = OtherMasters(setup, echoes=echoes)
+        self._second = (0.0, 0)
+        """The time of the last full second, and the frames that had been ignored then."""
+        self._ignored_rate = 0.0
+        self.inbox = Inbox()
         for drive in drives.values():
-            self._subscribe(drive)
-        network.subscribe(pdo.SYNC, self._on_sync)
-        network.subscribe(pdo.HEARTBEAT + setup.node, self._on_own_heartbeat)
+            self._expect_frames_of(drive)
+        self.inbox.expect(pdo.SYNC, 0, self._others.receive_sync)
+        self.inbox.expect(pdo.HEARTBEAT + setup.node, 1, self._others.receive_heartbeat)
+        self.inbox.expect(pdo.NMT, 2, self._others.receive_nmt)
 
     # --- the bus ----------------------------------------------------------------------------------------------------
 
-    def _subscribe(self, drive: Drive) -> None:
-        node, clock = drive.setup.node, self._clock
-
-        def on_status(_id: int, data: bytearray, _at: float) -> None:
-            drive.receive_status(bytes(data), clock())
-
-        def on_speed(_id: int, data: bytearray, _at: float) -> None:
-            drive.receive_speed(bytes(data))
-
-        def on_emergency(_id: int, data: bytearray, _at: float) -> None:
-            drive.receive_emergency(bytes(data))
-
-        def on_heartbeat(_id: int, data: bytearray, _at: float) -> None:
-            drive.receive_heartbeat(bytes(data), clock())
-
-        self._network.subscribe(pdo.STATUS.cob_id + node, on_status)
-        self._network.subscribe(pdo.SPEED.cob_id + node, on_speed)
-        self._network.subscribe(pdo.EMCY + node, on_emergency)
-        self._network.subscribe(pdo.HEARTBEAT + node, on_heartbeat)
-
-    def _on_sync(self, _id: int, _data: bytearray, _at: float) -> None:
-        self._foreign += 1
-
-    def _on_own_heartbeat(self, _id: int, _data: bytearray, _at: float) -> None:
-        if not self._echoes:
-            self._foreign += FOREIGN_SYNCS + 1
+    def _expect_frames_of(self, drive: Drive) -> None:
+        node, clock, expect = drive.setup.node, self._clock, self.inbox.expect
+        expect(pdo.STATUS.cob_id + node, pdo.STATUS_LAYOUT.size, lambda data: drive.receive_status(data, clock()))
+        expect(pdo.SPEED.cob_id + node, pdo.SPEED_LAYOUT.size, drive.receive_speed)
+        expect(pdo.EMCY + node, pdo.EMCY_SIZE, drive.receive_emergency)
+        expect(pdo.HEARTBEAT + node, 1, lambda data: drive.receive_heartbeat(data, clock()))
+        expect(pdo.SDO_ANSWER + node, pdo.SDO_SIZE, lambda data: self._configurator.receive_answer(node, data))
+        for mode, layout in pdo.COMMAND_LAYOUTS.items():
+            expect(pdo.COMMANDS[mode].cob_id + node, layout.size, self._others.receive_command)
 
     def bus_failed(self, why: str) -> None:
         """Note that the bus has failed, as by bus-off; any thread may call this."""
@@ -155,19 +143,18 @@ class Master:
             if self._phase is Phase.LISTENING:
                 return
             self._check_pause(now)
+            self._watch_flood(now)
             try:
                 if now >= self._next_heartbeat:
                     self._next_heartbeat = now + self.setup.heartbeat
                     self._send(pdo.HEARTBEAT + self.setup.node, bytes((OPERATIONAL,)))
+                    self._others.sent_heartbeat()
                 for drive in self.drives.values():
                     if drive.configured or self._phase in {Phase.STOPPED, Phase.CLOSING}:
                         self._send(*self._command(drive, now))
-                self._send(pdo.SYNC, b"")
+                        self._others.sent_command()
+                self._send_sync()
                 self.counters["syncs"] += 1
-                for drive in self.drives.values():
-                    drive.unanswered += 1
-                if self._echoes:
-                    self._foreign -= 1
                 self._send_errors = 0
             except (can.CanError, OSError):
                 self._send_errors += 1
@@ -175,6 +162,22 @@ class Master:
                     self._fail(None, self._bus_error, now)
             if self._phase in {Phase.RUNNING, Phase.ENABLING, Phase.HOMING}:
                 self._supervise(now)
+
+    def _send_sync(self) -> None:
+        self._send(pdo.SYNC, b"")
+        self._others.sent_sync()
+        for drive in self.drives.values():
+            drive.unanswered += 1
+            drive.answers.add_due()
+
+    def _watch_flood(self, now: float) -> None:
+        since, ignored = self._second
+        if now - since >= 1.0:
+            present = self.inbox.counters["ignored"]
+            self._ignored_rate = (present - ignored) / (now - since)
+            self._second = now, present
+            for drive in self.drives.values():
+                drive.answers.forgive()
 
     def _command(self, drive: Drive, now: float) -> tuple[int, bytes]:
         match self._phase:
@@ -202,12 +205,10 @@ class Master:
     def _supervise(self, now: float) -> None:
         if self._bus_error and self._send_errors == 0:
             self._fail(None, self._bus_error, now)
-        if self._foreign > FOREIGN_SYNCS:
-            self._fail(
-                None, f"another master sends on {self.setup.bus}: end it; two that command drives are dangerous", now
-            )
+        if what := self._others.found():
+            self._fail(None, f"another master sends {what}: end it; two that command drives are dangerous", now)
         for drive in self.drives.values():
-            if why := drive.silence(now, self.setup.heartbeat_timeout) or drive.fault(now):
+            if why := drive.silence(now, self.setup.heartbeat_timeout) or drive.fault(now) or drive.imitation():
                 self._fail(drive, why, now)
 
     def _bus_sentence(self, error: str, what_to_do: str = "") -> str:
@@ -229,12 +230,12 @@ class Master:
         self._failure, self._culprit, self._failed_at = why, drive, now
         for each in self.drives.values():
             each.motion.start(each)
+            each.note_failure()
         try:  # at once, not with the next SYNC only
             for each in self.drives.values():
                 self._send(*each.stop())
-            self._send(pdo.SYNC, b"")
-            if self._echoes:
-                self._foreign -= 1
+                self._others.sent_command()
+            self._send_sync()
         except (can.CanError, OSError):
             _LOG.warning("%s: the quick stop could not be sent; the drives stop without heartbeat", self.setup.bus)
 
@@ -264,6 +265,10 @@ class Master:
         why = self._failure
         if drive.state in {DriveState.FAULT, DriveState.FAULT_REACTION_ACTIVE} and "is in" in why:
             why = f"is in {drive.state.value}: {drive.error()}"  # the emergency message may have come later
+        if contradiction := drive.contradiction():
+            why = f"{why}, {contradiction}: another program seems to send as this node on {self.setup.bus}"
+        elif drive.unanswered and self._ignored_rate > FLOOD:
+            why = f"{why}; {self._ignored_rate:.0f} frames a second of others were received: end their sender"
         return f"{drive.name}, which moves {drive.joint.name!r}, {why}; the other drives were stopped"
 
     # --- start and recovery -----------------------------------------------------------------------------------------
@@ -297,8 +302,10 @@ class Master:
 
     def recover(self) -> None:
         """Try again after a failure: reset faults, configure drives that restarted. Blocks; raises `DriveFault`."""
-        self._bus_error, self._send_errors, self._foreign = "", 0, 0
+        self._bus_error, self._send_errors = "", 0
+        self._others.reset()
         for drive in self.drives.values():
+            drive.forget_position()
             if drive.nmt_state != OPERATIONAL or drive.silence(self._clock(), self.setup.heartbeat_timeout):
                 drive.configured = False
         self._set_phase(Phase.IDLE)
@@ -313,10 +320,8 @@ class Master:
     def _listen(self) -> None:
         for _ in range(round(LISTENING_TIME / self.period)):
             self._wait_cycle()
-        if self._foreign:
-            raise DriveFault(
-                f"another master sends SYNC on {self.setup.bus} already: end it; two that command drives are dangerous"
-            )
+        if what := self._others.found(tolerance=0):
+            raise DriveFault(f"another master sends {what} already: end it; two that command drives are dangerous")
 
     def _prepare(self) -> None:
         """Configure drives that are new, and reset faults."""
@@ -343,6 +348,7 @@ class Master:
         self._agree()
         for drive in self.drives.values():
             drive.start()
+        self._others.sends_nmt()
         self._set_phase(Phase.ENABLING)
         self._wait("enable operation", lambda drive: drive.state is DriveState.OPERATION_ENABLED, START_TIMEOUT)
         with self.lock:
@@ -357,6 +363,7 @@ class Master:
         if homing is None:
             return
         tell(f"{drive.name} moves {drive.joint.name!r} by homing method {homing.method}, {homing.timeout:g} s at most")
+        self._others.sends_nmt()
         with self.lock:
             self._homing = drive
             drive.start()

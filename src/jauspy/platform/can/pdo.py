@@ -9,11 +9,17 @@ from typing import Final
 
 from jauspy.platform.can.cia402 import Mode
 
+NMT: Final = 0
 SYNC: Final = 0x80
 EMCY: Final = 0x80
+SDO_ANSWER: Final = 0x580
 HEARTBEAT: Final = 0x700
 SDO_REQUEST: Final = 0x600
-"""COB-IDs; all but that of SYNC are added to a node id."""
+"""COB-IDs; all but those of NMT and SYNC are added to a node id."""
+
+SDO_SIZE: Final = 8
+EMCY_SIZE: Final = 8
+"""Bytes of these frames."""
 
 FORMATS: Final = {(8, False): "B", (8, True): "b", (16, False): "H", (16, True): "h", (32, False): "I", (32, True): "i"}
 SIGNED: Final = frozenset({0x6060, 0x6061, 0x6064, 0x606C, 0x6071, 0x6077, 0x607A, 0x60FF})

@@ -8,7 +8,6 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, Final
 
-import can
 import canopen
 
 from jauspy.errors import ConfigError
@@ -250,6 +249,11 @@ class CanRobot:
         return self._drives
 
     @property
+    def counters(self) -> Mapping[str, int]:
+        """Frames sent, taken and ignored, by reason."""
+        return {**self._ticker.received(), **self.master.counters, **self.master.inbox.counters}
+
+    @property
     def fleet(self) -> Fleet | None:
         """The simulated drives in this process."""
         return self._ticker.fleet
@@ -376,11 +380,12 @@ class _Simulated:
         self._owed = 0.0
         self._cycle: Callable[[float], None] = lambda _now: None
         self._tick: Callable[[], None] = lambda: None
-        wire.near_receives = self._receive
+        self._wire = wire
         wire.far_receives = self._fleet.receive
 
-    def _receive(self, message: can.Message) -> None:
-        self.network.notify(message.arbitration_id, message.data, message.timestamp)
+    def received(self) -> Mapping[str, int]:
+        """Nothing is lost on this bus."""
+        return {}
 
     def clock(self) -> float:
         """Seconds of the simulated bus."""
@@ -388,6 +393,7 @@ class _Simulated:
 
     def start(self, master: Master, tick: Callable[[], None]) -> None:
         """Start the cycles."""
+        self._wire.near_receives = master.inbox.receive
         self._cycle, self._tick = master.cycle, tick
 
     def wait_cycle(self) -> None:
@@ -419,6 +425,7 @@ class _Clocked:
 
     def __init__(self, setup: CanSetup, bus: str) -> None:
         self._bus = buses.open_bus(bus, setup.bit_rate)
+        self._errors_forgeable = buses.split(bus)[0] in buses.OPEN
         self._period = 1.0 / setup.sync_rate
         self.network = canopen.Network(self._bus)
         self._closing = threading.Event()
@@ -428,15 +435,18 @@ class _Clocked:
         self.late: list[float] | None = None
         """Seconds by which each cycle was late, for measurements."""
 
+    def received(self) -> Mapping[str, int]:
+        """Counters of the receiver."""
+        return self._receiver.counters if self._receiver else {}
+
     def start(self, master: Master, tick: Callable[[], None]) -> None:
         """Start the threads that receive, and that run the cycles."""
         self._master, self._tick = master, tick
-        self._receiver = buses.Receiver(self._bus, self._receive, master.bus_failed)
+        self._receiver = buses.Receiver(
+            self._bus, master.inbox.receive, master.bus_failed, errors_forgeable=self._errors_forgeable
+        )
         self._thread = threading.Thread(target=self._run, name="CAN cycle", daemon=True)
         self._thread.start()
-
-    def _receive(self, message: can.Message) -> None:
-        self.network.notify(message.arbitration_id, message.data, message.timestamp)
 
     def _run(self) -> None:
         clock, due = time.monotonic, time.monotonic()

@@ -47,6 +47,15 @@ TEMPERATURE_OBJECT: Final = 0x2F10
 COMMAND_TIMEOUT: Final = 0.1
 """Seconds without SYNC, or without a command, after which an enabled drive stops."""
 
+WRONG_LENGTH: Final = 0x8210
+"""The error code of a command (RPDO) of another length, which is told once, ignored, and no fault."""
+
+FIRST_SENT: Final = 0x1800
+"""The index of the parameter of the first PDO that a drive sends; those that it takes have lower ones."""
+
+WRITABLE: Final = frozenset({0x6040, 0x6060, 0x6071, 0x607A, 0x60FF})
+"""Objects that may be mapped into commands."""
+
 START_HOMING: Final = 0x10
 """Bit of the controlword."""
 
@@ -103,6 +112,8 @@ class SimulatedDrive:
         self._targets = {0x607A: 0, 0x60FF: 0, 0x6071: 0}
         self._code = self._register = 0
         self._pending: dict[int, bytes] = {}
+        self.ignored = 0
+        """Commands of another length than is mapped."""
         self._layouts: dict[int, tuple[struct.Struct, tuple[int, ...]]] = {}
         self._last_sync: float | None = None
         self._last_command: float | None = None
@@ -208,7 +219,14 @@ class SimulatedDrive:
             self._consumed.last = self._now
 
     def _on_command(self, can_id: int, data: bytearray, _at: float) -> None:
-        self._pending[can_id - self.setup.node] = bytes(data)
+        cob_id = can_id - self.setup.node
+        layout = self._layout(next(each.parameter for each in pdo.COMMANDS.values() if each.cob_id == cob_id))
+        if layout is None or len(data) != layout[0].size:
+            self.ignored += 1
+            if self.ignored == 1:
+                self._send_emergency(WRONG_LENGTH, self._register)
+            return
+        self._pending[cob_id] = bytes(data)
         self._last_command = self._now
 
     def on_sync(self) -> None:
@@ -228,10 +246,10 @@ class SimulatedDrive:
 
     def _take(self, cob_id: int, data: bytes) -> None:
         number = next(each.parameter for each in pdo.COMMANDS.values() if each.cob_id == cob_id)
-        layout, objects = self._layout(number)
-        if len(data) != layout.size:
-            self.fail(0x8210, 0x11)
+        found = self._layout(number)
+        if found is None or len(data) != found[0].size:  # the mapping was changed meanwhile
             return
+        layout, objects = found
         values = dict(zip(objects, layout.unpack(data), strict=True))
         mode = values.get(0x6060, self.mode)
         control = values.get(0x6040, self._control)
@@ -244,17 +262,23 @@ class SimulatedDrive:
         self._move()
 
     def _send(self, wanted: pdo.Pdo) -> None:
-        layout, objects = self._layout(wanted.parameter)
+        found = self._layout(wanted.parameter)
+        if found is None:
+            return
+        layout, objects = found
         values = [self._values[index]() for index in objects]
         self._network.send_message(wanted.cob_id + self.setup.node, layout.pack(*values))
 
-    def _layout(self, parameter: int) -> tuple[struct.Struct, tuple[int, ...]]:
-        """The layout that the master has written to the mapping of a PDO."""
+    def _layout(self, parameter: int) -> tuple[struct.Struct, tuple[int, ...]] | None:
+        """The layout that the master has written to the mapping of a PDO; None for one that the drive does not have."""
         found = self._layouts.get(parameter)
         if found is None:
             mapping = parameter + 0x200
             entries = [self.value_of(mapping, sub) for sub in range(1, self.value_of(mapping, 0) + 1)]
             objects = tuple(entry >> 16 for entry in entries)
+            known = self._values.keys() if parameter >= FIRST_SENT else WRITABLE
+            if any((entry & 0xFF, False) not in pdo.FORMATS or entry >> 16 not in known for entry in entries):
+                return None
             codes = [pdo.FORMATS[entry & 0xFF, entry >> 16 in pdo.SIGNED] for entry in entries]
             found = self._layouts[parameter] = struct.Struct("<" + "".join(codes)), objects
         return found
@@ -329,8 +353,11 @@ class SimulatedDrive:
         self._emergency()
 
     def _emergency(self) -> None:
+        self._send_emergency(self._code, self._register)
+
+    def _send_emergency(self, code: int, register: int) -> None:
         if not self.silent:
-            data = struct.pack("<HB5x", self._code, self._register)
+            data = struct.pack("<HB5x", code, register)
             self._network.send_message(pdo.EMCY + self.setup.node, data)
 
     def step(self, now: float) -> None:

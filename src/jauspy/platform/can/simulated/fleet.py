@@ -17,6 +17,7 @@ from jauspy.logs import get_logger
 from jauspy.platform import backends
 from jauspy.platform.can import pdo
 from jauspy.platform.can.bus import Port
+from jauspy.platform.can.inbox import deviation
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.can.simulated.axes import MotorPlant, Plant, RobotPlant
 from jauspy.platform.can.simulated.drive import SimulatedDrive
@@ -68,6 +69,8 @@ class Fleet:
         self.network = port.network()
         self._port = port
         self._now = 0.0
+        self.ignored = 0
+        """Frames that no drive could take."""
         self.drives: dict[str, SimulatedDrive] = {}
         for name, each in setup.drives.items():
             units = DriveUnits(each, model.description.joint(each.moves))
@@ -81,9 +84,15 @@ class Fleet:
             drive.boot()
 
     def receive(self, message: can.Message) -> None:
-        """Take a frame."""
-        if not (message.is_error_frame or message.is_remote_frame):
+        """Take a frame; one that no drive can take is counted, and ignored."""
+        if deviation(message):
+            self.ignored += 1
+            return
+        try:
             self.network.notify(message.arbitration_id, message.data, message.timestamp)
+        except Exception as error:  # noqa: BLE001 - canopen unpacks frames of any length, and raises what it likes
+            self.ignored += 1
+            _LOG.debug("a frame was ignored: %s", error)
 
     def _on_sync(self, *_: Any) -> None:
         for drive in self.drives.values():
@@ -132,7 +141,7 @@ class RealTimeFleet:
     def _receive(self) -> can.Message | None:
         try:
             return self._bus.recv(REAL_STEP)
-        except (can.CanError, OSError) as error:  # foreign datagrams, or the adapter is gone
+        except Exception as error:  # noqa: BLE001 - drivers raise what they like: foreign datagrams, no adapter
             _LOG.warning("a frame of the CAN bus cannot be read: %s", error)
             time.sleep(UNREADABLE_PAUSE)
             return None
