@@ -26,7 +26,7 @@ from jauspy.modules.robot_files import robot_model, with_place
 from jauspy.platform import backends
 from jauspy.platform.backends import check_robot
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Backend, Robot, Snapshot, Viewable
+from jauspy.platform.contract import Backend, Counting, Robot, Snapshot, Viewable
 from jauspy.platform.description import RobotModel
 from jauspy.platform.ranging import RangeFinder
 from jauspy.platform.video_settings import MAX_IMAGE_REPORT
@@ -181,6 +181,7 @@ class RobotRunner:
         self._audit: AuditLog | None = None
         self._audit_log, self._audit_heads_to = audit_log, audit_heads_to
         self._heads: HeadSender | None = None
+        self._counting: Counting | None = None
         self._stack = AsyncExitStack()
 
     @property
@@ -244,8 +245,10 @@ class RobotRunner:
 
     @property
     def counters(self) -> Mapping[str, int]:
-        """Counters of `RealTime`, and those of the components by id."""
+        """Counters of `RealTime`, those of the backend's robot, and those of the components by id."""
         counts = {f"realtime.{name}": n for name, n in self._realtime.counters.items()} if self._realtime else {}
+        if self._counting is not None:
+            counts |= {f"robot.{name}": n for name, n in self._counting.counters.items()}
         for component in self.components:
             counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
         for camera, video in self._videos.items():
@@ -411,6 +414,7 @@ class RobotRunner:
             if not isinstance(robot, Viewable):
                 raise ConfigError(f"the backend {self.config.backend!r} has no window to view; 'sim' has one")
             robot.view()
+        self._counting = robot if isinstance(robot, Counting) else None
         return stack.enter_context(self._make_realtime(robot))
 
 

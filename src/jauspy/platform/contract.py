@@ -109,6 +109,16 @@ class Viewable(Protocol):
         ...
 
 
+@runtime_checkable
+class Counting(Protocol):
+    """A robot that counts what happens, as on its bus."""
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """Numbers by name; may be read by another thread than that of `advance`."""
+        ...
+
+
 class PartId(NamedTuple):
     """A part of a robot that is commanded: its kind, as in `DriveBase` or `JointGroup`, and its name among those."""
 

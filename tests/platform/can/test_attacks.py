@@ -260,11 +260,13 @@ def test_forged_positions_are_forgotten_by_reset(robot: CanRobot) -> None:
 
 
 def test_a_forged_speed_does_not_become_a_command(robot: CanRobot) -> None:
-    robot.groups["arm"].command([Target(ControlMode.POSITION, 0.1), *[None] * 4])
-    robot.advance(0.1)
-    drive = robot.drives["arm_1"]
-    drive.receive_speed(pdo.SPEED_LAYOUT.pack(2**31 - 1, 8, 0))
-    drive.motion.follow(Target(ControlMode.VELOCITY, 0.1), drive)  # type: ignore[attr-defined] - of a joint
+    """A track begins a motion with the speed at which it was stopped, which may be forged."""
+    drive = robot.drives["left_track"]
+    drive.motion.hold()
+    drive.receive_speed(pdo.SPEED_LAYOUT.pack(2**31 - 1, 9, 0))
+    drive.motion.advance(drive, CYCLE)
+    drive.ready = True
+    drive.motion.drive(0.1)  # type: ignore[attr-defined] - of a track
     wanted = drive.motion.advance(drive, CYCLE)
     assert wanted is not None
     assert abs(wanted[1]) <= drive.joint.velocity

@@ -15,7 +15,8 @@ import pytest
 pytest.importorskip("canopen", reason="canopen is not installed")
 
 from jauspy.errors import ConfigError
-from jauspy.platform.can.bus import Receiver, open_bus, split
+from jauspy.platform.can import bus as bus_module
+from jauspy.platform.can.bus import Receiver, open_bus, reachable_at, split
 
 
 @pytest.mark.parametrize(
@@ -169,3 +170,33 @@ def test_the_kernel_keeps_more_frames_than_by_default(multicast_bus: tuple[can.B
     ):
         sizes = [each.getsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF) for each in (plain, copy)]
     assert sizes[0] < sizes[1]
+
+
+def test_a_bus_that_other_machines_reach_is_named_at_the_start(
+    multicast_bus: tuple[can.BusABC, int], monkeypatch: pytest.MonkeyPatch, caplog: pytest.LogCaptureFixture
+) -> None:
+    name = f"udp_multicast:239.0.0.98,port={multicast_bus[1]}"
+    for address, said in (("192.0.2.7", 1), ("", 0)):
+        caplog.clear()
+        monkeypatch.setattr(bus_module, "reachable_at", lambda _group, found=address: found)
+        open_bus(name, 1_000_000).shutdown()
+        lines = [record.getMessage() for record in caplog.records]
+        assert sum("has no authentication and is reachable at 192.0.2.7" in line for line in lines) == said
+        assert len(lines) == said
+
+
+def test_loopback_is_not_reachable() -> None:
+    assert reachable_at("127.0.0.1") == ""
+    assert reachable_at("no group").startswith("an unknown address")
+
+
+def test_forged_error_frames_are_no_bus_off() -> None:
+    """On a bus of datagrams, where each program may send them."""
+    failures: list[str] = []
+    frames = threading.Event()
+    bus = ScriptedBus(*[error_frame(0x40)] * 5, FRAME)
+    receiver = Receiver(bus, lambda _message: frames.set(), failures.append, errors_forgeable=True)  # type: ignore[arg-type]
+    assert frames.wait(10.0)
+    receiver.close()
+    assert not failures
+    assert receiver.counters["error_frames"] == 5

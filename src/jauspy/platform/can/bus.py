@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import inspect
+import ipaddress
 import logging
 import os
 import socket
@@ -87,8 +88,32 @@ def open_bus(bus: str, bit_rate: int) -> can.BusABC:
             why = describe(error, interface)
         else:
             _enlarge_buffer(opened)
+            if interface in OPEN:
+                _warn_if_reachable(bus, channel)
             return opened
     raise ConfigError(f"can.bus = {bus!r}: cannot be opened: {why}")
+
+
+def _warn_if_reachable(bus: str, group: str) -> None:
+    if address := reachable_at(group):
+        _LOG.warning(
+            "%s has no authentication and is reachable at %s: each machine of that network can move the drives; use it "
+            "for simulated drives only, or route the group to the loopback interface (docs/hardware.md)",
+            bus,
+            address,
+        )
+
+
+def reachable_at(group: str) -> str:
+    """The address of this machine at which a multicast group is joined; empty for one of the loopback interface."""
+    try:
+        family, _, _, _, where = socket.getaddrinfo(group, 9, type=socket.SOCK_DGRAM)[0]
+        with socket.socket(family, socket.SOCK_DGRAM) as probe:
+            probe.connect(where)  # sends nothing
+            address = str(probe.getsockname()[0])
+        return "" if ipaddress.ip_address(address.partition("%")[0]).is_loopback else address
+    except (OSError, ValueError) as error:
+        return f"an unknown address ({error})"
 
 
 def hint(error: BaseException) -> str:

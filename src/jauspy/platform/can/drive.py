@@ -128,12 +128,6 @@ class Drive:
         """As in `drive 'arm_2' (node 4)`."""
         return f"drive {self.setup.name!r} (node {self.setup.node})"
 
-    @property
-    def bounded_velocity(self) -> float:
-        """Its velocity within the limit of the joint, from which a new motion may begin."""
-        limit = self.joint.velocity
-        return max(-limit, min(limit, self.velocity))
-
     # --- received ---------------------------------------------------------------------------------------------------
 
     def receive_status(self, data: bytes, now: float) -> bool:

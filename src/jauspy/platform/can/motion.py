@@ -47,7 +47,7 @@ class JointMotion:
             self.hold()
             return
         if self._holding or target.mode is not self._setpoint.target.mode:
-            self._setpoint.start(drive.position, 0.0 if self._holding else drive.bounded_velocity)
+            self._setpoint.start(drive.position, 0.0 if self._holding else drive.velocity)
         self._setpoint.target = target
         if target.mode is ControlMode.EFFORT:
             self._efforts.follow(target, drive.position, 0.0 if self._holding else drive.velocity)
@@ -120,7 +120,8 @@ class TrackMotion:
     def advance(self, drive: Drive, dt: float) -> tuple[Mode, float] | None:
         """Mode and value for the next `dt` seconds; None to stop."""
         if self._wanted is None:
-            self._velocity = drive.bounded_velocity
+            limit = drive.joint.velocity
+            self._velocity = max(-limit, min(limit, drive.velocity))
             return None
         if drive.ready:
             change = self._acceleration * dt
