@@ -45,10 +45,11 @@ EVENT = CommandEvent.CODE.to_bytes(2, "little")
 class Bench:
     """A cell, and the component of one of its modules."""
 
-    def __init__(self, part: str, *, timeout: int = 0) -> None:
+    def __init__(self, part: str, *, timeout: int = 0, robot: MemoryCell | None = None) -> None:
         config, model = described("cell")
-        self.robot = MemoryCell(model)
-        self.robot.assemble("servo_1", "tube_1", "servo_2")
+        self.robot = robot or MemoryCell(model)
+        if robot is None:
+            self.robot.assemble("servo_1", "tube_1", "servo_2")
         self.now = 0.0
         (module,) = (each for each in config.modules if part in (each.part, each.type) and each.type != "CM-MOB")
         module = module.model_copy(update={"access_control": AccessControlConfig(timeout=timeout)})

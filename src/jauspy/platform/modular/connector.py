@@ -56,6 +56,8 @@ class VacuumConnector(OptionalPart):
 
     name: str
     """The part that has it and the connector's own name, as in `servo_1/output`; `gripper` is that of the arm."""
+    attached_with: int | None = None
+    """The authority of the client that attached the load, for its service; which ends with the power of the part."""
 
     @property
     def id(self) -> PartId:

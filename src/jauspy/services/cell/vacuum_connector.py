@@ -13,6 +13,7 @@ from jauspy.messages.cell import (
 )
 from jauspy.platform.modular.connector import ConnectorError, VacuumConnector
 from jauspy.platform.modular.parts import ConnectorLimits
+from jauspy.services.core import present_authority
 from jauspy.services.service import Service
 from jauspy.services.units import sent_text
 
@@ -30,20 +31,41 @@ _ERRORS: Final = {
 
 
 class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
-    """The connectors of a part. They keep holding their load when the component ends or its client is lost."""
+    """The connectors of a part. They keep holding their load when the component ends or its client is lost.
+
+    A load is released only for a client with at least the authority of the client that attached it.
+    """
 
     def __init__(self, part: str, type: str, connectors: Sequence[VacuumConnector], limits: ConnectorLimits) -> None:
         self._part = part
         self._type = type
         self._connectors = dict(enumerate(connectors, start=1))
         self._limits = limits
+        self._refusals: dict[int, str] = {}
+        """Why a connector was not vented when it was last told to, by number."""
 
     def set_connector(self, msg: SetConnector) -> None:
-        """Switch a connector on (pump) or off (vent); an unknown number is ignored and counted."""
+        """Switch a connector on (pump) or off (vent); an unknown number is ignored and counted.
+
+        Venting a load that a client with a higher authority attached is refused, counted, and reported as an error.
+        """
         if (connector := self._connectors.get(msg.connector)) is None:
             self.host.count("unknown_connector", f"{msg}")
+            return
+        authority, load = present_authority(self.host), connector.state().attached_to
+        needed = connector.attached_with if load else None
+        self._refusals.pop(msg.connector, None)
+        if msg.enabled == SetConnector.Enabled.ENABLED:
+            connector.attached_with = authority if needed is None else max(needed, authority)
+            connector.set(True)
+        elif needed is not None and authority < needed:
+            why = f"not released: a client with authority {needed} attached {load}, and this one has {authority}"
+            self._refusals[msg.connector] = why
+            self.host.count("load_held", f"connector {msg.connector}: {why}")
+            self.host.begin_command()(False)
         else:
-            connector.set(msg.enabled == SetConnector.Enabled.ENABLED)
+            connector.attached_with = None
+            connector.set(False)
 
     def report_connector_state(self, query: QueryConnectorState) -> ReportConnectorState | None:
         """The state of a connector; no answer for an unknown number."""
@@ -52,6 +74,7 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             return None
         state = connector.state()
         offset = state.offset.to_pose()
+        refusal = self._refusals.get(query.connector) if state.attached_to else None
         return ReportConnectorState(
             query.connector,
             ReportConnectorState.Enabled(state.enabled),
@@ -65,8 +88,8 @@ class VacuumConnectorService(Service, urn="urn:jauspy:cell:VacuumConnector"):
             state.force,
             state.moment,
             min(state.broken_off, 0xFFFF),
-            _ERRORS[state.error],
-            sent_text(state.last_error),
+            _ERRORS[state.error] if refusal is None else _Error.OTHER_ERROR,
+            sent_text(state.last_error if refusal is None else refusal),
         )
 
     def report_connector_specification(self) -> ReportConnectorSpecification:

@@ -20,14 +20,21 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.protocol.seal import Operator
-from jauspy.services.service import Service
+from jauspy.services.service import Service, ServiceHost
 
 _TIMER: Final = "access control"
 _NO_CLIENT: Final = JausID(0, 0, 0)
 _STATES_WITHOUT_CONTROL: Final = frozenset({"Init", "Failure", "Shutdown", "Emergency"})
 """States in which nobody can take control."""
+HIGHEST_AUTHORITY: Final = 255
 STOPS: Final = frozenset({Standby.CODE, SetEmergency.CODE})
 """Commands that stop a robot and move nothing; they need no seal of an operator."""
+
+
+def present_authority(host: ServiceHost) -> int:
+    """The authority of the client in control; the highest one in a component without access control."""
+    access = host.service(AccessControl)
+    return HIGHEST_AUTHORITY if access is None else access.authority
 
 
 class AccessControl(Service, urn="urn:jaus:jss:core:AccessControl"):

@@ -25,6 +25,7 @@ from jauspy.messages.manipulator import (
     SetEndEffectorVelocityState,
 )
 from jauspy.platform.joints import ControlMode, JointGroup, Target
+from jauspy.services.core import present_authority
 from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.manipulator.blocking import StandstillWatch
 from jauspy.services.manipulator.tool_motion import ToolMotion
@@ -247,17 +248,37 @@ class EndEffectorVelocityStateSensor(Service, urn="urn:jaus:jss:manipulator:Mani
         return ReportEndEffectorVelocityState(*angular, *linear)
 
 
+STILL: Final = 0.01
+"""The share of their largest speed below which fingers stand still."""
+CLOSED: Final = 0.02
+"""The share of their way up to which fingers are closed, and hold nothing."""
+
+
 class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEffector"):
-    """Open-loop effort of a gripper in percent: positive closes, negative opens, zero holds."""
+    """Open-loop effort of a gripper in percent: positive closes, negative opens, zero holds.
+
+    Fingers that close on a load are opened, or close with less effort, only for a client with at least the authority of
+    the client that closed them.
+    """
 
     def __init__(self, gripper: JointGroup, manipulator: JausID) -> None:
         self._gripper = gripper
         self._manipulator = manipulator
         self._effort = 0.0
+        self._closed_with: int | None = None
+        """The authority of the client that closed the fingers."""
 
     def set_end_effector_effort(self, msg: SetEndEffectorEffort) -> None:
         """Apply the effort until the next command; the joints of the fingers count from closed to open."""
-        self._effort = effort_or_zero(msg.end_effector_effort)
+        effort, authority = effort_or_zero(msg.end_effector_effort), present_authority(self.host)
+        needed = self._closed_with if self._holds_load() else None
+        if needed is not None and authority < needed and effort < self._effort:
+            self.host.count("load_held", f"authority {needed} closed the gripper, and this client has {authority}")
+            self.host.begin_command()(False)
+            return
+        if effort > 0.0:
+            self._closed_with = authority if needed is None else max(needed, authority)
+        self._effort = effort
         if not self._effort:
             self._gripper.hold()
             return
@@ -265,6 +286,15 @@ class PrimitiveEndEffector(Service, urn="urn:jaus:jss:manipulator:PrimitiveEndEf
         self._gripper.command(
             [Target(ControlMode.EFFORT, share * joint.effort, compensated=True) for joint in self._gripper.joints]
         )
+
+    def _holds_load(self) -> bool:
+        """True if fingers that close stand still before they are closed."""
+        if self._effort <= 0.0:
+            return False
+        state, joints = self._gripper.state(), self._gripper.joints
+        still = all(abs(speed) < STILL * each.velocity for each, speed in zip(joints, state.velocities, strict=True))
+        ways = zip(joints, state.positions, strict=True)
+        return still and any(position - each.lower > CLOSED * (each.upper - each.lower) for each, position in ways)
 
     def report_end_effector_effort(self) -> ReportEndEffectorEffort:
         """The commanded effort, in percent."""
