@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections import OrderedDict
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Final
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
+from jauspy.ids import JausID
 from jauspy.messages.cell import (
     MoveModularArm,
     ReportModularArmSpecification,
@@ -23,6 +25,9 @@ from jauspy.services.units import sent_text
 
 CHECK_PERIOD: Final = 0.05
 """Seconds between two checks whether a motion has ended, and from a command to the first of them."""
+MAX_TOLD: Final = 64
+"""Clients of which the service remembers which joints were reported to them."""
+CHANGED: Final = "motion refused: the joints have changed since they were reported to this client"
 _TIMER: Final = "modular arm motion"
 
 _Controller: Final = SetModularArmController.Controller
@@ -69,7 +74,8 @@ class ArmMotionControl:
 class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
     """An arm of servo modules.
 
-    After a wrong command the joints hold, and the report of the state contains the reason.
+    After a wrong command the joints hold, and the report of the state contains the reason. A motion is also refused if
+    its client was told other joints than those that the arm has now: a module may have been replaced meanwhile.
     """
 
     def __init__(self, control: ArmMotionControl, cell: CellSetup) -> None:
@@ -77,10 +83,20 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         self._arm = control.arm
         self._cell = cell
         self._command = CommandCompletion()
+        self._told: OrderedDict[JausID, tuple[str, ...]] = OrderedDict()
+        """The joints that were last reported to a client."""
+        self._refusal = ""
 
-    def move_modular_arm(self, msg: MoveModularArm) -> None:
+    def move_modular_arm(self, msg: MoveModularArm, source: JausID) -> None:
         """Begin a motion; the command is completed when it has ended, and has failed if it ended early."""
         self._end_command(False)
+        present = self._arm.state().joints
+        self._refusal = CHANGED if self._told.get(source, present) != present else ""
+        if self._refusal:
+            self.host.count("joints_changed", f"{source}: {self._refusal}")
+            self._control.stop()
+            self.host.begin_command()(False)
+            return
         positions = [math.nan if each.position is None else each.position for each in msg.position_list]
         self._control.move(positions, msg.motion_duration_rec.duration)
         self._command = self.host.begin_command()
@@ -96,8 +112,9 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         if (controller := _CONTROLLERS.get(msg.controller)) is not None:
             self._arm.set_controller(controller)
 
-    def set_modular_arm_order(self, msg: SetModularArmOrder) -> None:
+    def set_modular_arm_order(self, msg: SetModularArmOrder, source: JausID) -> None:
         """Set the order of the joints, or determine it from the assembly."""
+        self._told.pop(source, None)
         self._arm.set_order([each.name for each in msg.joint_list])
 
     def control_lost(self) -> None:
@@ -105,9 +122,16 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
         super().control_lost()
         self.hold_modular_arm()
 
-    def report_modular_arm_state(self) -> ReportModularArmState:
+    def _tell(self, client: JausID, joints: tuple[str, ...]) -> None:
+        self._told[client] = joints
+        self._told.move_to_end(client)
+        if len(self._told) > MAX_TOLD:
+            self._told.popitem(last=False)
+
+    def report_modular_arm_state(self, source: JausID) -> ReportModularArmState:
         """Joints and motion."""
         state = self._arm.state()
+        self._tell(source, state.joints)
         tip = Transform.from_pose(state.tip_pose)
         motion = _Reported.ModularArmMotionRec(
             _Reported.Moving(state.moving),
@@ -115,14 +139,15 @@ class ModularArmService(Service, urn="urn:jauspy:cell:ModularArm"):
             state.payload,
             *tip.position,
             *quaternion(tip.rotation),
-            sent_text(state.error),
+            sent_text(self._refusal or state.error),
         )
         rows = zip(state.joints, state.positions, state.velocities, state.efforts, state.targets, strict=False)
         return _Reported(motion, [_Reported.ModularJointRec(sent_text(name), *values) for name, *values in rows])
 
-    def report_modular_arm_specification(self) -> ReportModularArmSpecification:
+    def report_modular_arm_specification(self, source: JausID) -> ReportModularArmSpecification:
         """The modules of the arm, and the limits of its joints."""
         report, state = ReportModularArmSpecification, self._arm.state()
+        self._tell(source, state.joints)
         types = {part.name: self._cell.types[part.type] for part in self._cell.parts}
         limits = [
             report.JointLimitsRec(sent_text(name), sent_text(types[name].name), data.max_torque, data.max_speed)
