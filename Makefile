@@ -19,11 +19,11 @@ ATTACK_ARGS ?=
 unexport PYTHONDONTWRITEBYTECODE
 
 .DEFAULT_GOAL := help
-.PHONY: help setup dev demo cell test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack format generate clean
+.PHONY: help setup dev demo cell test test-slow coverage check lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean
 
 help:
 	@sed -n 's/^# //p' Makefile | head -3
-	@echo "others: test-slow coverage lint types imports docs unit wheel-test bench fuzz soak attack format generate clean (see CONTRIBUTING.md)"
+	@echo "others: test-slow coverage lint types imports docs unit wheel-test bench fuzz soak attack security audit format generate clean (see CONTRIBUTING.md)"
 
 $(VENV)/.installed: pyproject.toml tools/setup_venv.sh
 	@PYTHON=$(PYTHON) tools/setup_venv.sh $(VENV) user
@@ -54,7 +54,7 @@ coverage: dev
 test-slow: dev
 	$(PYTEST) -m slow $(PYTEST_ARGS)
 
-check: types docs lint imports
+check: types docs lint imports security
 
 lint: dev
 	$(BIN)/ruff check
@@ -65,6 +65,14 @@ types: dev
 
 imports: dev
 	$(BIN)/lint-imports
+
+# constructs of Python that attackers like; what is left out, and why, is in pyproject.toml
+security: dev
+	$(BIN)/bandit -q -c pyproject.toml -r src tools
+
+# known vulnerabilities of the packages in .venv; needs the network, and without it says that it checked nothing
+audit: dev
+	$(BIN)/python tools/audit_packages.py
 
 # the documentation as a web site, for which a warning is an error
 docs: dev

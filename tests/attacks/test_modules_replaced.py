@@ -1,4 +1,4 @@
-"""A module of a cell disappears, and another one has its id or its place: nothing meant for the old one moves the new."""
+"""A module of a cell disappears, and another one has its id or place: nothing meant for the old one moves the new."""
 
 from __future__ import annotations
 

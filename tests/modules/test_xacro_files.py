@@ -144,3 +144,20 @@ def test_an_unknown_way_to_evaluate_fails(written) -> None:
         module.eval("1")
     assert "eval" not in vars(xacro)
     assert xacro.safe_eval("len([c for c in [1]])", {"len": len}) == 1
+
+
+def test_entities_do_not_multiply_and_are_not_read_from_files(tmp_path: Path) -> None:
+    """What pyproject.toml gives as the reason why bandit may find xml.dom here."""
+    steps = "".join(f'<!ENTITY a{n} "{f"&a{n - 1};" * 10}">' for n in range(1, 10))
+    secret = tmp_path / "secret"
+    secret.write_text("stolen")
+    texts = {
+        "bomb": f'<!DOCTYPE robot [<!ENTITY a0 "lollollol">{steps}]><robot name="x"><link name="&a9;"/></robot>',
+        "thief": f'<!DOCTYPE robot [<!ENTITY e SYSTEM "{secret.as_uri()}">]>'
+        '<robot name="x"><link name="base">&e;</link></robot>',
+    }
+    for name, text in texts.items():
+        (tmp_path / f"{name}.urdf").write_text(text)
+    with pytest.raises(ConfigError, match="limit on input amplification"):
+        expand(str(tmp_path / "bomb.urdf"))
+    assert "stolen" not in str(expand(str(tmp_path / "thief.urdf")))

@@ -54,7 +54,7 @@ class LocalTransport:
     all with None.
     """
 
-    def __init__(self, id: JausID, root: Path = Path("/tmp"), *, timeout: float | None = 2.0) -> None:  # noqa: S108
+    def __init__(self, id: JausID, root: Path = Path("/tmp"), *, timeout: float | None = 2.0) -> None:  # noqa: S108 # nosec B108
         self.id = id
         self.received: Receiver = ignore
         self.max_age = MAX_AGE
