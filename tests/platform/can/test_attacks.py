@@ -13,11 +13,15 @@ import pytest
 from tests.platform.can.conftest import OpenCan, simulated
 from tests.platform.can.test_failing_drives import CYCLE, set_in_motion
 
+from jauspy.modules import robot_files
+from jauspy.modules.robot import RobotRunner
 from jauspy.platform.can import pdo
 from jauspy.platform.can.cia402 import STATUS_OF, DriveState
 from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.can.setup import DriveFault
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.virtual.environment import VirtualTime
+from jauspy.virtual.network import VirtualNetwork
 
 ARM = 5
 """The node of `arm_2`."""
@@ -295,3 +299,11 @@ def test_real_drives_that_send_frames_of_another_length_are_silent(robot: CanRob
     reasons = attack(robot, iter(()), 0.5)
     assert len(reasons) == 1
     assert "has not answered SYNC" in reasons[0]
+
+
+async def test_the_counters_of_a_robot_contain_those_of_its_bus() -> None:
+    async with VirtualNetwork() as network:
+        runner = RobotRunner(robot_files.load("inc1"), network.transport, backend="can", realtime=VirtualTime)
+        async with runner:
+            assert runner.counters["robot.syncs"] > 0
+            assert runner.counters["robot.ignored.length"] == 0

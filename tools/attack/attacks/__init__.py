@@ -6,6 +6,7 @@ from typing import Final
 
 from ..attack import Attack
 from . import (
+    can_bus,
     captures,
     clouds,
     compression,
@@ -60,6 +61,7 @@ ALL: Final[tuple[Attack, ...]] = (
     status_readers.ATTACK,
     console.STRANGERS_OF_CONSOLE,
     console.WITHOUT_TOKEN,
+    can_bus.ATTACK,
     clouds.ATTACK,
     scans.ATTACK,
     definitions.ATTACK,
