@@ -100,8 +100,8 @@ class CanConfig(StrictConfig):
     """The CAN bus of a robot, and its drives."""
 
     bus: Annotated[str, Field(min_length=3, max_length=200), AfterValidator(_check_bus)] = "virtual:motors"
-    """INTERFACE:CHANNEL of python-can, as in `socketcan:can0`; `virtual:` has simulated drives in the same process. With
-    `udp_multicast:` each machine that receives the group can move the drives."""
+    """INTERFACE:CHANNEL of python-can, as in `socketcan:can0`; `virtual:` has simulated drives in the same process.
+    With `udp_multicast:` each machine that receives the group can move the drives."""
     bit_rate: Annotated[int, Field(ge=10_000, le=1_000_000)] = 1_000_000
     sync_rate: Annotated[float, Field(ge=10.0, le=1000.0)] = 200.0
     """Commands to each drive per second."""

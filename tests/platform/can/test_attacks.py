@@ -172,7 +172,7 @@ def drives_again(robot: CanRobot) -> bool:
     return robot.drive.twist().vx > 0.5
 
 
-@pytest.mark.parametrize("moving", [False, True], ids=["standing", "driving"])
+@pytest.mark.parametrize("moving", [False, pytest.param(True, marks=pytest.mark.slow)], ids=["standing", "driving"])
 @pytest.mark.parametrize("name", IGNORED)
 def test_frames_that_change_nothing(robot: CanRobot, name: str, moving: bool) -> None:
     if moving:
@@ -184,7 +184,7 @@ def test_frames_that_change_nothing(robot: CanRobot, name: str, moving: bool) ->
     assert robot.counters["ignored"] or name in {"emergencies", "NMT commands to other nodes"}
 
 
-@pytest.mark.parametrize("moving", [False, True], ids=["standing", "driving"])
+@pytest.mark.parametrize("moving", [pytest.param(False, marks=pytest.mark.slow), True], ids=["standing", "driving"])
 @pytest.mark.parametrize("name", STOPPING)
 def test_frames_that_stop_the_robot_with_their_reason(robot: CanRobot, name: str, moving: bool) -> None:
     if moving:

@@ -78,6 +78,7 @@ def test_a_drive_that_fails_stops_the_others(robot: CanRobot, fail: Callable[[Ca
     set_in_motion(robot)
     fail(robot)
     assert re.search(said, text := advance_until_fault(robot)), text
+    assert "another program" not in text
     assert robot.fleet is not None
     for _ in range(40):  # the bus goes on
         robot._ticker.wait_cycle()

@@ -105,7 +105,8 @@ class Drive:
         self.answers = Balance(max_unanswered)
         """PDOs with its status, compared with SYNCs."""
         self._failed_in = DriveState.NOT_READY
-        """Its state when the drives were stopped."""
+        self._received_before = 0
+        """Its state, and the PDOs with its status, when the drives were stopped."""
         self._restarted = False
         self._enabled_at: float | None = None
         self._powered_at: float | None = None
@@ -295,12 +296,12 @@ class Drive:
         return "is not the only one that sends with its node id" if self.answers.excess() > self._max_unanswered else ""
 
     def note_failure(self) -> None:
-        """Remember the state in which the drives are stopped."""
-        self._failed_in = self.state
+        """Remember what it has reported when the drives are stopped."""
+        self._failed_in, self._received_before = self.state, self.received
 
     def contradiction(self) -> str:
         """What its frames since a failure contradict, as `but it answers SYNC`; empty if they agree."""
-        if (self._restarted or self.nmt_state in NMT_STATES) and self.unanswered <= 1:
+        if (self._restarted or self.nmt_state in NMT_STATES) and self.received > self._received_before:
             return "but it answers SYNC"
         if self._failed_in in FAULTY and self.state not in FAULTY:
             return "and then that it is not, without a reset"

@@ -303,9 +303,11 @@ class Master:
     def recover(self) -> None:
         """Try again after a failure: reset faults, configure drives that restarted. Blocks; raises `DriveFault`."""
         self._bus_error, self._send_errors = "", 0
-        self._others.reset()
+        with self.lock:
+            self._others.reset()
+            for drive in self.drives.values():
+                drive.forget_position()
         for drive in self.drives.values():
-            drive.forget_position()
             if drive.nmt_state != OPERATIONAL or drive.silence(self._clock(), self.setup.heartbeat_timeout):
                 drive.configured = False
         self._set_phase(Phase.IDLE)
