@@ -58,7 +58,7 @@ def _encoded(message: object) -> bytes:
 
 
 def _decoded(body: bytes) -> object:
-    return pickle.loads(body)  # noqa: S301 # nosec B301 - both ends of the pipe are ours
+    return pickle.loads(body)  # noqa: S301 # nosec B301 # both ends of the pipe are ours
 
 
 # --- in the parent ----------------------------------------------------------------------------------------------------

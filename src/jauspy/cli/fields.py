@@ -159,7 +159,7 @@ def _value(item: Item, text: str, path: str) -> Any:
     if isinstance(item, Number) and item.values.enum:
         return _enumerated(text)
     try:
-        value = yaml.load(text, _Loader)  # noqa: S506 # nosec B506 - a SafeLoader
+        value = yaml.load(text, _Loader)  # noqa: S506 # nosec B506 # a SafeLoader
     except yaml.YAMLError:
         raise ConfigError(f"{path}={text!r} is neither a number, a name, nor JSON or YAML") from None
     if isinstance(item, Blob) and isinstance(value, (str, int)):

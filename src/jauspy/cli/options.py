@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from jauspy.modules.config import RobotConfig
 
 DEFAULT_PORT = 3794
-DEFAULT_ROOT = Path("/tmp")  # noqa: S108 # nosec B108 - where JuniorRTE of the JAUS Toolset has its sockets
+DEFAULT_ROOT = Path("/tmp")  # noqa: S108 # nosec B108 # where JuniorRTE of the JAUS Toolset has its sockets
 
 Port = Annotated[int, typer.Option("--port", min=1, max=65535, help="UDP port; 3794 is registered for JAUS.")]
 LocalRoot = Annotated[
@@ -23,7 +23,7 @@ LocalRoot = Annotated[
 Address = Annotated[
     str, typer.Option("--address", metavar="IP", help="Local address to receive UDP on; 0.0.0.0 is all.")
 ]
-DEFAULT_ADDRESS = "0.0.0.0"  # noqa: S104 # nosec B104 - a node manager receives from other machines; --address restricts it
+DEFAULT_ADDRESS = "0.0.0.0"  # noqa: S104 # nosec B104 # a node manager receives from other machines; --address restricts it
 MulticastGroup = Annotated[
     str, typer.Option("--multicast-group", metavar="IP", help="Group that broadcasts are sent to.")
 ]

@@ -39,7 +39,7 @@ def install(cls: type[Struct], method: Literal["_unpack", "_pack", "_read", "_wr
 def _add(owner: type[Struct], name: str, source: str, namespace: Namespace) -> None:
     file = f"<{owner.__module__}.{owner.__qualname__}.{name}>"
     linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
-    exec(compile(source, file, "exec"), namespace.values)  # noqa: S102 # nosec B102 - numbers and checked identifiers
+    exec(compile(source, file, "exec"), namespace.values)  # noqa: S102 # nosec B102 # numbers and checked identifiers
     function: Any = namespace.values[name]
     function.__qualname__ = f"{owner.__qualname__}.{name}"
     setattr(owner, name, classmethod(function) if name in ("_unpack", "_read") else function)

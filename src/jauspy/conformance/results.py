@@ -16,7 +16,7 @@ from jauspy.errors import JausError
 class Verdict(StrEnum):
     """How one step ended."""
 
-    PASS = "pass"  # noqa: S105 # nosec B105 - a verdict
+    PASS = "pass"  # noqa: S105 # nosec B105 # a verdict
     FAIL = "fail"
     """A wrong answer, or an answer where none is allowed."""
     SILENT = "silent"

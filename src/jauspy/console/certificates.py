@@ -51,7 +51,7 @@ def check_certificate(certificate: Path, key: Path) -> None:
         if not path.is_file():
             raise ConfigError(f"{path}: there is no such file; make both: jauspy console certificate HOST-OR-ADDRESS")
     try:
-        ssl.create_default_context(ssl.Purpose.CLIENT_AUTH).load_cert_chain(certificate, key, password="")  # nosec B106 - none
+        ssl.create_default_context(ssl.Purpose.CLIENT_AUTH).load_cert_chain(certificate, key, password="")  # nosec B106 # none
     except (ssl.SSLError, OSError) as error:
         raise ConfigError(f"--certificate {certificate} and --key {key} do not fit: {error}") from error
 

@@ -124,7 +124,7 @@ class _YamlLoader(yaml.SafeLoader):
 
 def _yaml(data: bytes) -> _Pairs:
     """`addrbook: {udp: {"10.0.0.5:3794": 101.1.255}}`: one id or a list of ids by address."""
-    content = yaml.load(data, _YamlLoader)  # noqa: S506 # nosec B506 - a safe loader
+    content = yaml.load(data, _YamlLoader)  # noqa: S506 # nosec B506 # a safe loader
     book = _unwrap(content.get("addrbook")) if isinstance(content, dict) else None
     if not isinstance(book, dict):
         raise ConfigError("it has no key 'addrbook'")

@@ -237,7 +237,7 @@ class SerialConfig(NodeSettings):
 class NodeConfig(NetworkConfig):
     """The configuration of a node manager. The settings of its first network are at the top level."""
 
-    local_root: Path = Path("/tmp")  # noqa: S108 # nosec B108 - where the standard's components look for it
+    local_root: Path = Path("/tmp")  # noqa: S108 # nosec B108 # where the standard's components look for it
     """Directory of the local sockets. Components of the JAUS Toolset use /tmp only."""
     local_mode: Mode = 0o660
     """Permissions of the local socket: who may connect as a component. 0o660: the same user and group."""

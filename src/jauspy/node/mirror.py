@@ -136,7 +136,7 @@ class Mirror:
         try:
             socket.inet_aton(port.host)
         except OSError:
-            return "0.0.0.0", port.port  # noqa: S104 # nosec B104 - a serial line has no address
+            return "0.0.0.0", port.port  # noqa: S104 # nosec B104 # a serial line has no address
         return port.host, port.port
 
 

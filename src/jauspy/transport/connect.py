@@ -13,7 +13,7 @@ from jauspy.ids import JausID
 from jauspy.protocol import judp, junior
 from jauspy.transport import LocalTransport, TcpTransport, Transport, UdpTransport, local as local_socket
 
-DEFAULT_ROOT: Final = Path("/tmp")  # noqa: S108 # nosec B108 - where every JAUS node manager has its sockets
+DEFAULT_ROOT: Final = Path("/tmp")  # noqa: S108 # nosec B108 # where every JAUS node manager has its sockets
 FORMS: Final = (
     "'udp://HOST[:PORT]' or 'tcp://HOST[:PORT]' (a node manager elsewhere), "
     "'local:DIRECTORY' (the node manager of this machine with its "

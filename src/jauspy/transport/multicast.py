@@ -16,7 +16,7 @@ from jauspy.logs import get_logger
 
 _LOGGER = get_logger(__name__)
 
-ANY: Final = "0.0.0.0"  # noqa: S104 # nosec B104 - the standard's node managers listen on every interface
+ANY: Final = "0.0.0.0"  # noqa: S104 # nosec B104 # the standard's node managers listen on every interface
 
 RECEIVE_BUFFER: Final = 4 * 1024 * 1024
 """Bytes requested of the kernel, so that a burst is not lost before it is read; the kernel may grant less."""
