@@ -12,12 +12,16 @@ from typing import Any, Final
 
 from jauspy.ids import JausID
 
-from .attack import Attack, BoundBroken
+from .attack import Attack, BoundBroken, Victims
+from .commander import INTERVAL, Commander
 from .hosts import Host
 from .processes import Outcome, Usage, run_command
-from .stage import OPERATOR_ID, PORT, ROBOT_ID, Stage
+from .stage import OPERATOR_ID, PILOT_ID, PORT, ROBOT_ID, Stage
+from .truth import Motion
 
-ROBOT, OPERATOR, STRANGER = (JausID.parse(text) for text in (ROBOT_ID, OPERATOR_ID, "43.1.1"))
+ROBOT, OPERATOR, PILOT, STRANGER = (JausID.parse(text) for text in (ROBOT_ID, OPERATOR_ID, PILOT_ID, "43.1.1"))
+SIBLING = JausID.parse("101.1.103")
+"""Another component of the robot."""
 _SETTLE_TIME: Final = 6.0
 """Seconds after an attack in which victims close what it has opened."""
 _OVERTAKEN: Final = 0.5
@@ -43,6 +47,12 @@ class Arena:
         self._before = [victim.usage() for victim in stage.victims]
         self._seconds = seconds
         self._end: float | None = None
+        self.motion = Motion()
+        """What the robot did meanwhile; known after `measure`."""
+        self._commander: Commander | None = None
+        if attack.layout.victims is Victims.ROBOT:
+            self._commander = Commander(self.chance, (STRANGER, OPERATOR, PILOT, SIBLING))
+            self._commanding = self.open(self.attacker.udp())
         stage.begin()
 
     @property
@@ -73,16 +83,26 @@ class Arena:
         return max(0.0, self._end - time.monotonic())
 
     def paced(self, rate: float) -> Iterator[int]:
-        """Numbers from 0 until the time is over, at most `rate` a second."""
+        """Numbers from 0 until the time is over, at most `rate` a second; meanwhile commands are sent, too."""
         begin, number = time.monotonic(), 0
+        due = begin
         while self.left:
             yield number
+            if time.monotonic() >= due:
+                due = time.monotonic() + INTERVAL
+                self.command_robot()
             number += 1
             ahead = begin + number / rate - time.monotonic()
             if ahead > 0.002:
                 time.sleep(ahead)
             elif ahead < -_OVERTAKEN:
                 begin -= ahead
+
+    def command_robot(self) -> None:
+        """Send one of the commands that nobody but the operator is entitled to."""
+        if self._commander is not None:
+            with contextlib.suppress(OSError):
+                self._commanding.sendto(self._commander.next(), self.where)
 
     def send(self, sock: socket.socket, data: bytes, where: tuple[Any, ...] | str | None = None) -> None:
         """Send a datagram to the victim's node manager, or elsewhere; what has no room is lost."""
@@ -117,7 +137,7 @@ class Arena:
         """Honest queries, those lost, the longest silence, and what each victim uses more than before."""
         self.close()
         time.sleep(0.3)
-        asked, lost, silence = self.stage.end()
+        asked, lost, silence, self.motion = self.stage.end()
         return asked + self.asked, lost + self.lost, silence, self._growth()
 
     def _growth(self) -> list[Usage]:

@@ -7,6 +7,8 @@ from dataclasses import dataclass, field
 from enum import Enum
 from typing import TYPE_CHECKING, Any
 
+from .truth import Motion
+
 if TYPE_CHECKING:
     from .arena import Arena
 
@@ -37,6 +39,8 @@ class Layout:
     """The network has a key, and therefore neither TCP nor a serial line."""
     settings: Mapping[str, Any] = field(default_factory=dict)
     """Further settings of the robot's node manager."""
+    sealed: bool = False
+    """The robot takes commands of registered operators only, and its operator has such a key."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,6 +59,12 @@ class Bounds:
     """The same for tasks of asyncio."""
     lines: int = 100
     """Lines that the victims log, at the level debug."""
+    moved: float = 0.05
+    """Metres or radians by which the robot moves without a command of its operator."""
+    driven: float = 1.0
+    """Share of the operator's drives that the robot carries out at least; 0 for attackers who may stop it."""
+    control: float = 1.0
+    """Share of the time in which the operator is in control at least."""
 
 
 class BoundBroken(Exception):
@@ -93,6 +103,7 @@ class Result:
     descriptors: int = 0
     tasks: int = 0
     lines: int = 0
+    motion: Motion = field(default_factory=Motion)
     skipped: str = ""
     """Why it was not possible."""
     broken: list[str] = field(default_factory=list)
@@ -111,6 +122,13 @@ class Result:
             ("more descriptors are open, by", self.descriptors, bounds.descriptors, ""),
             ("more tasks run, by", self.tasks, bounds.tasks, ""),
             ("lines were logged:", self.lines, bounds.lines, ""),
+            ("without a command of its operator the robot moved by", self.motion.moved, bounds.moved, " m"),
         ):
             if found > bound:
                 self.broken.append(f"{name}: {what} {found:.4g}{unit}; the bound is {bound:g}{unit}")
+        for what, kept, of, least in (
+            ("drives of the operator were carried out", self.motion.driven, self.motion.legs, bounds.driven),
+            ("times the operator was in control", self.motion.controlled, self.motion.samples, bounds.control),
+        ):
+            if kept < least * of:
+                self.broken.append(f"{name}: {kept} of {of} {what}; the bound is {least:.0%}")

@@ -3,7 +3,7 @@
 python honest.py '{"settings": {...}, "id": "42.1.1", "robot": "101.1.102", "rate": 50}'
 
 It prints `ready` at the first answer. The line `begin` on its standard input starts to count; after `end` it prints
-`QUERIES ANSWERED SILENCE` (the longest one, in seconds). Each query asks for another set of fields of the pose: the
+`[QUERIES, ANSWERED, SILENCE]` (the longest one, in seconds). Each query asks for another set of fields of the pose: the
 answer shows which query it belongs to.
 """
 
@@ -115,7 +115,7 @@ async def main(reported: dict[str, Any]) -> None:
                 if word == "begin":
                     operator.begin()
                 else:
-                    print(*await operator.end(), flush=True)
+                    print(json.dumps(await operator.end()), flush=True)
             asking.cancel()
         await operator.transport.close()
 

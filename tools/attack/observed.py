@@ -1,34 +1,80 @@
-"""Runs a command of jauspy, and says when asked how many tasks of asyncio it has.
+"""Runs a command of jauspy, says when asked how many tasks of asyncio it has, and records where its robot truly is.
 
-python observed.py VERB ARGUMENTS... with one path a line on standard input: the number is written to this path.
+python observed.py TRUTH MUTANT VERB ARGUMENTS... with one path a line on standard input: the number is written to this
+path. Every 50 ms a line is appended to the file TRUTH, if the process has a robot of the backend `kinematic`: what the
+backend has moved and who is in control, not what is reported to clients. MUTANT is a name of `mutants.py`, or empty.
 """
 
 from __future__ import annotations
 
 import asyncio
 import gc
+import json
+import runpy
 import sys
 import threading
+import time
 from pathlib import Path
+from typing import Any, Final, TextIO, TypeVar
 
 from jauspy.cli.main import main
+from jauspy.platform.kinematic import KinematicRobot
+from jauspy.services.host import Host
+
+INTERVAL: Final = 0.05
+_T = TypeVar("_T")
+
+
+def found(kind: type[_T]) -> list[_T]:
+    """All objects of a kind."""
+    return [each for each in gc.get_objects() if isinstance(each, kind)]
 
 
 def tasks() -> int:
     """Tasks of all event loops of this process."""
-    loops = [each for each in gc.get_objects() if isinstance(each, asyncio.AbstractEventLoop)]
-    return sum(len(asyncio.all_tasks(loop)) for loop in loops)
+    return sum(len(asyncio.all_tasks(loop)) for loop in found(asyncio.BaseEventLoop))
 
 
-def answer() -> None:
+def answer(asked: threading.Event) -> None:
     """Answer until standard input is closed."""
     for line in sys.stdin:
         path = Path(line.strip())
         part = path.with_suffix(".part")
         part.write_text(str(tasks()))
         part.rename(path)
+        asked.set()
+
+
+def record(file: TextIO, asked: threading.Event) -> None:
+    """Record the truth from the first question on, when the robot has started."""
+    asked.wait()
+    robots = found(KinematicRobot)
+    if not robots:
+        return
+    hosts = {str(host.id): host for host in found(Host) if host.controller is not None}
+    while True:
+        file.write(json.dumps(truth(robots[0], hosts)) + "\n")
+        time.sleep(INTERVAL)
+
+
+def truth(robot: KinematicRobot, hosts: dict[str, Host]) -> dict[str, Any]:
+    """Time, pose, positions of all joints, and the client in control and the innermost states of each component."""
+    pose = robot.drive.pose()
+    return {
+        "time": time.monotonic(),
+        "pose": (pose.x, pose.y, pose.yaw),
+        "joints": [position for group in robot.groups.values() for position in group.state().positions],
+        "controllers": {id: str(host.controller) for id, host in hosts.items()},
+        "states": {id: list(host.path) for id, host in hosts.items()},
+    }
 
 
 if __name__ == "__main__":
-    threading.Thread(target=answer, daemon=True).start()
+    _, place, mutant, *sys.argv[1:] = sys.argv
+    if mutant:
+        runpy.run_path(str(Path(__file__).with_name("mutants.py")))["apply"](mutant)
+    questioned = threading.Event()
+    threading.Thread(target=answer, args=(questioned,), daemon=True).start()
+    truths = Path(place).open("a", buffering=1)  # noqa: SIM115 - as long as the process runs
+    threading.Thread(target=record, args=(truths, questioned), daemon=True).start()
     main()

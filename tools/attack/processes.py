@@ -3,25 +3,28 @@
 from __future__ import annotations
 
 import contextlib
+import json
 import os
 import resource
 import signal
 import subprocess
 import sys
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import IO, Final
+from typing import IO, Any, Final
 
 import psutil
 
 from .attack import BoundBroken
 from .hosts import Host
+from .truth import TruthFile
 
 OBSERVED: Final = str(Path(__file__).with_name("observed.py"))
 SUBSCRIBER: Final = str(Path(__file__).with_name("subscriber.py"))
 HONEST: Final = str(Path(__file__).with_name("honest.py"))
+PILOT: Final = str(Path(__file__).with_name("pilot.py"))
 _START_TIMEOUT: Final = 40.0
 _ANSWER_TIMEOUT: Final = 20.0
 _MIB: Final = 1 << 20
@@ -38,15 +41,20 @@ class Usage:
 
 
 class Victim:
-    """A command of jauspy that runs until it is stopped; its standard error goes to a file."""
+    """A command of jauspy that runs until it is stopped; its standard error goes to a file.
 
-    def __init__(self, host: Host, folder: Path, name: str, arguments: Sequence[str]) -> None:
+    `mutant` is a name of `mutants.py`: a defect that the command has; empty for none.
+    """
+
+    def __init__(self, host: Host, folder: Path, name: str, arguments: Sequence[str], mutant: str = "") -> None:
         self.name = name
+        self.truth = TruthFile(folder / f"{name}.truth")
+        """Where a robot truly is."""
         self._log = folder / f"{name}.log"
         self._answer = folder / f"{name}.tasks"
         with self._log.open("wb") as log:
             self._process = subprocess.Popen(
-                host.command(sys.executable, OBSERVED, *arguments),
+                host.command(sys.executable, OBSERVED, str(self.truth.path), mutant, *arguments),
                 stdin=subprocess.PIPE,
                 stdout=subprocess.PIPE,
                 stderr=log,
@@ -81,6 +89,15 @@ class Victim:
         """The last logged line."""
         text = self._log.read_bytes()[-4096:].decode(errors="replace").strip()
         return text.rpartition("\n")[2] or "it logged nothing"
+
+    @contextlib.contextmanager
+    def stopped(self) -> Iterator[None]:
+        """Within this the process does not run."""
+        self._process.send_signal(signal.SIGSTOP)
+        try:
+            yield
+        finally:
+            self._process.send_signal(signal.SIGCONT)
 
     def stop(self) -> None:
         """End it."""
@@ -118,6 +135,53 @@ def _peak(pid: int) -> float:
         if line.startswith("VmHWM:"):
             return int(line.split()[1]) / 1024
     return 0.0
+
+
+class Honest:
+    """A program of the operator that is told words on its standard input; its standard error goes to a file."""
+
+    def __init__(self, host: Host, folder: Path, program: str, settings: Mapping[str, Any]) -> None:
+        name = Path(program).stem
+        self.host = host
+        with (folder / f"{name}.log").open("wb") as log:
+            self._process = subprocess.Popen(
+                host.command(sys.executable, program, json.dumps(settings)),
+                stdin=subprocess.PIPE,
+                stdout=subprocess.PIPE,
+                stderr=log,
+            )
+        self._name = name
+
+    @property
+    def pid(self) -> int:
+        """The process id."""
+        return self._process.pid
+
+    def wait_for(self, text: str) -> None:
+        """Wait for a line of output with this text."""
+        assert self._process.stdout is not None
+        wait_for(self._process.stdout, text, self._name)
+
+    def tell(self, word: str) -> None:
+        """Send a word."""
+        assert self._process.stdin is not None
+        with contextlib.suppress(BrokenPipeError):
+            self._process.stdin.write(f"{word}\n".encode())
+            self._process.stdin.flush()
+
+    def ask(self, word: str) -> Any:
+        """Send a word, and return the answer, which is JSON."""
+        self.tell(word)
+        assert self._process.stdout is not None
+        line = self._process.stdout.readline()
+        if not line:
+            raise BoundBroken(f"the program {self._name} of the operator ended with an error")
+        return json.loads(line)
+
+    def kill(self) -> None:
+        """End it at once, as a crash does."""
+        self._process.kill()
+        self._process.communicate()
 
 
 def wait_for(stream: IO[bytes], text: str, name: str) -> None:

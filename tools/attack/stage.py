@@ -1,4 +1,4 @@
-"""What an attack meets: the victims as processes, and an honest operator who talks to the robot all the while."""
+"""What an attack meets: the victims as processes, and honest operators who query and drive the robot all the while."""
 
 from __future__ import annotations
 
@@ -7,24 +7,28 @@ import json
 import os
 import pty
 import socket
-import subprocess
-import sys
 import tty
 from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any, Final
 
+from jauspy.ids import JausID
 from jauspy.node import status
+from jauspy.protocol.seal import OperatorKey
 
-from .attack import BoundBroken, Layout, Victims
+from .attack import Layout, Victims
 from .hosts import Host, Lan
-from .processes import HONEST, Victim, wait_for
+from .processes import HONEST, PILOT, Honest, Victim
+from .truth import Leg, Motion, Sample, judge
 
 PORT: Final = 20794
 METRICS: Final = PORT + 1
 ROBOT_ID: Final = "101.1.102"
 OPERATOR_ID: Final = "42.1.1"
+"""Who queries the robot."""
+PILOT_ID: Final = "42.1.2"
+"""Who is in control of it, on the same machine."""
 KEY: Final = b"the key of this network"
 MULTICAST: Final = "239.255.7.7"
 MULTICAST6: Final = "ff15::6a61:7573"
@@ -36,14 +40,16 @@ QUERY_RATE: Final = 50
 class Stage:
     """Starts everything; `with Stage(...)` stops it."""
 
-    def __init__(self, layout: Layout, lan: Lan, folder: Path) -> None:
+    def __init__(self, layout: Layout, lan: Lan, folder: Path, mutant: str = "") -> None:
         self.layout = layout
+        self._mutant = mutant
         self.lan = lan
         self.folder = folder
         self.victims: list[Victim] = []
         self.line = -1
         """The attacker's end of a serial line."""
-        self._operator: subprocess.Popen[bytes] | None = None
+        self.pilot: Honest | None = None
+        self._operator: Honest | None = None
         self._stack = contextlib.ExitStack()
 
     def __enter__(self) -> Stage:
@@ -70,6 +76,11 @@ class Stage:
         """The file with the key, on a network that has one."""
         return self.folder / "lan.key"
 
+    @property
+    def operator_key(self) -> Path:
+        """The key file of the operator, if the robot is sealed."""
+        return self.folder / "alice.key"
+
     def counters(self) -> Counter[str]:
         """The counters of the robot's node manager; empty if they cannot be read."""
         path = str(self.root("robot") / status.SOCKET_NAME)
@@ -85,25 +96,30 @@ class Stage:
     # --- the operator ---------------------------------------------------------------------------------------------
 
     def begin(self) -> None:
-        """The operator counts from now on."""
-        self._tell("begin")
+        """The operator counts from now on, and the robot's motion is judged."""
+        for honest in self._honest:
+            honest.tell("begin")
+        for victim in self.victims:
+            victim.truth.begin()
 
-    def end(self) -> tuple[int, int, float]:
-        """Queries since `begin`, those not answered, and the longest silence in seconds."""
+    def end(self) -> tuple[int, int, float, Motion]:
+        """Queries since `begin`, those not answered, the longest silence in seconds, and how the robot moved."""
         if self._operator is None:
-            return 0, 0, 0.0
-        self._tell("end")
-        assert self._operator.stdout is not None
-        found = self._operator.stdout.readline().split()
-        if len(found) != 3:
-            raise BoundBroken("the operator ended with an error")
-        return int(found[0]), int(found[0]) - int(found[1]), float(found[2])
+            return 0, 0, 0.0, Motion()
+        asked, answered, silence = self._operator.ask("end")
+        return asked, asked - answered, silence, judge(self.samples(), self.legs(), PILOT_ID)
 
-    def _tell(self, word: str) -> None:
-        if self._operator is not None:
-            assert self._operator.stdin is not None
-            self._operator.stdin.write(f"{word}\n".encode())
-            self._operator.stdin.flush()
+    def samples(self) -> list[Sample]:
+        """Where the robot truly was since `begin`."""
+        return next((found for victim in self.victims if (found := victim.truth.samples())), [])
+
+    def legs(self) -> list[Leg]:
+        """What the pilot has driven since `begin`."""
+        return [] if self.pilot is None else [Leg(*leg) for leg in self.pilot.ask("end")["legs"]]
+
+    @property
+    def _honest(self) -> list[Honest]:
+        return [each for each in (self._operator, self.pilot) if each is not None]
 
     # --- processes ------------------------------------------------------------------------------------------------
 
@@ -111,7 +127,7 @@ class Stage:
     def apart(self) -> Iterator[None]:
         """Within this the attacker has the last processor and the victims have the others, as machines of their own."""
         processors = sorted(os.sched_getaffinity(0))
-        victims = [each.pid for each in self.victims] + ([self._operator.pid] if self._operator else [])
+        victims = [*(each.pid for each in self.victims), *(each.pid for each in self._honest)]
         try:
             if len(processors) > 1:
                 os.sched_setaffinity(0, processors[-1:])
@@ -131,8 +147,20 @@ class Stage:
         self._start_node_manager("robot", {**settings, **self.layout.settings})
         root = str(self.root("robot"))
         options = ("--backend", "kinematic", "--no-node-manager", "--local-root", root, "--verbose")
-        self._start("robot", "robot", "stop it", "up", "inc1", *options)
-        self._operator = self._start_operator()
+        self._start("robot", "robot", "stop it", "up", self._robot_file(), *options)
+        self._start_operators()
+
+    def _robot_file(self) -> str:
+        """The robot; with `sealed`, one that takes commands of registered operators only."""
+        if not self.layout.sealed:
+            return "inc1"
+        key = OperatorKey.generate()
+        self.operator_key.write_bytes(key.pem())
+        self.operator_key.chmod(0o600)
+        (self.folder / "operators.toml").write_text(f'[operators.alice]\nrole = "supervisor"\nkey = "{key.public}"\n')
+        path = self.folder / "sealed.toml"
+        path.write_text('extends = "inc1"\noperators = "operators.toml"\n')
+        return str(path)
 
     def _more_doors(self) -> dict[str, Any]:
         """Settings with TCP, IPv6, a serial line (a pseudo terminal), and metrics on the network."""
@@ -156,7 +184,7 @@ class Stage:
         self._start(host, f"node manager of the {host}", "ready", "node-manager", "--config", str(path))
 
     def _start(self, host: str, name: str, ready: str, *arguments: str) -> None:
-        victim = Victim(self.lan.hosts[host], self.folder, name, arguments)
+        victim = Victim(self.lan.hosts[host], self.folder, name, arguments, self._mutant)
         self._stack.callback(victim.stop)
         self.victims.append(victim)
         victim.wait_for(ready)
@@ -170,17 +198,29 @@ class Stage:
         }
         return settings | ({"key_file": str(self.key_file)} if self.layout.keyed else {})
 
-    def _start_operator(self) -> subprocess.Popen[bytes]:
+    def _start_operators(self) -> None:
+        """One that only queries, with a node manager, and one that is in control, by the same node manager."""
+        host = self.lan.hosts["operator"]
         address = f"udp://{self.lan.hosts['robot'].address}:{PORT}"
         settings = self._settings("operator") | {"addresses": {"101.255.255": address}}
-        reported = {"settings": settings, "id": OPERATOR_ID, "robot": ROBOT_ID, "rate": QUERY_RATE}
-        command = self.lan.hosts["operator"].command(sys.executable, HONEST, json.dumps(reported))
-        with (self.folder / "operator.log").open("wb") as log:
-            process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=log)
-        self._stack.callback(_end, process)
-        assert process.stdout is not None
-        wait_for(process.stdout, "ready", "operator")
-        return process
+        self._operator = Honest(
+            host,
+            self.folder,
+            HONEST,
+            {"settings": settings, "id": OPERATOR_ID, "robot": ROBOT_ID, "rate": QUERY_RATE},
+        )
+        self._stack.callback(self._operator.kill)
+        self._operator.wait_for("ready")
+        key = str(self.operator_key) if self.layout.sealed else None
+        connect = f"local:{self.root('operator')}"
+        self.pilot = Honest(
+            host,
+            self.folder,
+            PILOT,
+            {"id": PILOT_ID, "connect": connect, "subsystem": JausID.parse(ROBOT_ID).subsystem, "operator": key},
+        )
+        self._stack.callback(self.pilot.kill)
+        self.pilot.wait_for("ready")
 
 
 def _confine(processes: Iterable[int], processors: Iterable[int]) -> None:
@@ -189,11 +229,6 @@ def _confine(processes: Iterable[int], processors: Iterable[int]) -> None:
         for thread in Path(f"/proc/{process}/task").iterdir():
             with contextlib.suppress(ProcessLookupError):
                 os.sched_setaffinity(int(thread.name), processors)
-
-
-def _end(process: subprocess.Popen[bytes]) -> None:
-    process.kill()
-    process.communicate()
 
 
 def _gateway(host: Host) -> dict[str, Any]:

@@ -9,12 +9,13 @@ from pathlib import Path
 from typing import Final
 
 from .attack import Result
+from .truth import Motion
 
 BEGIN: Final = "<!-- begin: written by `make attack` -->"
 END: Final = "<!-- end: written by `make attack` -->"
 _HEAD: Final = (
-    ("attack", "attacker", "sent", "honest, lost", "silence", "memory", "leaked"),
-    ("---", "---", "---", "---", "---", "---", "---"),
+    ("attack", "attacker", "sent", "honest, lost", "silence", "moved", "control kept", "memory", "leaked"),
+    ("---",) * 9,
 )
 
 
@@ -38,7 +39,7 @@ def rows(results: Sequence[Result]) -> list[tuple[str, ...]]:
 def _row(result: Result) -> tuple[str, ...]:
     attack = result.attack
     if result.skipped:
-        return attack.name, attack.attacker.value, f"not run: {result.skipped}", "", "", "", ""
+        return attack.name, attack.attacker.value, f"not run: {result.skipped}", *("",) * 6
     heard = f"{result.silence:.2f} s" if result.silence else ""
     leaked = f"{result.descriptors} descriptors, {result.tasks} tasks, {result.lines} lines"
     return (
@@ -47,9 +48,16 @@ def _row(result: Result) -> tuple[str, ...]:
         f"{result.sent:,} {attack.unit}",
         f"{result.asked:,}, {result.lost:,}" if result.asked else "",
         heard,
+        _moved(result.motion),
+        f"{result.motion.controlled / result.motion.samples:.0%}" if result.motion.samples else "",
         f"{result.memory:.1f} MiB",
         leaked,
     )
+
+
+def _moved(motion: Motion) -> str:
+    """How far the robot moved without a command, and how many of the operator's drives it carried out."""
+    return f"{motion.moved:.2f} m; {motion.driven} of {motion.legs} drives" if motion.samples else ""
 
 
 def as_text(results: Sequence[Result]) -> str:

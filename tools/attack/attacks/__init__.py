@@ -9,6 +9,7 @@ from . import (
     can_bus,
     captures,
     clouds,
+    commands,
     compression,
     configurations,
     console,
@@ -39,6 +40,7 @@ from . import (
 ALL: Final[tuple[Attack, ...]] = (
     malformed.ATTACK,
     made_up_ids.ATTACK,
+    commands.ATTACK,
     forged_ids.ATTACK,
     vague_sources.ATTACK,
     fragments.ATTACK,
