@@ -89,6 +89,7 @@ class Host(ServiceHost):
         if message is None:
             return
         self.counters["received"] += 1
+        self.on_heard(source)
         if self.admission is None:
             self._handle(message, source)
         elif (admitted := self.admission.admit(message, payload, source)) is not None:

@@ -254,6 +254,8 @@ class ServiceHost:
         """Called when a timer is set from outside of the host; set by the component that runs it."""
         self.locate: Callable[[JausID, Callable[[Location], None]], None] = lambda _, found: found(HERE)
         """Calls back, now or later, with the machine of another component; set by the component that runs it."""
+        self.on_heard: Callable[[JausID], None] = lambda _: None
+        """Called with the source of each message that is handled; set by Events."""
         self.counters = Counters(_LOG)
         self._output = OutputQueue(max_output, self.counters)
         self._timers = Timers()

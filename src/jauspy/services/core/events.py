@@ -25,6 +25,7 @@ from jauspy.messages.core import (
 )
 from jauspy.protocol.header import Priority
 from jauspy.services.core.command_events import CommandEvents, CompletedCommands, encoded
+from jauspy.services.core.event_clients import EventClients
 from jauspy.services.core.subscriptions import (
     EVERY_CHANGE,
     EXTRA_KINDS,
@@ -83,6 +84,11 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         self._kinds = KINDS | EXTRA_KINDS if more_kinds else KINDS
         self._current: ClientEvent | None = None
 
+    def attached(self) -> None:
+        """Notice which clients are heard."""
+        self._clients = EventClients(self.host)
+        self.host.on_heard = self._clients.heard
+
     def leaving(self) -> None:
         """End all events, since clients know them by the id of the component, and confirm that to the clients."""
         for each in self.subscriptions.all():
@@ -105,6 +111,7 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         )
         self._set_rate(subscription, msg.requested_periodic_rate)
         self.subscriptions.add(subscription)
+        self._clients.add(source)
         self._current = subscription
         self._schedule(subscription)
 
@@ -215,6 +222,11 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
 
     def send_event(self, msg: Subscription) -> None:
         """Send the present answer to the query; for events on change, only if it has changed."""
+        if self._clients.is_gone(msg.client):
+            self._end_unheard(msg.client)
+            return
+        if not self._clients.may_report(msg.client):
+            return
         if msg.pending_query is msg.query:
             self.host.count("event_skipped", f"{msg.query.NAME}: the reply to the previous query is still pending")
             return
@@ -231,14 +243,21 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         """Handle a deferred reply; meanwhile the event may have ended or changed its query."""
         if msg.pending_query is query:
             msg.pending_query = None
-        is_wanted = msg.query is query and self.subscriptions.holds(msg)
+        is_wanted = msg.query is query and self.subscriptions.holds(msg) and self._clients.may_report(msg.client)
         if is_wanted and answer is not None and _is_due(msg, answer):
             self._report(msg, answer)
+
+    def _end_unheard(self, client: JausID) -> None:
+        """End the events of a client that shows no sign of life: somebody may have forged its id."""
+        for entry in self.subscriptions.queries(client):
+            self.host.count("events.unheard_ended", f"that of {client}, which acknowledges nothing")
+            self._end(entry)
 
     def _report(self, msg: Subscription, answer: bytes) -> None:
         event = Event(event_id=msg.id, sequence_number=msg.sequence, report_message=answer)
         # Where a client does not keep up, periodic reports are dropped before replies and changes, which are sent once.
-        self.host.send(msg.client, event, priority=Priority.LOW if msg.kind == PERIODIC else Priority.STANDARD)
+        priority = Priority.LOW if msg.kind == PERIODIC else Priority.STANDARD
+        self.host.send(msg.client, event, priority=priority, on_acknowledged=self._clients.report(msg.client))
         msg.sequence = msg.sequence + 1 & 0xFF
         if msg.kind in EXTRA_KINDS:
             self._end(msg)
@@ -270,6 +289,8 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
 
     def _end(self, entry: ClientEvent) -> None:
         self.subscriptions.remove(entry)
+        if not self.subscriptions.has(entry.client):
+            self._clients.remove(entry.client)
         for timer in ("event", "event timeout", "command"):
             self.host.cancel_timer((timer, entry.id))
 

@@ -124,6 +124,10 @@ class Subscriptions:
         """The client's events in the order of their ids."""
         return [each for _, each in sorted(self._by_client.get(client, {}).items())]
 
+    def has(self, client: JausID) -> bool:
+        """True when the client has an event."""
+        return client in self._by_client
+
     def queries(self, client: JausID) -> Iterator[Subscription]:
         """The subscriptions of the client."""
         return (each for each in self.of(client) if isinstance(each, Subscription))
