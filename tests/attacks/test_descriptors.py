@@ -10,6 +10,7 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
+import psutil
 import pytest
 
 from jauspy.ids import JausID
@@ -98,3 +99,34 @@ def test_connections_without_a_descriptor_are_tried_again_at_a_limited_rate(vict
         assert reader.recv(1) == b"{"
     counted = asyncio.run(status.read(victim.root))["counters"]["accept_failed"] - before
     assert 1 <= counted <= 5
+
+
+@pytest.mark.slow
+def test_a_limit_that_is_lowered_below_what_is_open(victim: Victim) -> None:
+    """Components that are connected are served; further ones are refused and counted, in one line and without haste."""
+    here, client = JausID(101, 1, 1), JausID(101, 1, 2)
+    with contextlib.ExitStack() as stack:
+        first = stack.enter_context(victim.connect(here))
+        first.settimeout(TIMEOUT)
+        assert first.recv(100) == junior.accept(here)
+        for number in range(1, 31):
+            stack.enter_context(victim.connect(JausID(66, 1, number)))
+        limits = resource.prlimit(victim.process.pid, resource.RLIMIT_NOFILE, (20, MAX_FILES))
+        process = psutil.Process(victim.process.pid)
+        begin = process.cpu_times()
+        time.sleep(7.0)  # the addresses of the machine are read each 5 s, which needs a descriptor
+        for number in range(31, 41):
+            stack.enter_context(victim.connect(JausID(66, 1, number)))
+        first.sendto(judp.pack(Packet(client, here, b"\x02\x20", 1)), str(victim.root / junior.SOCKET_NAME))
+        assert first.recv(100)[-4:-2] == b"\x02\x20", "who is connected is served"
+        used = process.cpu_times()
+        assert used.user + used.system - begin.user - begin.system < 2.0
+        resource.prlimit(victim.process.pid, resource.RLIMIT_NOFILE, limits)
+        counters = asyncio.run(status.read(victim.root))["counters"]
+        assert counters["dropped.component_refused"] >= 10
+        assert counters["open_files.limit_changed"] == 1
+        assert counters["multicast.not_refreshed"] >= 1
+        log = victim.log.read_text()
+        assert "Traceback" not in log
+        assert log.count("limit of open files is now 20") == 1
+    assert victim.accepts(JausID(66, 2, 1)), "with the old limit there is room again"

@@ -72,6 +72,7 @@ class NodeManager:
         self._max_age = self.config.max_message_age or math.inf
         self._component_sockets = ComponentSockets(self.config.local_root)
         self._local_users: LocalUsers | None = None
+        self._max_sockets = max_component_sockets()
         self._router = Router(
             str(self.config.local_root),
             addresses=self._known,
@@ -83,7 +84,7 @@ class NodeManager:
             compression=self.config.header_compression,
             max_message_age=self._max_age,
             is_dead=self._component_sockets.is_dead,
-            max_sockets=max_component_sockets(),
+            max_sockets=self._max_sockets,
             networks=[network.name for network in self.config.all_networks],
             gateway=make_gateway(self.config),
             sources=SourceChecks(
@@ -198,6 +199,7 @@ class NodeManager:
                 self._ingress.attach(sock, name, self._udp_error, skip=network.skip)
         self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
         self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)
+        self._check_limit()
 
     def _take_up_components(self, may_use: Callable[[int], bool]) -> None:
         """Register the components of an earlier node manager: some send only when queried."""
@@ -347,7 +349,24 @@ class NodeManager:
     def _refresh_memberships(self) -> None:
         self._membership_timer = self._loop.call_later(multicast.WATCH_INTERVAL, self._refresh_memberships)
         for network in self._networks.values():
-            network.refresh_memberships()
+            try:
+                network.refresh_memberships()
+            except OSError as error:  # no descriptor to read the addresses with
+                self._router.counters.count("multicast.not_refreshed", error)
+
+    def _check_limit(self) -> None:
+        """Accept as many components as there are descriptors for, also after somebody has changed the limit."""
+        number = max_component_sockets()
+        if number != self._max_sockets:
+            self._max_sockets = number
+            self._router.components.set_max_sockets(number)
+            self._router.counters["open_files.limit_changed"] += 1
+            limit, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
+            _LOGGER.warning(
+                "the limit of open files is now %d: up to %d components are accepted; `prlimit --nofile` sets it",
+                limit,
+                number,
+            )
 
     def _is_dead(self, port: ComponentPort) -> bool:
         if isinstance(port, LocalPort):
@@ -356,6 +375,7 @@ class NodeManager:
 
     def _check_liveness(self) -> None:
         self._liveness_timer = self._loop.call_later(liveness.CHECK_INTERVAL, self._check_liveness)
+        self._check_limit()
         self._liveness.check_next()
 
     # --- time ----------------------------------------------------------------------------------------------------

@@ -175,6 +175,10 @@ class ComponentDirectory:
     def __iter__(self) -> Iterator[tuple[int, ComponentPort]]:
         return iter(list(self._ports.items()))
 
+    def set_max_sockets(self, number: int) -> None:
+        """Change the bound; components that are registered stay."""
+        self._max_sockets = number
+
     @property
     def is_full(self) -> bool:
         """True when there is no room for another component, or another local socket."""
