@@ -205,3 +205,13 @@ def test_usual_loads_are_as_fast_as_before() -> None:
     clock.events.clear()
     clock.run(2.0)
     assert clock.events.total() == 3 * 32 * 10 * 2
+
+
+def test_events_of_all_modules_of_a_robot_delay_a_command_by_few_events() -> None:
+    """Seven modules in one process, each with all the events it takes, send at most sixteen in a turn."""
+    modules = [Clock() for _ in range(7)]
+    for each in modules:
+        for client in STRANGERS[:3]:
+            each.subscribe(client, 32, 100.0)
+        each.host.handle_timeout(1.0)
+    assert 7 <= sum(len(each.host.poll_output(1.0)) for each in modules) <= 16

@@ -20,8 +20,8 @@ from jauspy.services.messaging import InputDecoder, Outgoing
 from jauspy.services.service import Service, ServiceHost, Timers
 from jauspy.services.state_machine import Trigger, TriggerOutcome
 
-MAX_BACKGROUND_TIMERS: Final = 8
-"""Background timers, such as events of clients without control, that are run in one turn."""
+MAX_BACKGROUND_TIMERS: Final = 2
+"""Background timers, such as events of clients without control, that are run in one turn: a robot has many modules."""
 BACKGROUND_RATE: Final = 1000.0
 """Maximum background timers per second."""
 BACKGROUND_BURST: Final = 128
