@@ -5,12 +5,27 @@
 
 from __future__ import annotations
 
+import hmac
+import math
+import socket
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
-from jauspy.protocol import sources
-from jauspy.services.core import access_control
+from jauspy.logs import LogRateLimit
+from jauspy.node.ingress import Ingress
+from jauspy.node.links import TcpPeers
+from jauspy.protocol.duplicates import ReplayWindow
+from jauspy.protocol.routing import Router
+from jauspy.protocol.seal import PublicKey
+from jauspy.protocol.sources import SourceChecks
+from jauspy.services.command_timeout import ContinuousCommands
+from jauspy.services.core import AccessControl, Management
+from jauspy.services.core.event_clients import EventClients
+from jauspy.services.core.subscriptions import Subscriptions
+from jauspy.transport.age import DatagramReader
+from jauspy.transport.send_queue import SendQueue
+from jauspy.transport.tcp import StreamLink
 
 
 @dataclass(frozen=True, slots=True)
@@ -32,11 +47,68 @@ def replaced(owner: Any, name: str, value: Any) -> Callable[[], None]:
     return patch
 
 
+def _true(*_: Any, **__: Any) -> bool:
+    return True
+
+
+def _false(*_: Any, **__: Any) -> bool:
+    return False
+
+
+def _nothing(*_: Any, **__: Any) -> None:
+    pass
+
+
+def leaking() -> None:
+    """A descriptor stays open for each JTCP connection."""
+    accept, leaked = TcpPeers._accepted, []  # noqa: SLF001 - a defect of it
+
+    def accepted(self: TcpPeers, link: StreamLink) -> None:
+        leaked.append(socket.socket())
+        accept(self, link)
+
+    replaced(TcpPeers, "_accepted", accepted)()
+
+
+def no_control_timeout() -> None:
+    """Neither silence of the client in control nor the lack of commands has an effect."""
+    replaced(AccessControl, "reset_timer", _nothing)()
+    replaced(ContinuousCommands, "expect_next_command", _nothing)()
+
+
+def events_for_ever() -> None:
+    """Events of clients that are not heard go on."""
+    replaced(EventClients, "is_gone", _false)()
+    replaced(EventClients, "may_report", _true)()
+
+
+def any_age() -> None:
+    """Commands may have waited for any time."""
+    replaced(DatagramReader, "receiver", lambda self, _: self.receive)()
+    replaced(Ingress, "_route_from", _route_anything)()
+    replaced(SendQueue, "drop_stale", lambda _: 0)()
+
+
+def _route_anything(self: Ingress, queues: Any, left: int, _: float, /) -> int:
+    return _ROUTE_FROM(self, queues, left, -math.inf)
+
+
+_ROUTE_FROM: Final = Ingress._route_from  # noqa: SLF001 - a defect of it
 MUTANTS: Final[dict[str, Mutant]] = {
-    "anybody-controls": Mutant(
-        replaced(access_control.AccessControl, "is_controlling_client", lambda *_: True), ("commands",)
-    ),
-    "any-source": Mutant(replaced(sources.SourceChecks, "check_address", lambda *_, **__: True), ("commands",)),
+    "anybody-controls": Mutant(replaced(AccessControl, "is_controlling_client", _true), ("commands",)),
+    "any-source": Mutant(replaced(SourceChecks, "check_address", _true), ("commands",)),
+    "any-own-id": Mutant(replaced(Router, "_is_own", _false), ("own-ids",)),
+    "any-key": Mutant(replaced(hmac, "compare_digest", _true), ("wrong-key",)),
+    "any-replay": Mutant(replaced(ReplayWindow, "is_new", _true), ("replay",)),
+    "any-seal": Mutant(replaced(PublicKey, "has_signed", _true), ("seals",)),
+    "any-sealed-replay": Mutant(replaced(ReplayWindow, "is_new", _true), ("seals",)),
+    "any-age": Mutant(any_age, ("stalled-robot",)),
+    "anybody-clears": Mutant(replaced(Management, "is_id_stored", _true), ("emergencies",)),
+    "no-control-timeout": Mutant(no_control_timeout, ("cut-off",)),
+    "unbounded-events": Mutant(replaced(Subscriptions, "full_for", _false), ("events",)),
+    "events-for-ever": Mutant(events_for_ever, ("amplification",)),
+    "leaking-descriptors": Mutant(leaking, ("tcp",)),
+    "unbounded-logs": Mutant(replaced(LogRateLimit, "filter", _true), ("local-udp",)),
 }
 
 

@@ -178,6 +178,23 @@ class Honest:
             raise BoundBroken(f"the program {self._name} of the operator ended with an error")
         return json.loads(line)
 
+    def pause(self) -> None:
+        """Let it not run, until `resume`."""
+        self._process.send_signal(signal.SIGSTOP)
+
+    def resume(self) -> None:
+        """Let it run again."""
+        self._process.send_signal(signal.SIGCONT)
+
+    @contextlib.contextmanager
+    def stopped(self) -> Iterator[None]:
+        """Within this it does not run."""
+        self.pause()
+        try:
+            yield
+        finally:
+            self.resume()
+
     def kill(self) -> None:
         """End it at once, as a crash does."""
         self._process.kill()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import socket
+from collections.abc import Iterator
 
 from ..arena import Arena
 from ..attack import Attack, Attacker, Layout, NotPossible
@@ -29,31 +30,41 @@ def recorder(arena: Arena) -> socket.socket:
     return sock
 
 
-def record(sock: socket.socket, known: list[bytes], own: bytes) -> None:
-    """Add the authenticated datagrams of others that have passed; the newest are kept."""
+def heard(sock: socket.socket, source: bytes) -> Iterator[bytes]:
+    """The datagrams of one IPv4 address that have passed."""
     try:
         while True:
             frame = sock.recv(70000)
-            data = frame[_HEADERS:]
-            if data[:1] == b"\xa5" and frame[_SOURCE] != own:
-                known.append(data)
+            if frame[_SOURCE] == source:
+                yield frame[_HEADERS:]
     except BlockingIOError:
-        del known[:-MAX_RECORDED]
+        pass
+
+
+def record(sock: socket.socket, known: list[bytes], source: bytes) -> None:
+    """Add the authenticated datagrams of an address that have passed; the newest are kept."""
+    known += (data for data in heard(sock, source) if data[:1] == b"\xa5")
+    del known[:-MAX_RECORDED]
 
 
 def run(arena: Arena) -> None:
-    """From another address, so that learning it would divert the answers."""
+    """From another address, so that learning it would divert the answers, and as if from the address of the sender."""
     chance, sock = arena.chance, arena.open(arena.attacker.udp())
+    forger = arena.open(arena.attacker.forger())
     sniffer = arena.open(recorder(arena))
     recorded: list[bytes] = []
     operator = (arena.hosts["operator"].address, PORT)
     for number in arena.paced(RATE):
         if number % 10 == 0:
-            record(sniffer, recorded, socket.inet_aton(arena.attacker.address))
+            record(sniffer, recorded, socket.inet_aton(operator[0]))
         if not recorded:
             continue
         data = chance.choice(recorded)
-        arena.send(sock, damaged(chance, data) if number % 4 == 0 else data, arena.where if number % 3 else operator)
+        if number % 3 == 0:
+            arena.sent += 1
+            forger.send(data, operator, arena.where)
+            continue
+        arena.send(sock, damaged(chance, data) if number % 4 == 0 else data, arena.where if number % 2 else operator)
     arena.require(arena.sent > 0, "nothing could be recorded")
 
 
