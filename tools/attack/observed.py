@@ -8,12 +8,13 @@ backend has moved and who is in control, not what is reported to clients. MUTANT
 from __future__ import annotations
 
 import asyncio
-import gc
 import json
 import runpy
 import sys
 import threading
 import time
+import weakref
+from collections.abc import Collection
 from pathlib import Path
 from typing import Any, Final, TextIO, TypeVar
 
@@ -21,18 +22,30 @@ from jauspy.cli.main import main
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.services.host import Host
 
-INTERVAL: Final = 0.05
 _T = TypeVar("_T")
 
+INTERVAL: Final = 0.05
 
-def found(kind: type[_T]) -> list[_T]:
-    """All objects of a kind."""
-    return [each for each in gc.get_objects() if isinstance(each, kind)]
+
+def remembered(kind: type[_T]) -> Collection[_T]:
+    """All objects of a kind that are made from now on.
+
+    A search by `gc` in another thread breaks what it finds half built: a tuple with a second owner cannot grow.
+    """
+    found: weakref.WeakSet[_T] = weakref.WeakSet()
+    make = kind.__init__
+
+    def made(self: _T, *arguments: Any, **options: Any) -> None:
+        make(self, *arguments, **options)
+        found.add(self)
+
+    kind.__init__ = made  # type: ignore[method-assign, assignment]
+    return found
 
 
 def tasks() -> int:
     """Tasks of all event loops of this process."""
-    return sum(len(asyncio.all_tasks(loop)) for loop in found(asyncio.BaseEventLoop))
+    return sum(len(asyncio.all_tasks(loop)) for loop in list(LOOPS))
 
 
 def answer(asked: threading.Event) -> None:
@@ -48,10 +61,10 @@ def answer(asked: threading.Event) -> None:
 def record(file: TextIO, asked: threading.Event) -> None:
     """Record the truth from the first question on, when the robot has started."""
     asked.wait()
-    robots = found(KinematicRobot)
+    robots = list(ROBOTS)
     if not robots:
         return
-    hosts = {str(host.id): host for host in found(Host) if host.controller is not None}
+    hosts = {str(host.id): host for host in list(HOSTS) if host.controller is not None}
     while True:
         file.write(json.dumps(truth(robots[0], hosts)) + "\n")
         time.sleep(INTERVAL)
@@ -69,6 +82,9 @@ def truth(robot: KinematicRobot, hosts: dict[str, Host]) -> dict[str, Any]:
     }
 
 
+LOOPS: Final = remembered(asyncio.BaseEventLoop)
+ROBOTS: Final = remembered(KinematicRobot)
+HOSTS: Final = remembered(Host)
 if __name__ == "__main__":
     _, place, mutant, *sys.argv[1:] = sys.argv
     if mutant:
