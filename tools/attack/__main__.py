@@ -23,7 +23,7 @@ import jauspy
 
 from . import hosts, table
 from .arena import Arena
-from .attack import Attack, BoundBroken, Layout, NotPossible, Result
+from .attack import Attack, BoundBroken, Layout, NotPossible, NotStarted, Result
 from .attacks import ALL
 from .hosts import Lan
 from .mutants import MUTANTS
@@ -90,6 +90,8 @@ def run(
                     stack.close()
                     stage = stack.enter_context(new_stage(attack.layout, lan, keep=keep, mutant=mutant))
                 run_one(result, stage, seconds, seed)
+            except NotStarted:
+                raise  # nothing can be said about any attack
             except BoundBroken as error:
                 result.broken.append(str(error))
             except NotPossible as error:

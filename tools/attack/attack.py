@@ -71,6 +71,10 @@ class BoundBroken(Exception):
     """A victim did not keep a bound; the message is one sentence."""
 
 
+class NotStarted(BoundBroken):
+    """A victim did not start, which an attack has not caused."""
+
+
 class NotPossible(Exception):
     """An attack is not permitted on this machine; the message says why."""
 

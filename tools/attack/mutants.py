@@ -12,6 +12,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any, Final
 
+from jauspy.ids import JausID
 from jauspy.logs import LogRateLimit
 from jauspy.node.ingress import Ingress
 from jauspy.node.links import TcpPeers
@@ -55,6 +56,18 @@ def _false(*_: Any, **__: Any) -> bool:
     return False
 
 
+def _any_client(_: AccessControl, msg: object, source: JausID) -> bool:  # noqa: ARG001 - bound by their names
+    return True
+
+
+def _any_id(_: Management, source: JausID) -> bool:  # noqa: ARG001
+    return True
+
+
+def _no_timer(_: AccessControl) -> None:
+    pass
+
+
 def _nothing(*_: Any, **__: Any) -> None:
     pass
 
@@ -72,7 +85,7 @@ def leaking() -> None:
 
 def no_control_timeout() -> None:
     """Neither silence of the client in control nor the lack of commands has an effect."""
-    replaced(AccessControl, "reset_timer", _nothing)()
+    replaced(AccessControl, "reset_timer", _no_timer)()
     replaced(ContinuousCommands, "expect_next_command", _nothing)()
 
 
@@ -95,7 +108,7 @@ def _route_anything(self: Ingress, queues: Any, left: int, _: float, /) -> int:
 
 _ROUTE_FROM: Final = Ingress._route_from  # noqa: SLF001 - a defect of it
 MUTANTS: Final[dict[str, Mutant]] = {
-    "anybody-controls": Mutant(replaced(AccessControl, "is_controlling_client", _true), ("commands",)),
+    "anybody-controls": Mutant(replaced(AccessControl, "is_controlling_client", _any_client), ("commands",)),
     "any-source": Mutant(replaced(SourceChecks, "check_address", _true), ("commands",)),
     "any-own-id": Mutant(replaced(Router, "_is_own", _false), ("own-ids",)),
     "any-key": Mutant(replaced(hmac, "compare_digest", _true), ("wrong-key",)),
@@ -103,7 +116,7 @@ MUTANTS: Final[dict[str, Mutant]] = {
     "any-seal": Mutant(replaced(PublicKey, "has_signed", _true), ("seals",)),
     "any-sealed-replay": Mutant(replaced(ReplayWindow, "is_new", _true), ("seals",)),
     "any-age": Mutant(any_age, ("stalled-robot",)),
-    "anybody-clears": Mutant(replaced(Management, "is_id_stored", _true), ("emergencies",)),
+    "anybody-clears": Mutant(replaced(Management, "is_id_stored", _any_id), ("emergencies",)),
     "no-control-timeout": Mutant(no_control_timeout, ("cut-off",)),
     "unbounded-events": Mutant(replaced(Subscriptions, "full_for", _false), ("events",)),
     "events-for-ever": Mutant(events_for_ever, ("amplification",)),

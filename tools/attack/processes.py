@@ -17,7 +17,7 @@ from typing import IO, Any, Final
 
 import psutil
 
-from .attack import BoundBroken
+from .attack import BoundBroken, NotStarted
 from .hosts import Host
 from .truth import TruthFile
 
@@ -202,14 +202,14 @@ class Honest:
 
 
 def wait_for(stream: IO[bytes], text: str, name: str) -> None:
-    """Read lines until one has this text; raises `BoundBroken` when the process ends before."""
+    """Read lines until one has this text; raises `NotStarted` when the process ends before."""
     deadline = time.monotonic() + _START_TIMEOUT
     for line in iter(stream.readline, b""):
         if text.encode() in line:
             return
         if time.monotonic() > deadline:
             break
-    raise BoundBroken(f"the {name} did not start")
+    raise NotStarted(f"the {name} did not start")
 
 
 @dataclass(frozen=True, slots=True)
