@@ -64,6 +64,10 @@ def _any_id(_: Management, source: JausID) -> bool:  # noqa: ARG001
     return True
 
 
+def _clear_all(self: Management, source: JausID) -> None:  # noqa: ARG001
+    self._emergency_clients = {}
+
+
 def _no_timer(_: AccessControl) -> None:
     pass
 
@@ -95,6 +99,12 @@ def events_for_ever() -> None:
     replaced(EventClients, "may_report", _true)()
 
 
+def anybody_clears() -> None:
+    """Each client ends an emergency of all others."""
+    replaced(Management, "is_id_stored", _any_id)()
+    replaced(Management, "delete_id", _clear_all)()
+
+
 def any_age() -> None:
     """Commands may have waited for any time."""
     replaced(DatagramReader, "receiver", lambda self, _: self.receive)()
@@ -116,7 +126,7 @@ MUTANTS: Final[dict[str, Mutant]] = {
     "any-seal": Mutant(replaced(PublicKey, "has_signed", _true), ("seals",)),
     "any-sealed-replay": Mutant(replaced(ReplayWindow, "is_new", _true), ("seals",)),
     "any-age": Mutant(any_age, ("stalled-robot",)),
-    "anybody-clears": Mutant(replaced(Management, "is_id_stored", _any_id), ("emergencies",)),
+    "anybody-clears": Mutant(anybody_clears, ("emergencies",)),
     "no-control-timeout": Mutant(no_control_timeout, ("cut-off",)),
     "unbounded-events": Mutant(replaced(Subscriptions, "full_for", _false), ("events",)),
     "events-for-ever": Mutant(events_for_ever, ("amplification",)),

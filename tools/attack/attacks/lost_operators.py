@@ -16,6 +16,11 @@ COMMAND_TIMEOUT: Final = 2.0
 CONTROL_TIMEOUT: Final = 5.0
 """Of the robot inc1."""
 MARGIN: Final = 1.5
+STALL: Final = 0.9
+"""Seconds in which the robot does not run; after a longer time it stops everything by itself."""
+QUEUED: Final = 0.2
+"""Seconds of these in which commands arrive."""
+BRAKING: Final = 0.3
 MOVED: Final = 0.05
 """Metres."""
 
@@ -59,20 +64,21 @@ def _cut_off(arena: Arena) -> None:
 
 
 def _stalled(arena: Arena) -> None:
-    """Commands that waited while the robot did not run are not carried out when their operator is gone."""
+    """The robot does not run for a moment while it drives; commands that waited do not prolong the drive."""
     robot = next(each for each in arena.stage.victims if each.name == "robot")
     pilot = _pilot(arena)
     with robot.stopped():
-        time.sleep(0.4)
-        arena.sent += 4
+        begin = time.monotonic()
+        time.sleep(QUEUED)
         pilot.pause()
-        time.sleep(COMMAND_TIMEOUT + MARGIN)
-    begin = time.monotonic() + 0.3
-    time.sleep(1.5)
-    moved = _moved(arena.stage.samples(), begin)
+        arena.sent += 1
+        time.sleep(STALL - QUEUED)
+    stopped = begin + COMMAND_TIMEOUT + BRAKING
+    _wait(arena, begin + COMMAND_TIMEOUT + STALL + BRAKING - time.monotonic())
+    moved = _moved(arena.stage.samples(), stopped)
     pilot.resume()
     pilot.tell("rest")
-    arena.require(moved <= MOVED, f"the robot drove {moved:.2f} m by commands that were older than {MARGIN:g} s")
+    arena.require(moved <= MOVED, f"the robot drove {moved:.2f} m by commands that had waited for {STALL - QUEUED:g} s")
 
 
 BOUNDS = Bounds(lost=1.0, silence=math.inf, moved=math.inf, driven=0.0, control=0.0)
@@ -83,4 +89,4 @@ def _attack(name: str, unit: str, run: Callable[[Arena], None]) -> Attack:
 
 
 CUT_OFF = _attack("cut-off", "cuts", _cut_off)
-STALLED = _attack("stalled-robot", "commands", _stalled)
+STALLED = _attack("stalled-robot", "stalls", _stalled)
