@@ -90,9 +90,9 @@ def run(
                     stack.close()
                     stage = stack.enter_context(new_stage(attack.layout, lan, keep=keep, mutant=mutant))
                 run_one(result, stage, seconds, seed)
-            except NotStarted:
-                raise  # nothing can be said about any attack
             except BoundBroken as error:
+                if mutant and isinstance(error, NotStarted):
+                    sys.exit(f"mutant {mutant}: {error}")  # which no attack has noticed
                 result.broken.append(str(error))
             except NotPossible as error:
                 result.skipped = str(error)
