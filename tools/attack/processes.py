@@ -142,7 +142,6 @@ class Honest:
 
     def __init__(self, host: Host, folder: Path, program: str, settings: Mapping[str, Any]) -> None:
         name = Path(program).stem
-        self.host = host
         with (folder / f"{name}.log").open("wb") as log:
             self._process = subprocess.Popen(
                 host.command(sys.executable, program, json.dumps(settings)),
