@@ -50,10 +50,10 @@ def test_somebody_else_in_control() -> None:
 
 def test_each_of_these_breaks_a_bound() -> None:
     attack = Attack("a", Attacker.REMOTE, "datagrams", lambda _: None, Bounds(), Layout(Victims.COMMANDS))
-    result = Result(attack, motion=Motion(0.3, 4, 3, 100, 99))
+    result = Result(attack, motion=Motion(0.3, 4, 1, 100, 90))
     result.compare()
     assert result.broken == [
         "a: without a command of its operator the robot moved by 0.3 m; the bound is 0.05 m",
-        "a: 3 of 4 drives of the operator were carried out; the bound is 100%",
-        "a: 99 of 100 times the operator was in control; the bound is 100%",
+        "a: 1 of 4 drives of the operator were carried out; the bound is 50%",
+        "a: 90 of 100 times the operator was in control; the bound is 95%",
     ]

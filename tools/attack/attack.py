@@ -61,9 +61,9 @@ class Bounds:
     """Lines that the victims log, at the level debug."""
     moved: float = 0.05
     """Metres or radians by which the robot moves without a command of its operator."""
-    driven: float = 1.0
+    driven: float = 0.5
     """Share of the operator's drives that the robot carries out at least; 0 for attackers who may stop it."""
-    control: float = 1.0
+    control: float = 0.95
     """Share of the time in which the operator is in control at least."""
 
 

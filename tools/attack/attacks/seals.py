@@ -135,7 +135,7 @@ def _with_answers(arena: Arena) -> None:
 
 
 LAYOUT = Layout(sealed=True)
-ATTACK = Attack("seals", Attacker.REMOTE, "datagrams", run, Bounds(driven=0.75), layout=LAYOUT)
+ATTACK = Attack("seals", Attacker.REMOTE, "datagrams", run, layout=LAYOUT)
 ANSWERS = Attack(
     "forged-refusals",
     Attacker.REMOTE,
