@@ -27,6 +27,8 @@ STAND: Final = 0.9
 """Seconds between two legs."""
 AUTHORITY: Final = 255
 """With the highest one, no other client is entitled to take control."""
+STOP_TIME: Final = 2.0
+"""Seconds after the last command in which the robot stops by itself."""
 START_TIMEOUT: Final = 20.0
 _PAUSE: Final = 0.05
 
@@ -69,9 +71,13 @@ class Pilot:
             while self._mode == "push":
                 await self._pass(1.0)
         finally:
-            begin, _, _ = self._legs.pop()
-            await robot.stop()
-            self._legs.append((begin, time.monotonic(), forward))
+            end = time.monotonic() + STOP_TIME  # by itself, if it does not acknowledge the stop
+            try:
+                await robot.stop()
+                end = time.monotonic()
+            finally:
+                begin, _, _ = self._legs.pop()
+                self._legs.append((begin, end, forward))
         self._direction = -forward
 
     async def _pass(self, seconds: float) -> None:
