@@ -38,4 +38,4 @@ BOUNDS = Bounds(descriptors=8, tasks=4, lines=1000, driven=0.0, control=0.0)
 """Among the messages is SetEmergency, which anybody may send: the robot stops, and control ends with its time-out.
 
 A camera that somebody asks for video starts a process; each kind of malformed message is logged once a component."""
-ATTACK = Attack("services", Attacker.REMOTE, "messages", run, BOUNDS)
+ATTACK = Attack("services", Attacker.REMOTE, "messages", run, BOUNDS, restarts=True)
