@@ -21,7 +21,7 @@ async def test_a_missing_extra_is_reported_before_anything_starts(
 ) -> None:
     monkeypatch.setattr(operator_console, "find_spec", lambda _: None)
     with pytest.raises(ConfigError, match=r"pip install 'jauspy\[console\]'"):
-        async with operator_console.console_beside(tmp_path, 0):
+        async with operator_console.console_beside(tmp_path, 0, 101):
             pass
 
 

@@ -21,7 +21,7 @@ def url(tmp_path: Path) -> Iterator[str]:
     where = ("--port", str(unused_port()), "--interface", "127.0.0.1", "--local-root", str(tmp_path), "--own-root")
     with stopped(start("up", "cell", "--plain", *where)) as cell:
         wait_for(cell, "stop it")
-        with console_for(f"local:{tmp_path}") as (address, _):
+        with console_for(f"local:{tmp_path}", robot=201) as (address, _):
             yield address
 
 

@@ -364,7 +364,7 @@ def test_a_robot_of_a_vendor_shows_what_it_offers_and_nothing_else(page: Any, ba
         await component.open()
         return component
 
-    with LocalNode() as node, console_for(node.local) as (address, _):
+    with LocalNode() as node, console_for(node.local, robot=55) as (address, _):
         component = background.run(serve(node.local))
         try:
             page.goto(address)

@@ -22,12 +22,23 @@ BROWSER_MARKS = [
 WAIT = 90_000
 """Milliseconds for anything to appear on a loaded machine."""
 SIZE = {"width": 1440, "height": 900}
+OWN_CODE = """if (window.trustedTypes) {
+    const create = trustedTypes.createPolicy.bind(trustedTypes);
+    const isOwn = () => new Error().stack.includes("(eval at evaluate (:");
+    trustedTypes.createPolicy = (name, rules) => create(name, name !== "default" ? rules : {
+        ...rules, createScript: (code, type, sink) => isOwn() ? code : rules.createScript(code, type, sink)
+    });
+}"""
+"""Lets playwright evaluate expressions, as `wait_for_function` does, in a page that evaluates its own code only."""
 
 
 @contextmanager
-def console_for(connect: str, *options: str, **process_options: Any) -> Iterator[tuple[str, subprocess.Popen[str]]]:
-    """The address of a console, and its process."""
-    arguments = ("console", "--no-browser", "--port", "0", "--connect", connect, *options)
+def console_for(
+    connect: str, *options: str, robot: int | None = 101, **process_options: Any
+) -> Iterator[tuple[str, subprocess.Popen[str]]]:
+    """The address of a console, and its process; its pages show this robot, or none."""
+    shown = () if robot is None else ("--robot", str(robot))
+    arguments = ("console", "--no-browser", "--port", "0", "--connect", connect, *shown, *options)
     with stopped(start(*arguments, **process_options)) as process:
         assert process.stdout is not None
         yield process.stdout.readline().strip().rpartition(" ")[2], process
@@ -46,16 +57,21 @@ def new_page(browser: Any, **options: Any) -> Any:
     """A tab that waits for `WAIT`."""
     page = browser.new_page(**{"viewport": SIZE, **options})
     page.set_default_timeout(WAIT)
+    page.add_init_script(OWN_CODE)
     return page
 
 
 @contextmanager
 def page_at(url: str, script: str = "", **options: Any) -> Iterator[Any]:
-    """A page in a browser of its own, in which no script may fail; `script` runs before those of the page."""
+    """A page in a browser of its own, in which no script may fail and nothing may violate the page's policy.
+
+    `script` runs before those of the page.
+    """
     with chromium() as browser:
         page = new_page(browser, **options)
         errors: list[str] = []
         page.on("pageerror", lambda error: errors.append(str(error)))
+        page.on("console", lambda said: errors.extend([said.text] * ("Security Policy" in said.text)))
         if script:
             page.add_init_script(script)
         page.goto(url)

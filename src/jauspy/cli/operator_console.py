@@ -87,6 +87,10 @@ def console_page(
         Path | None,
         typer.Option("--poses", metavar="FILE", help="Named poses of arms: TOML with a table [ROBOT.POSE] for each."),
     ] = None,
+    robot: Annotated[
+        int | None,
+        typer.Option("--robot", metavar="NUMBER", min=1, max=65534, help="The robot that the page shows first."),
+    ] = None,
     no_browser: Annotated[bool, typer.Option("--no-browser", help="Do not open a browser.")] = False,
     connect: Connect = None,
     own_id: OwnId = None,
@@ -95,9 +99,9 @@ def console_page(
 ) -> None:
     """Operate robots in the browser: cameras, driving, arm, emergency stop.
 
-    The console finds every robot that the node manager of this machine reaches, shows its cameras, drives it by keys,
-    stick or gamepad, and moves its arm. A robot stops when the key is released or the page is closed. Escape stops all
-    robots.
+    The console finds every robot that the node manager of this machine reaches. It shows the cameras of the one that
+    you choose, drives it by keys, stick or gamepad, and moves its arm. A robot stops when the key is released or the
+    page is closed. Escape stops all robots.
 
     The address that it prints contains a token, without which other users of this machine cannot open it.
 
@@ -144,6 +148,7 @@ def console_page(
                 recordings=recordings or RECORDINGS,
                 watchdog=watchdog,
                 poses=named_poses,
+                robot=robot,
             )
             async with stopper, watchdog, page as url:
                 shown = url if token_file is None else url.partition("?")[0]
@@ -258,15 +263,15 @@ def make_certificate(
 
 
 @asynccontextmanager
-async def console_beside(root: Path, port: int) -> AsyncIterator[str]:
-    """A console in a child process, for the node manager with these local sockets; its URL.
+async def console_beside(root: Path, port: int, robot: int) -> AsyncIterator[str]:
+    """A console in a child process that shows this robot first, for the node manager with these local sockets; its URL.
 
     It has a process of its own so that pages and video never delay the robot. If it ends unexpectedly, this is logged,
     and the robot keeps running.
     """
     if find_spec("nicegui") is None:
         raise ConfigError(NEEDS_EXTRA)
-    arguments = ["console", "--no-browser", "--port", str(port), "--connect", f"local:{root}"]
+    arguments = ["console", "--no-browser", "--port", str(port), "--connect", f"local:{root}", "--robot", str(robot)]
     child = ChildProcess("console", arguments, on_error_line=_forward)
     try:
         await child.__aenter__()

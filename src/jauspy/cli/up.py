@@ -209,7 +209,7 @@ def up(
     options += ["--verbose"] * verbose
     node = None if no_node_manager else node_manager(local_root, port, options)
     live = not (plain or verbose) and console.is_interactive()
-    page = console_beside(local_root, console_port) if with_console else None
+    page = console_beside(local_root, console_port, config.subsystem) if with_console else None
     run(run_robot(runner, node, local_root, clouds, live=live, page=page))
     if own_root:
         remove_if_empty(local_root)

@@ -9,6 +9,7 @@ from nicegui import ui
 
 from jauspy.console.gripper_panel import GripperPanel
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
+from jauspy.console.markup import attributes, plain_text, style_number
 from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
 from jauspy.console.saved_files import SavedFiles
 from jauspy.console.server import Console
@@ -92,7 +93,7 @@ class ArmPanel:
         self._arm, self._joints = arm, ()
         self._show_joints((), {})
         has_tool = arm is not None and arm.has_tool
-        self._jog.props(f'data-component="{arm.info.id}"' if arm is not None and has_tool else "data-component=")
+        attributes(self._jog, data_component=str(arm.info.id) if arm is not None and has_tool else "")
         self._jog.set_visibility(has_tool)
         self._no_tool.set_visibility(not has_tool)
         self._share.set_visibility(arm is not None and arm.has_speed)
@@ -179,7 +180,7 @@ class ArmPanel:
                 ui.label("frame").classes("hint")
                 frames = {"robot": "base", "tool": "tool"}
                 ui.toggle(
-                    frames, value="robot", on_change=lambda event: self._jog.props(f'data-frame="{event.value}"')
+                    frames, value="robot", on_change=lambda event: attributes(self._jog, data_frame=str(event.value))
                 ).props("no-caps dense unelevated")
                 ui.label("hold; Shift: turn").classes("hint")
             self._pose = ui.label("").classes("pose")
@@ -191,10 +192,10 @@ class ArmPanel:
                     _jog_button(f"{TURNS[number]} +", number + 3, 1, f"\u21e7{plus}")
             with ui.element("div").classes("row"):
                 linear = _slider("linear", (10, round(1000 * MAX_SPEED), 10), 50, "mm/s")
-                linear.on_value_change(lambda event: self._jog.props(f'data-linear="{event.value / 1000.0}"'))
+                linear.on_value_change(lambda event: attributes(self._jog, data_linear=event.value / 1000.0))
                 angular = _slider("angular", (2, math.floor(math.degrees(MAX_TURN)), 1), 15, "\u00b0/s")
-                angular.on_value_change(lambda event: self._jog.props(f'data-angular="{math.radians(event.value)}"'))
-            self._jog.props(f'data-linear="0.05" data-angular="{math.radians(15.0)}"')
+                angular.on_value_change(lambda event: attributes(self._jog, data_angular=math.radians(event.value)))
+            attributes(self._jog, data_linear=0.05, data_angular=math.radians(15.0))
             ui.html('<span class="jog-answer problem" role="status"></span>', sanitize=False)
 
     # --- poses ----------------------------------------------------------------------------------------------------
@@ -224,9 +225,8 @@ class ArmPanel:
                 with ui.element("div").classes("row"):
                     ui.label(name).classes("grow")
                     self._add_go(name, positions)
-                    ui.button("\u00d7", on_click=lambda name=name: self._delete_pose(name)).props(
-                        f'flat dense aria-label="delete {name}"'
-                    )
+                    delete = ui.button("\u00d7", on_click=lambda name=name: self._delete_pose(name))
+                    attributes(delete.props("flat dense"), aria_label=f"delete {name}")
             if left_out := len(self._console.poses.get(self._robot_name, {})) - len(given):
                 ui.label(f"poses of the file for other joints: {left_out}").classes("hint")
 
@@ -241,7 +241,7 @@ class ArmPanel:
 
     def _add_go(self, name: str, positions: dict[str, float]) -> None:
         button = ui.button("go", on_click=lambda: self._go(positions, f"the motion to {name}"))
-        button.props(f'outline dense no-caps aria-label="go to {name}"')
+        attributes(button.props("outline dense no-caps"), aria_label=f"go to {name}")
 
     async def _save_pose(self) -> None:
         files, arm = self._files(), self._arm
@@ -282,15 +282,17 @@ class _JointRow:
         self._now = ui.label("").classes("joint-value")
         self._number = (
             ui.number(value=round(position, 3) + 0.0, step=0.01, format="%.3f", on_change=self._entered)
-            .props(f'dense borderless input-class="text-right" aria-label="{printable(joint.name)}"')
+            .props('dense borderless input-class="text-right"')
             .classes("joint-wanted")
         )
+        attributes(self._number, aria_label=joint.name)
         with ui.element("div").classes("track" if limited else "track endless"):
             self._mark = ui.element("i").classes("measured")
             step = 0.01 if joint.is_revolute else 0.001
             self._slider = ui.slider(
                 min=round(self._low, 3), max=round(self._high, 3), step=step, value=position, on_change=self._slid
-            ).props(f'aria-label="{printable(joint.name)}"')
+            )
+            attributes(self._slider, aria_label=joint.name)
         self.measured(position)
 
     @property
@@ -308,7 +310,7 @@ class _JointRow:
             self._show_turn(position)
             self._now.set_text(f"{round(position, 3) + 0.0:.3f} {self._joint.unit}")
             share = (position - self._low) / (self._high - self._low)
-            self._mark.style(f"--at: {min(1.0, max(0.0, share)):.3f}")
+            style_number(self._mark, "at", min(1.0, max(0.0, share)))
         if not self.touched and abs(self.wanted - position) > NEAR:
             self._set(position)
 
@@ -317,7 +319,7 @@ class _JointRow:
         now = self._joint.shown_range(position)
         if not self._low <= position <= self._high and now != (self._low, self._high):
             self._low, self._high = now
-            self._slider.props(f"min={self._low:.3f} max={self._high:.3f}")
+            attributes(self._slider, min=round(self._low, 3), max=round(self._high, 3))
 
     def _set(self, value: float) -> None:
         self._setting = True
@@ -341,11 +343,13 @@ def _slider(name: str, span: tuple[float, float, float], value: float, unit: str
     low, high, step = span
     with ui.element("div").classes("setting"):
         label = ui.label().classes("hint")
-        slider = ui.slider(min=low, max=high, step=step, value=value).props(f'aria-label="{name}"')
+        slider = attributes(ui.slider(min=low, max=high, step=step, value=value), aria_label=name)
         label.bind_text_from(slider, "value", lambda number: f"{name} {number:g} {unit}")
     return slider
 
 
 def _jog_button(text: str, axis: int, sign: int, key: str) -> None:
-    data = f'data-axis="{axis}" data-sign="{sign}"'
-    ui.html(f'<button type="button" class="jog-button" {data}>{text}<kbd>{key}</kbd></button>', sanitize=False)
+    with ui.element("button").classes("jog-button").props('type="button"') as button:
+        plain_text(text)
+        plain_text(key, tag="kbd")
+    attributes(button, data_axis=axis, data_sign=sign)

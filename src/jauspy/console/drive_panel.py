@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Final
 
 from nicegui import ui
 
+from jauspy.console.markup import plain_text
 from jauspy.console.operation import EFFORT, VELOCITY_MODE, modes_of
 from jauspy.console.route import LIST_DRIVER
 from jauspy.console.server import Console
@@ -114,7 +115,9 @@ class DrivePanel:
                     sanitize=False,
                 )
                 with ui.element("div").classes("facts"):
-                    self._pose = ui.html("", sanitize=False)
+                    with ui.element("div") as self._pose:
+                        self._position = plain_text("", tag="b")
+                        self._heading, self._attitude = ui.label(""), ui.label("")
                     self._limit = ui.slider(min=0.1, max=MAX_SPEED, step=0.1, value=0.5, on_change=self._show_limit)
                     self._limit.props('label aria-label="limit of the speed in m/s"')
                     self._limit_text = ui.label("limit 0.5 m/s").classes("hint")
@@ -125,7 +128,8 @@ class DrivePanel:
     def show(self, robot: Robot | None) -> None:
         """Drive this robot; the panel is hidden if it cannot be driven."""
         self._robot = robot
-        self._pose.set_content("")
+        for text in (self._position, self._heading, self._attitude):
+            text.set_text("")
         drives = robot is not None and any(each.find(name) for each in robot.components for name in DRIVERS)
         self._panel.set_visibility(drives)
         self._modes.show(robot)
@@ -150,7 +154,8 @@ class DrivePanel:
         if pose is None:
             return
         heading = round(math.degrees(-pose.yaw)) % 360
-        self._pose.set_content(
-            f"<b>x {round(pose.x, 2) + 0.0:.2f} m, y {round(pose.y, 2) + 0.0:.2f} m</b><br>heading {heading}\u00b0<br>"
+        self._position.set_text(f"x {round(pose.x, 2) + 0.0:.2f} m, y {round(pose.y, 2) + 0.0:.2f} m")
+        self._heading.set_text(f"heading {heading}\u00b0")
+        self._attitude.set_text(
             f"pitch {round(math.degrees(pose.pitch))}\u00b0, roll {round(math.degrees(pose.roll))}\u00b0"
         )

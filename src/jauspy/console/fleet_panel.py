@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Callable
 from functools import partial
-from html import escape
 from typing import Final
 
 from nicegui import ui
 
 from jauspy.console.fleet import NOTHING
+from jauspy.console.markup import attributes, breakable
 from jauspy.console.reports import fields_of
 from jauspy.console.server import Console
 from jauspy.console.traffic import Line
@@ -25,7 +25,7 @@ OLD: Final = 1.5
 """Seconds without an answer after which the panel shows their number."""
 MAX_REFUSALS: Final = 3
 COLOURS: Final = {"READY": "ready", "STANDBY": "standby", "EMERGENCY": "emergency", "FAILURE": "failure"}
-"""Classes of console.css; each state has a sign beside its colour, too."""
+"""States of console.css; each state has a sign beside its colour, too."""
 SIGNS: Final = {"READY": "\u25b6", "STANDBY": "\u2016", "EMERGENCY": "\u26a0", "FAILURE": "\u2716", "silent": "?"}
 
 
@@ -85,12 +85,8 @@ class _Row:
         self._component = component
         self.is_open = is_open
         id = component.id
-        with (
-            ui.element("button")
-            .classes("component")
-            .props(f'type="button" aria-expanded="{str(is_open).lower()}"')
-            .on("click", self._toggle) as self._button
-        ):
+        with ui.element("button").classes("component").props('type="button"').on("click", self._toggle) as self._button:
+            attributes(self._button, aria_expanded=is_open)
             ui.label(f"{id.node}.{id.component}").classes("id")
             name = printable(component.name) or "component"
             ui.label(name).classes("component-name").tooltip(f"{name} {id}")
@@ -101,7 +97,7 @@ class _Row:
 
     def _toggle(self) -> None:
         self.is_open = not self.is_open
-        self._button.props(f'aria-expanded="{str(self.is_open).lower()}"')
+        attributes(self._button, aria_expanded=self.is_open)
         self._show_details()
 
     def _show_details(self) -> None:
@@ -113,7 +109,7 @@ class _Row:
             self._heard = ui.label("").classes("hint")
             for each in self._component.services:
                 with ui.element("div").classes("service"):
-                    ui.html(_breakable(each.short.rpartition(":")[2]), sanitize=False).tooltip(printable(each.short))
+                    breakable(_words(each.short.rpartition(":")[2])).tooltip(printable(each.short))
                     ui.label(printable(each.version)).classes("hint")
             refusals = self._refusals()
             ui.label("refused" if refusals else "nothing was refused").classes("hint")
@@ -129,7 +125,7 @@ class _Row:
         status = "silent" if silent else state.status
         old = f" {age:.0f} s" if OLD < age < 1e6 else ""
         self._status.set_text(f"{SIGNS.get(status, '')} {status.lower()}{old}")
-        self._status.classes(replace=f"chip {COLOURS.get(status, 'other')}")
+        attributes(self._status, data_state=COLOURS.get(status, "other"))
         who = "" if silent or not state.controller else f"controlled by {self._who(state.controller)}"
         self._controller.set_text(who)
         self._controller.set_visibility(bool(who))
@@ -155,6 +151,6 @@ class _Row:
         return printable(f"{line.time:%H:%M:%S} {line.name}: {why}")
 
 
-def _breakable(name: str) -> str:
-    """HTML of a name in which a line may end before each word only."""
-    return re.sub(r"(?<=[a-z0-9])(?=[A-Z])", "<wbr>", escape(printable(name)))
+def _words(name: str) -> list[str]:
+    """The words of a name such as `GlobalPoseSensor`."""
+    return re.split(r"(?<=[a-z0-9])(?=[A-Z])", name)

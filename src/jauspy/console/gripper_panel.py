@@ -8,6 +8,7 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.manipulators import CONNECTOR, operated
+from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
 from jauspy.console.server import Console
 from jauspy.errors import ConfigError, JausError
@@ -97,11 +98,11 @@ class GripperPanel:
         if not self._is_known:
             self._max_force, self._has_width = await gripper.max_force(), await gripper.has_width()
             if self._max_force:
-                self._force.props(f"max={self._max_force:g}")
+                attributes(self._force, max=self._max_force)
                 self._force.set_value(round(DEFAULT_SHARE * self._max_force))
             if self._has_width:
                 low, high = await gripper.width_limits()
-                self._opening.props(f"min={low:g} max={high:g}")
+                attributes(self._opening, min=low, max=high)
                 self._opening.set_value(await gripper.width())
             self._opening_part.set_visibility(self._has_width)
             self._set.set_visibility(self._has_width)

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import re
-from html import escape
 from typing import Any, Final
 
 from nicegui import ui
 
+from jauspy.console.markup import breakable
 from jauspy.console.reports import fields_of
 from jauspy.console.traffic import Line, Traffic
 from jauspy.printable import printable
@@ -94,15 +94,15 @@ class LogPanel:
                 ui.label(printable(decoded)).classes("whole")
             else:
                 for each in fields_of(decoded):
-                    ui.html(_path(each.path), sanitize=False).classes("path")
+                    breakable(_path(each.path)).classes("path")
                     ui.label(f"{printable(each.text)} {each.unit}".rstrip()).classes("value")
         more = " \u2026" if len(line.payload) > MAX_HEX else ""
         self._hex.set_text(line.payload[:MAX_HEX].hex(" ") + more)
 
 
-def _path(path: str) -> str:
-    """The path of a field, which may be broken after its parts."""
-    return re.sub(r"(?<=[._\]])", "<wbr>", escape(printable(path.removeprefix("report_message."))))
+def _path(path: str) -> list[str]:
+    """The path of a field in parts after which a line may end."""
+    return re.split(r"(?<=[._\]])", path.removeprefix("report_message."))
 
 
 def _row(line: Line) -> dict[str, object]:

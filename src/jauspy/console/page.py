@@ -9,11 +9,13 @@ from nicegui import ui
 
 from jauspy.console.arm_panel import ArmPanel
 from jauspy.console.camera_settings import VIDEO
+from jauspy.console.choice import Choice
 from jauspy.console.control_panel import ControlPanel
 from jauspy.console.drive_panel import DRIVERS, DrivePanel
 from jauspy.console.fleet_panel import FleetPanel
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.manipulators import MODULAR_ARM
+from jauspy.console.markup import attributes, call, page_files, plain_text
 from jauspy.console.plots import PlotsPanel
 from jauspy.console.server import Console
 from jauspy.console.trajectory_panel import TrajectoryPanel
@@ -39,12 +41,6 @@ SCRIPTS: Final = ("console", "video", "plots", "world", "map", "arm")
 STYLES: Final = ("theme", "console", "video", "world", "arm")
 SCHEMES: Final = {"system": None, "light": False, "dark": True}
 """Colour schemes, in the order of the switch."""
-BUTTONS: Final = (
-    '<button id="scheme" class="quiet" onclick="jauspy.nextScheme()">\u25d0 system</button>',
-    '<button class="quiet" onclick="jauspy.clear(\'all\')">clear emergency</button>',
-    '<button id="stop" onclick="jauspy.stop(\'all\')">STOP ALL <kbd>Esc</kbd></button>',
-)
-"""Buttons that need console.js only, so that they work when the rest of the page hangs."""
 NO_ROBOTS: Final = """
 <h2>Looking for robots \u2026</h2>
 <p>No robot has answered yet. The console asks all the time, and shows each one as it appears.</p>
@@ -83,14 +79,14 @@ class _Page:
 
     def __init__(self, console: Console, token: str, user: User) -> None:
         self._console = console
+        self._choice = Choice(console.first_robot)
         self._robot: Robot | None = None
+        """The chosen robot while it answers."""
         self._wanted_tab = ""
         """The tab that was clicked last; until then, the first tab that is useful for the robot is shown."""
         self._logged = 0
         ui.colors(primary="#1a63d6")
-        ui.add_head_html("".join(f'<link rel="stylesheet" href="/static/{name}.css">' for name in STYLES))
-        scripts = "".join(f'<script src="/static/{name}.js"></script>' for name in SCRIPTS)
-        ui.add_body_html(f'{scripts}<script>jauspy.start("{token}")</script>')
+        page_files(STYLES, SCRIPTS, token)
         with ui.element("header").classes("bar"):
             self._build_bar(user)
         with ui.element("main").classes("grid"):
@@ -126,21 +122,25 @@ class _Page:
         ui.element("div").classes("space")
         ui.html('<span id="stop-answer" role="status"></span>', sanitize=False)
         if user != LOCAL:
-            ui.html(
-                f'<form method="post" action="/logout" class="user"><span>{user.name}, {user.role}</span>'
-                '<button class="quiet">sign out</button></form>',
-                sanitize=False,
-            )
+            with ui.element("form").props('method="post" action="/logout"').classes("user"):
+                plain_text(f"{user.name}, {user.role}")
+                plain_text("sign out", tag="button").classes("quiet")
         dark = ui.dark_mode(None)
         ui.on("scheme", lambda event: dark.set_value(SCHEMES.get(str(event.args))))
-        for button in BUTTONS:
-            ui.html(button, sanitize=False)
+        ui.on("remembered", lambda event: self._remember(event.args))
+        # These buttons need console.js only, so that they work when the rest of the page hangs.
+        ui.html('<button id="scheme" class="quiet" data-do="scheme">\u25d0 system</button>', sanitize=False)
+        ui.html('<button class="quiet" data-do="clear" data-to="all">clear emergency</button>', sanitize=False)
+        ui.html('<button id="stop" data-do="stop" data-to="all">STOP ALL <kbd>Esc</kbd></button>', sanitize=False)
 
     def _build_centre(self, token: str, user: User) -> None:
         with ui.element("nav").classes("tabs").props('role="tablist" aria-label="Views"'):
             self._tabs = {name: self._tab(name) for name in TABS}
         with ui.element("div").classes("panel empty") as self._empty:
-            ui.html(NO_ROBOTS, sanitize=False)
+            self._looking = ui.html(NO_ROBOTS, sanitize=False)
+            with ui.element("div") as self._unchosen:
+                ui.html("<h2>Choose a robot</h2>", sanitize=False)
+                self._hint = ui.label("").classes("choose").props('role="status"')
         with ui.element("div").classes("videos") as videos:
             self._videos = VideoPanel(self._console, token, user)
         with ui.element("div").classes("panel plots") as world:
@@ -175,20 +175,21 @@ class _Page:
         for part in {part for parts in self._parts.values() for part in parts}:
             part.set_visibility(part in self._parts[name] and (has_robots or part in self._without_robots))
         self._empty.set_visibility(not has_robots and name != "Log")
+        self._show_hint()
         for each, button in self._tabs.items():
             button.classes(add="chosen" if each == name else "", remove="" if each == name else "chosen")
-            button.props(f'aria-selected="{str(each == name).lower()}"')
+            attributes(button, aria_selected=each == name)
         self._messages.visible = name == "Log"
         self._world.visible = name == "World"
 
     def _refresh(self) -> None:
-        robots = self._console.fleet.robots
-        if self._robot is not None and self._robot.id not in robots:
-            self._choose(None)
-        if self._robot is None and robots:
-            self._choose(next(iter(robots.values())))
-        elif self._robot is not None:
-            self._follow_changes(robots[self._robot.id])
+        robot = self._choice.robot(self._console.fleet.robots)
+        if (robot and robot.id) != (self._robot and self._robot.id):
+            self._show(robot)
+        elif robot is not None:
+            self._follow_changes(robot)
+        else:
+            self._show_hint()
         new = self._console.total_events - self._logged
         self._logged = self._console.total_events
         for event in list(self._console.events)[-new:] if new else ():
@@ -203,15 +204,31 @@ class _Page:
                 panel.show(robot)
 
     def _select(self, id: int) -> None:
+        """Handle a click on a robot in the panel Fleet."""
         robot = self._console.fleet.robots.get(id)
         if robot is not None and (self._robot is None or robot.id != self._robot.id):
-            self._choose(robot)
+            self._choice = Choice(robot.id, robot.name)
+            self._show(robot)
 
-    def _choose(self, robot: Robot | None) -> None:
+    def _remember(self, text: object) -> None:
+        """Choose what was chosen in this tab before it was loaded again; nothing if something was chosen since."""
+        chosen = Choice.from_text(text)
+        if chosen is not None and self._robot is None:
+            self._choice = chosen
+
+    def _show_hint(self) -> None:
+        """Say what is to be done while no robot is shown."""
+        robots = self._console.fleet.robots
+        hint = self._choice.hint(robots)
+        self._looking.set_visibility(not hint)
+        self._unchosen.set_visibility(bool(hint))
+        self._hint.set_text(hint)
+
+    def _show(self, robot: Robot | None) -> None:
         """Show this robot in all panels."""
         self._robot = robot
         self._title.set_text("" if robot is None else f"{robot.id}  {printable(robot.name)}")
-        ui.run_javascript(f"jauspy.selectRobot({0 if robot is None else robot.id})")
+        call("jauspy.selectRobot", 0 if robot is None else robot.id, self._choice.for_browser())
         for each in self._of_robot:
             each.show(robot)
         offered = [name for name in TABS if robot is None or name not in OFFERED or _offering(robot, OFFERED[name])]

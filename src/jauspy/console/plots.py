@@ -5,7 +5,6 @@ from __future__ import annotations
 import asyncio
 import csv
 import io
-import json
 import time
 from collections import deque
 from collections.abc import Callable
@@ -17,6 +16,7 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.codec.message import Message
+from jauspy.console.markup import attributes, call
 from jauspy.console.reports import Field, fields_of, numbers_of, queries_of, reports_of
 from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
@@ -261,7 +261,7 @@ class PlotsPanel:
             parts = [self._part(each) for each in traces]
             self._sent = {each.number: each.total for each in traces}
             span = int(self._span.value or 0)
-            ui.run_javascript(f"jauspy.plot({self._chart.id}, {json.dumps(parts)}, {span}, {json.dumps(self._paused)})")
+            call("jauspy.plot", self._chart.id, parts, span, self._paused)
 
     def _part(self, trace: Trace) -> dict[str, object]:
         new = min(len(trace.samples), trace.total - self._sent.get(trace.number, 0))
@@ -277,7 +277,7 @@ class PlotsPanel:
         self._chips.clear()
         with self._chips:
             for place, trace in enumerate(traces):
-                with ui.element("div").classes("trace").props(f'data-place="{place % 6}"'):
+                with attributes(ui.element("div").classes("trace"), data_place=place % 6):
                     ui.label(printable(trace.name))
                     if trace.problem:
                         ui.label(printable(trace.problem)).classes("problem")
@@ -293,7 +293,7 @@ class PlotsPanel:
 
     def _clear(self) -> None:
         self.recorder.clear()
-        ui.run_javascript(f"jauspy.clearPlot({self._chart.id})")
+        call("jauspy.clearPlot", self._chart.id)
 
     def _download(self) -> None:
         ui.download.content(self.recorder.csv(), f"jauspy-{datetime.now().astimezone():%Y%m%d-%H%M%S}.csv", "text/csv")

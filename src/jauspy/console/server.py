@@ -89,6 +89,8 @@ class Console:
         """The folder of recorded video."""
         self.poses: RobotPoses = {}
         """Named poses from the file given at start."""
+        self.first_robot: int | None = None
+        """The robot that each page shows first, if one was given at start."""
         self.fleet = Fleet(ocu)
         self.fleet.on_event = self.note
         self.fleet.on_robots = self._follow
@@ -403,6 +405,7 @@ async def serving(
     recordings: Path = RECORDINGS,
     watchdog: Watchdog | None = None,
     poses: RobotPoses | None = None,
+    robot: int | None = None,
 ) -> AsyncIterator[str]:
     """Serve the console at this address while the context is open; the URL. OCUs and watchdog must be open.
 
@@ -412,17 +415,19 @@ async def serving(
     access = access or Access()
     users = _users(access, host)
     listener = _listener(host, port)
+    from jauspy.console.content_security_policy import ContentSecurityPolicy  # noqa: PLC0415 - imports NiceGUI
     from jauspy.console.page import add_page  # noqa: PLC0415 - NiceGUI takes a second
 
     console = Console(ocu, emergency_ocu, audit, recordings, watchdog)
     console.poses = poses or {}
+    console.first_robot = robot
     app = make_app(console)
     add_page(app, console)
     served, connections = listener.getsockname()[1], Connections(console.note)
     token = access.token or secrets.token_urlsafe(32)
     gate = LoginMiddleware(BodyLimit(app), users, console.note, port=served, token=token, connections=connections)
     config = uvicorn.Config(
-        gate,
+        ContentSecurityPolicy(gate),
         log_level="warning",
         lifespan="on",
         http="h11",  # its headers are bounded

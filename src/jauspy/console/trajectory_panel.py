@@ -11,6 +11,7 @@ from nicegui import ui
 from nicegui.events import UploadEventArguments, ValueChangeEventArguments
 
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
+from jauspy.console.markup import attributes, style_number
 from jauspy.console.motion import Motion
 from jauspy.console.saved_files import SavedFiles, checked_name
 from jauspy.console.server import Console
@@ -59,8 +60,9 @@ class TrajectoryPanel:
             ui.label("0 s: as fast as the limits allow").classes("hint grow")
             self._upload = ui.upload(on_upload=self._upload_file, auto_upload=True, max_file_size=MAX_FILE)
             self._upload.props('accept=".json"').classes("hidden")
-            pick = f"() => getElement({self._upload.id}).pickFiles()"
-            ui.button("upload").props("outline no-caps dense").on("click", js_handler=pick)
+            ui.button("upload").props("outline no-caps dense").on(
+                "click", js_handler="() => jauspy.pickFile('.trajectory')"
+            )
             ui.button("download", on_click=self._download).props("outline no-caps dense")
             ui.button("export as Python", on_click=self._export).props("outline no-caps dense")
         self._render()
@@ -105,7 +107,7 @@ class TrajectoryPanel:
         self._table.clear()
         self._rows = []
         joints, units = self.trajectory.joints, {each.name: each.unit for each in self._joints}
-        self._table.style(f"--joints: {len(joints)}")
+        style_number(self._table, "joints", len(joints))
         with self._table:
             with ui.element("div").classes("line head").props('role="row"'):
                 for text in ("", "s", *joints):
@@ -116,9 +118,8 @@ class TrajectoryPanel:
             for index, row in enumerate(self.trajectory.rows):
                 with ui.element("div").classes("line").props('role="row"') as line:
                     self._rows.append(line)
-                    ui.button(str(index + 1), on_click=lambda index=index: self._start_at(index)).props(
-                        f'flat dense aria-label="next is row {index + 1}"'
-                    )
+                    begin = ui.button(str(index + 1), on_click=lambda index=index: self._start_at(index))
+                    attributes(begin.props("flat dense"), aria_label=f"next is row {index + 1}")
                     _field(row.seconds, f"seconds of row {index + 1}", partial(_set_time, row))
                     for number, name in enumerate(joints):
                         label = f"{printable(name)} of row {index + 1}"
@@ -135,15 +136,16 @@ class TrajectoryPanel:
                             ("\u00d7", "delete"),
                         ):
                             act = ui.button(sign, on_click=lambda index=index, what=what: self._change(index, what))
-                            act.props(f'flat dense aria-label="{_ACTS[what]} row {index + 1}"').tooltip(_ACTS[what])
+                            act.props("flat dense").tooltip(_ACTS[what])
+                            attributes(act, aria_label=f"{_ACTS[what]} row {index + 1}")
         self._mark()
 
     def _mark(self) -> None:
         for index, line in enumerate(self._rows):
             line.classes(
-                add=" ".join(("active" if index == self._active else "", "next" if index == self._next else "")),
-                remove=" ".join(("" if index == self._active else "active", "" if index == self._next else "next")),
+                add="active" if index == self._active else "", remove="" if index == self._active else "active"
             )
+            line.classes(add="next" if index == self._next else "", remove="" if index == self._next else "next")
 
     def _start_at(self, index: int) -> None:
         self._next = index
@@ -324,7 +326,7 @@ _ACTS: Final = {
 
 def _field(value: float, label: str, on_change: Callable[[ValueChangeEventArguments[float | None]], None]) -> None:
     field = ui.number(value=value, step=0.01, format="%.3f", on_change=on_change)
-    field.props(f'dense borderless hide-bottom-space input-class="text-right" aria-label="{label}"')
+    attributes(field.props('dense borderless hide-bottom-space input-class="text-right"'), aria_label=label)
 
 
 def _set_time(row: TrajectoryRow, event: ValueChangeEventArguments[float | None]) -> None:

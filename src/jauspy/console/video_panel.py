@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from contextlib import suppress
 from datetime import datetime
 from typing import Any, Final
@@ -10,6 +9,7 @@ from typing import Any, Final
 from nicegui import events, ui
 
 from jauspy.console.camera_settings import LENS, LIGHTS, VIDEO, Setting, read_settings, sensor_name, write_setting
+from jauspy.console.markup import attributes, call
 from jauspy.console.server import Console
 from jauspy.console.users import User
 from jauspy.console.video import SharedCamera
@@ -81,10 +81,11 @@ class VideoPanel:
 
     def _add_figure(self, camera: ComponentInfo) -> None:
         id = str(camera.id)
-        with ui.element("figure").props(f'tabindex="0" role="button" aria-label="camera {id}"') as figure:
+        with ui.element("figure").props('tabindex="0" role="button"') as figure:
+            attributes(figure, aria_label=f"camera {id}")
+            attributes(ui.element("canvas").props("width=640 height=480"), data_component=id)
             ui.html(
-                f'<canvas data-component="{id}" width="640" height="480"></canvas><div class="overlay"></div>'
-                '<span class="video-note" role="status"></span>',
+                '<div class="overlay"></div><span class="video-note" role="status"></span>',
                 sanitize=False,
             ).style("display: contents")
             with ui.element("figcaption"):
@@ -135,7 +136,7 @@ class VideoPanel:
             return
         name = f"{component.id}-{datetime.now().astimezone():%Y%m%d-%H%M%S}"
         if component.find("StillImage") is None:
-            ui.run_javascript(f"jauspy.video.save({json.dumps(str(component.id))}, {json.dumps(name + '.png')})")
+            call("jauspy.video.save", str(component.id), f"{name}.png")
             self._said.set_text(f"saved the picture that is shown as {name}.png")
             return
         self._said.set_text("taking a picture …")
@@ -235,7 +236,7 @@ class VideoPanel:
                 shown = ui.label()
             slider = ui.slider(min=setting.low, max=setting.high, step=setting.step, value=setting.value or 0)
             shown.bind_text_from(slider, "value", lambda value: f"{value:g} {setting.unit}".rstrip())
-            slider.props(f'aria-label="{label}"').on("change", lambda: self._set(id, setting, slider.value))
+            attributes(slider, aria_label=label).on("change", lambda: self._set(id, setting, slider.value))
 
     async def _set(self, id: str, setting: Setting, value: float | None) -> None:
         robot = self._robot

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 import math
 from collections.abc import Awaitable, Sequence
 from typing import TYPE_CHECKING, Any, Final
 
 from nicegui import ui
 
+from jauspy.console.markup import attributes, call
 from jauspy.console.route import LIST_DRIVER, MAX_WAYPOINTS, Route, Waypoint
 from jauspy.console.world import is_cell
 from jauspy.errors import ConfigError, JausError
@@ -128,7 +128,7 @@ class MapPanel:
             self._shown = shown
             self._show_list(points, states)
             drawn = [{"x": p.x, "y": p.y, "state": s} for p, s in zip(points, states, strict=True) if p.is_point]
-            ui.run_javascript(f"jauspy.world.setRoute({json.dumps(drawn)})")
+            call("jauspy.world.setRoute", drawn)
         text, fraction = progress_of(route, world.pose)
         self._progress.set_text(text)
         self._bar.set_value(fraction)
@@ -151,7 +151,7 @@ class MapPanel:
             elif not points:
                 ui.label("click on the map to set a waypoint, drag it to move it").classes("hint")
             for index, (point, state) in enumerate(zip(points, states, strict=True)):
-                with ui.element("div").classes("waypoint").props(f'data-state="{state}"'):
+                with attributes(ui.element("div").classes("waypoint"), data_state=state):
                     ui.label(str(index + 1)).classes("number")
                     where = (
                         f"{round(point.x, 2) + 0.0:.2f}, {round(point.y, 2) + 0.0:.2f} m"
@@ -160,9 +160,8 @@ class MapPanel:
                     )
                     ui.label(where).classes("grow")
                     ui.label(state).classes("hint")
-                    ui.button("\u00d7", on_click=lambda at=index: self._remove(at)).props(
-                        f'flat dense aria-label="remove waypoint {index + 1}"'
-                    )
+                    remove = ui.button("\u00d7", on_click=lambda at=index: self._remove(at))
+                    attributes(remove.props("flat dense"), aria_label=f"remove waypoint {index + 1}")
 
     # --- commands ---------------------------------------------------------------------------------------------------
 
@@ -267,6 +266,8 @@ def progress_of(route: Route, pose: RobotPose | None) -> tuple[str, float]:
 VIEWS: Final = {"both": "both", "three": "3-D", "map": "map"}
 ON_MAP: Final = ("LocalPoseSensor", "RangeSensor")
 """Services whose data the map shows."""
+_SMALLER: Final = '<button class="quiet" title="smaller" data-do="zoom" data-to="0.7">\u2212</button>'
+_LARGER: Final = '<button class="quiet" title="larger" data-do="zoom" data-to="1.4">+</button>'
 _THREE_JS: Final = ui.scene
 """Naming it puts three.js, which static/world.js draws with, among the page's modules; no scene of NiceGUI is made."""
 
@@ -282,13 +283,8 @@ class WorldPanel:
                 scan = _switch("scan", value=True)
                 _switch("frames", value=False)
                 ui.element("div").classes("space")
-                zoom = [
-                    ui.html(
-                        f'<button class="quiet" title="{name}" onclick="jauspy.map.zoom({factor})">{sign}</button>',
-                        sanitize=False,
-                    )
-                    for sign, factor, name in (("\u2212", 0.7, "smaller"), ("+", 1.4, "larger"))
-                ]
+                smaller = ui.html(_SMALLER, sanitize=False)
+                larger = ui.html(_LARGER, sanitize=False)
             views = ui.element("div").classes("views").props('data-view="both"')
             with views:
                 with ui.element("div").classes("three"):
@@ -300,8 +296,8 @@ class WorldPanel:
                 ui.html('<span data-line="age" class="problem"></span>', sanitize=False)
                 ui.html('<span data-line="notes" class="hint"></span>', sanitize=False)
         self._view = view
-        self._of_map: tuple[ui.element, ...] = (view, self._follow, scan, *zoom)
-        view.on_value_change(lambda event: views.props(f'data-view="{event.value}"'))
+        self._of_map: tuple[ui.element, ...] = (view, self._follow, scan, smaller, larger)
+        view.on_value_change(lambda event: attributes(views, data_view=str(event.value)))
         ui.on("world_follow", self._followed)
 
     @property
@@ -333,7 +329,5 @@ class WorldPanel:
 
 def _switch(name: str, *, value: bool) -> ui.checkbox:
     box = ui.checkbox(name, value=value).props("dense")
-    box.on_value_change(
-        lambda event: ui.run_javascript(f"jauspy.world.set('{name}', {str(bool(event.value)).lower()})")
-    )
+    box.on_value_change(lambda event: call("jauspy.world.set", name, bool(event.value)))
     return box

@@ -17,6 +17,22 @@ const jauspy = {
     socket.onclose = () => setTimeout(jauspy.connectStop, 500);
     jauspy.stopSocket = socket;
   },
+  // Buttons have no handlers of their own, which the Content-Security-Policy forbids: `data-do` names what they do.
+  actions: {
+    stop: (target) => jauspy.stop(target),
+    clear: (target) => jauspy.clear(target),
+    scheme: () => jauspy.nextScheme(),
+    zoom: (factor) => jauspy.map.zoom(Number(factor)),
+  },
+  listenToButtons() {
+    document.addEventListener("click", (event) => {
+      const button = event.target.closest?.("button[data-do]");
+      if (button && Object.hasOwn(jauspy.actions, button.dataset.do)) jauspy.actions[button.dataset.do](button.dataset.to);
+    }, true);
+  },
+  pickFile(panel) {
+    getElement(document.querySelector(`${panel} .q-uploader`)).pickFiles();
+  },
   stop(target) {
     jauspy.release_keys();
     if (jauspy.stopSocket?.readyState === WebSocket.OPEN) {
@@ -45,7 +61,9 @@ const jauspy = {
     KeyW: [1, 0], ArrowUp: [1, 0], KeyS: [-1, 0], ArrowDown: [-1, 0],
     KeyA: [0, 1], ArrowLeft: [0, 1], KeyD: [0, -1], ArrowRight: [0, -1],
   },
-  selectRobot(id) {
+  // Show a robot, 0 for none. What the operator has chosen is kept for this tab, so that it is shown after a reload.
+  selectRobot(id, chosen) {
+    if (chosen) sessionStorage.setItem("jauspy-robot", JSON.stringify(chosen));
     if (jauspy.robot === id) return;
     jauspy.release_keys();
     jauspy.robot = id;
@@ -150,10 +168,12 @@ const jauspy = {
     emitEvent("scheme", jauspy.scheme());
     jauspy.showScheme();
   },
-  restoreScheme() {
-    if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restoreScheme, 100); return; }
+  restore() {
+    if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restore, 100); return; }
     jauspy.showScheme();
     if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
+    const chosen = sessionStorage.getItem("jauspy-robot");
+    if (chosen) emitEvent("remembered", chosen);
   },
 
   // --- sliders: what Quasar gives the focus has neither role nor name; it gets those of the slider around it ---------
@@ -184,10 +204,12 @@ const jauspy = {
   start(token) {
     jauspy.token = token;
     jauspy.connectStop();
+    jauspy.listenToButtons();
     jauspy.listenToKeys();
     jauspy.watchSliders();
-    jauspy.restoreScheme();
+    jauspy.restore();
     addEventListener("pagehide", jauspy.leave);
     addEventListener("pageshow", (event) => event.persisted && location.reload());
   },
 };
+jauspy.start(document.currentScript.dataset.token);
