@@ -19,7 +19,7 @@ BROWSER_MARKS = [
     pytest.mark.slow,
     pytest.mark.skipif(CHROMIUM is None, reason="needs chromium, which Debian has in a package of this name"),
 ]
-WAIT = 90_000
+WAIT = int(__import__("os").environ.get("WAITMS", 90_000))
 """Milliseconds for anything to appear on a loaded machine."""
 SIZE = {"width": 1440, "height": 900}
 OWN_CODE = """if (window.trustedTypes) {
