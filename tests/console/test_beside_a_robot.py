@@ -39,7 +39,7 @@ def test_the_console_starts_and_ends_with_the_robot(tmp_path: Path) -> None:
     found = (re.match(r"console: +(http://127\.0\.0\.1:\d+/\?token=\S+)$", line) for line in lines)
     url = next(each[1] for each in found if each)
     family = wait_for(process, "stop it")
-    assert "jauspy.start" in visit(url).get()
+    assert "data-token=" in visit(url).get()
     assert len(family) == 3, "the node manager, the console and its watchdog"
     process.send_signal(signal.SIGINT)
     process.communicate(timeout=30)

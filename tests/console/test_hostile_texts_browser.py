@@ -1,4 +1,4 @@
-"""Texts of robots and files that are programs or markup, on all panels of the page in a real browser: none of them runs."""
+"""Texts of robots and files that are programs or markup, on all panels in a real browser: none of them runs."""
 
 from __future__ import annotations
 
@@ -106,6 +106,17 @@ def hover_all(page: Any, what: str, most: int = 40) -> None:
             page.wait_for_timeout(50)
 
 
+def choose_arm(page: Any) -> Any:
+    """The panel Arm, with the arm whose joints have hostile names."""
+    arm = page.locator("section.arm")
+    arm.get_by_text("joints", exact=True).first.click()
+    arm.locator(".q-select .q-field__control").click()
+    page.get_by_role("option", name="66.1.2").wait_for()
+    page.get_by_role("option", name="66.1.1").first.click()
+    arm.locator(".joint-value").nth(len(PAYLOADS) - 1).wait_for()
+    return arm
+
+
 def test_names_and_services_of_components(page: Any) -> None:
     for text in PAYLOADS:
         page.locator(".component-name").get_by_text(text, exact=True).first.wait_for(state="attached")
@@ -117,11 +128,7 @@ def test_names_and_services_of_components(page: Any) -> None:
 
 
 def test_joints_and_poses_of_the_arm(page: Any) -> None:
-    arm = page.locator("section.arm")
-    arm.locator(".q-select .q-field__control").click()
-    page.get_by_role("option", name="66.1.2").wait_for()
-    page.get_by_role("option", name="66.1.1", exact=False).filter(has_not_text="66.1.2").first.click()
-    arm.locator(".joint-value").nth(len(PAYLOADS) - 1).wait_for()
+    arm = choose_arm(page)
     labels = arm.locator(".joint-wanted").evaluate_all(
         "all => all.map((each) => (each.querySelector('[aria-label]') ?? each).getAttribute('aria-label'))"
     )
@@ -200,6 +207,8 @@ def test_names_in_the_lists_of_plots(page: Any) -> None:
 
 
 def test_the_log_and_its_messages(page: Any) -> None:
+    choose_arm(page)
+    tab(page, "World")
     tab(page, "Log")
     page.get_by_text("routine", exact=True).click()
     for name in ("ReportModularArmState", "ReportServices", "ReportIdentification", "ReportPartObservations"):
@@ -218,32 +227,40 @@ def test_the_events(page: Any) -> None:
     page.locator(".log .lines").get_by_text(f"robot 66 {PAYLOADS[0]} has appeared").wait_for()
 
 
+INJECTED = """setTimeout(() => {
+    const tries = [
+        () => { mounted_app.elements[Object.keys(mounted_app.elements).at(-1)].props[":data-x"] = "window.PWNED = 1"; },
+        () => runJavascript("window.PWNED = 1"),
+        () => runJavascript("jauspy.say(window.PWNED = 1)"),
+        () => runJavascript("return runMethod(window.PWNED = 1)"),
+        () => new Function("window.PWNED = 1")(),
+        () => setTimeout("window.PWNED = 1"),
+        () => place.querySelector("a").click(),
+        () => place.querySelector("button").click(),
+        () => place.append(Object.assign(document.createElement("script"), {textContent: "window.PWNED = 1"})),
+        () => place.append(Object.assign(document.createElement("script"), {src: "http://127.0.0.2:9/x.js"})),
+        () => fetch("http://127.0.0.2:9/").catch(() => {}),
+        () => { new Image().src = "http://127.0.0.2:9/x.png"; },
+    ];
+    const place = document.createElement("div");
+    document.body.append(place);
+    place.innerHTML = `<img src="x" onerror="window.PWNED = 1"><svg onload="window.PWNED = 1"></svg>
+        <iframe srcdoc="<script>parent.PWNED = 1</` + `script>"></iframe><a href="javascript:window.PWNED = 1">x</a>
+        <form action="http://127.0.0.2:9/"><button>x</button></form>`;
+    for (const each of tries) try { each(); } catch { /* refused */ }
+    window.TRIED = tries.length;
+});"""
+
+
 def test_what_the_policy_refuses(page: Any) -> None:
     """A text that becomes a property, a handler, a script, or an address after all is not run, loaded or sent."""
-    page.evaluate("""() => {
-        const [id] = Object.keys(mounted_app.elements).slice(-1);
-        for (const key of [":data-x", ":onclick"]) mounted_app.elements[id].props[key] = "window.PWNED = 1";
-        const place = document.createElement("div");
-        document.body.append(place);
-        place.innerHTML = `<img src="x" onerror="window.PWNED = 1"><svg onload="window.PWNED = 1"></svg>
-            <iframe srcdoc="<script>parent.PWNED = 1</` + `script>"></iframe><a href="javascript:window.PWNED = 1">x</a>
-            <form action="http://127.0.0.2:9/"><button>x</button></form>`;
-        place.querySelector("a").click();
-        place.querySelector("form button").click();
-        place.append(Object.assign(document.createElement("script"), {textContent: "window.PWNED = 1"}));
-        for (const code of ["window.PWNED = 1", "jauspy.say(window.PWNED = 1)", "return runMethod(window.PWNED = 1)"])
-            runJavascript(code);
-        fetch("http://127.0.0.2:9/").catch(() => {});
-        new Image().src = "http://127.0.0.2:9/x.png";
-        place.remove();
-    }""")
+    page.evaluate(INJECTED)
     page.wait_for_timeout(1500)
+    assert page.evaluate("window.TRIED") == INJECTED.count("() =>") - 1 - INJECTED.count("catch(() =>")
     assert page.evaluate("window.PWNED") is None
-    found = " ".join(page.evaluate("window.VIOLATIONS"))
+    found = page.evaluate("window.VIOLATIONS")
     for directive in ("script-src-attr", "form-action", "connect-src", "img-src", "require-trusted-types-for"):
-        assert directive in found
-    assert "window.PWNED" in found
-    page.evaluate("window.VIOLATIONS = []")
-    page.errors.clear()
+        assert any(each.startswith(directive) for each in found), found
     page.reload()
     page.locator(".bar .title", has_text=ROBOT).wait_for()
+    page.errors.clear()

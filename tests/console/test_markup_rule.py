@@ -14,11 +14,11 @@ import jauspy.console
 
 CONSOLE = Path(jauspy.console.__file__).parent
 EXEMPT = "markup.py"
-LITERALS_ONLY = frozenset(
-    """props style classes html set_content run_javascript add_head_html add_body_html add_css add_scss add_sass markdown
-    restructured_text mermaid add_slot add_resource run_method run_chart_method run_layer_method run_map_method
-    get_computed_prop link image interactive_image icon avatar teleport""".split()
-)
+TAKING_KEYS = ("props", "style", "classes", "add_slot", "add_resource", "get_computed_prop", "teleport")
+TAKING_MARKUP = ("html", "set_content", "add_head_html", "add_body_html", "markdown", "restructured_text", "mermaid")
+TAKING_CODE = ("run_javascript", "run_method", "run_chart_method", "run_layer_method", "run_map_method")
+TAKING_ADDRESSES = ("link", "image", "interactive_image", "icon", "avatar", "add_css", "add_scss", "add_sass")
+LITERALS_ONLY = frozenset(TAKING_KEYS + TAKING_MARKUP + TAKING_CODE + TAKING_ADDRESSES)
 """Methods and functions of NiceGUI whose text becomes keys, markup, code or addresses."""
 JS_SINKS = re.compile(
     r"\beval\(|\bnew Function\b|outerHTML|insertAdjacentHTML|document\.write|set(Timeout|Interval)\([\"'`]"

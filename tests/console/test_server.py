@@ -8,6 +8,7 @@ import re
 import signal
 import socket
 import urllib.error
+import urllib.request
 from collections.abc import Iterator
 from contextlib import suppress
 
@@ -27,7 +28,7 @@ from jauspy.console.server import serving
 from jauspy.errors import ConfigError
 from jauspy.testing import LocalNode
 
-PAGE = re.compile(r'jauspy\.start\("([\w-]+)"\)')
+PAGE = re.compile(r'data-token="([\w-]+)"')
 
 
 async def page(console: Visit, path: str = "/") -> str:
@@ -41,8 +42,8 @@ def socket_of(console: Visit, path: str, origin: str | None = "") -> connect:
 
 
 def token_of(text: str) -> str:
-    found = PAGE.search(text.replace("\\", ""))
-    assert found, "the page starts its script with a token"
+    found = PAGE.search(text)
+    assert found, "the page gives its scripts a token"
     return found[1]
 
 
@@ -84,6 +85,36 @@ async def test_pages_that_never_connect_keep_no_other_out(console: Visit) -> Non
     async with asyncio.timeout(60.0), socket_of(console, f"/ws/stop/{tokens[-1]}") as stop:
         await stop.send("dance 101")
         assert await stop.recv() == "not understood: dance 101"
+
+
+async def test_each_answer_has_a_policy_and_each_script_of_the_page_its_nonce(console: Visit) -> None:
+    def get(path: str) -> tuple[str, str]:
+        with urllib.request.urlopen(urllib.request.Request(console.url + path, headers=console.headers)) as answer:
+            return answer.headers["Content-Security-Policy"], answer.read().decode()
+
+    (first, text), (second, _), (of_file, _) = [
+        await asyncio.to_thread(get, path) for path in ("/", "/", "/static/console.js")
+    ]
+    nonces = [re.search("'nonce-([^']+)'", policy)[1] for policy in (first, second, of_file)]
+    assert len(set(nonces)) == 3
+    assert text.count("<script") == text.count(f'<script nonce="{nonces[0]}"') + text.count('<script src="/static/') > 8
+    assert not re.search(r"<[^>]*\son\w+=", text), "no code in attributes"
+    directives = dict(each.split(" ", 1) for each in first.split("; "))
+    assert directives.pop("script-src") == f"'self' 'nonce-{nonces[0]}' 'unsafe-eval'"
+    assert directives == {
+        "default-src": "'none'",
+        "script-src-attr": "'none'",
+        "style-src": "'self' 'unsafe-inline'",
+        "img-src": "'self' data: blob:",
+        "font-src": "'self'",
+        "connect-src": "'self' data: blob:",
+        "base-uri": "'none'",
+        "form-action": "'self'",
+        "frame-ancestors": "'none'",
+        "object-src": "'none'",
+        "require-trusted-types-for": "'script'",
+        "trusted-types": "default vue dompurify",
+    }
 
 
 async def test_sockets_are_refused_to_other_sites_and_without_a_token(console: Visit) -> None:

@@ -107,7 +107,8 @@ class _Lens(VisualSensor):
         self._cameras = {}
 
     def send_report_visual_sensor_capabilities(
-        self, query: QueryVisualSensorCapabilities
+        self,
+        query: QueryVisualSensorCapabilities,  # noqa: ARG002 - the method of the service
     ) -> ReportVisualSensorCapabilities:
         """The name only."""
         record = ReportVisualSensorCapabilities.VisualSensorCapabilitiesRec
