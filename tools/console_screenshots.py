@@ -161,7 +161,8 @@ def take_all(url: str, folder: Path, panels: Sequence[str]) -> None:
     executable = shutil.which("chromium") or shutil.which("google-chrome")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=executable, args=["--no-sandbox", *SOFTWARE_GL])
-        page = browser.new_page(viewport=ViewportSize(width=1440, height=900))
+        # playwright evaluates conditions in the page, which the policy of the page forbids
+        page = browser.new_page(viewport=ViewportSize(width=1440, height=900), bypass_csp=True)
         page.set_default_timeout(WAIT)
         page.goto(url)
         if CELL not in panels:

@@ -67,6 +67,8 @@ def page(files: Path) -> Iterator[Any]:
         page.on("dialog", lambda dialog: page.errors.append(f"a dialog: {dialog.message}"))
         page.add_init_script(WATCH)
         page.goto(url)
+        page.get_by_role("heading", name="Choose a robot").wait_for()
+        assert page.locator(".bar .title").inner_text() == ""
         page.locator(".robot .name", has_text=ROBOT).click()
         page.locator(".bar .title", has_text=ROBOT).wait_for()
         yield page

@@ -80,6 +80,8 @@ class _Page:
     def __init__(self, console: Console, token: str, user: User) -> None:
         self._console = console
         self._choice = Choice(console.first_robot)
+        self._is_own = False
+        """True for a choice of the operator, which the browser keeps."""
         self._robot: Robot | None = None
         """The chosen robot while it answers."""
         self._wanted_tab = ""
@@ -207,14 +209,14 @@ class _Page:
         """Handle a click on a robot in the panel Fleet."""
         robot = self._console.fleet.robots.get(id)
         if robot is not None and (self._robot is None or robot.id != self._robot.id):
-            self._choice = Choice(robot.id, robot.name)
+            self._choice, self._is_own = Choice(robot.id, robot.name), True
             self._show(robot)
 
     def _remember(self, text: object) -> None:
         """Choose what was chosen in this tab before it was loaded again; nothing if something was chosen since."""
         chosen = Choice.from_text(text)
-        if chosen is not None and self._robot is None:
-            self._choice = chosen
+        if chosen is not None and not self._is_own:
+            self._choice, self._is_own = chosen, True
 
     def _show_hint(self) -> None:
         """Say what is to be done while no robot is shown."""
@@ -228,7 +230,9 @@ class _Page:
         """Show this robot in all panels."""
         self._robot = robot
         self._title.set_text("" if robot is None else f"{robot.id}  {printable(robot.name)}")
-        call("jauspy.selectRobot", 0 if robot is None else robot.id, self._choice.for_browser())
+        call(
+            "jauspy.selectRobot", 0 if robot is None else robot.id, self._choice.for_browser() if self._is_own else None
+        )
         for each in self._of_robot:
             each.show(robot)
         offered = [name for name in TABS if robot is None or name not in OFFERED or _offering(robot, OFFERED[name])]

@@ -4,6 +4,7 @@
 const jauspy = {
   token: "",
   robot: 0,
+  chosenBefore: sessionStorage.getItem("jauspy-robot"), // by the operator, before this page was loaded again
   sockets: new Map(),
 
   url(path) {
@@ -172,8 +173,7 @@ const jauspy = {
     if (!window.did_handshake || !document.getElementById("scheme")) { setTimeout(jauspy.restore, 100); return; }
     jauspy.showScheme();
     if (jauspy.scheme() !== "system") emitEvent("scheme", jauspy.scheme());
-    const chosen = sessionStorage.getItem("jauspy-robot");
-    if (chosen) emitEvent("remembered", chosen);
+    if (jauspy.chosenBefore) emitEvent("remembered", jauspy.chosenBefore);
   },
 
   // --- sliders: what Quasar gives the focus has neither role nor name; it gets those of the slider around it ---------
