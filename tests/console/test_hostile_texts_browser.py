@@ -16,6 +16,7 @@ from tests.helpers.command_line import stopped
 from tools.attack.hostile_robot import IN_FILES, PAYLOADS
 
 from jauspy.console.saved_files import SavedFiles
+from jauspy.printable import printable
 from jauspy.testing import LocalNode
 
 pytestmark = BROWSER_MARKS
@@ -138,10 +139,9 @@ def test_joints_and_poses_of_the_arm(page: Any) -> None:
     hover_all(page, ".arm .joint")
     arm.get_by_text("tool", exact=True).first.click()
     arm.get_by_text("poses", exact=True).click()
-    for text in ("given", *IN_FILES):
-        shown = text.replace("\u2028", "\\u2028").replace("\u2029", "\\u2029").replace("\u202e", "\\u202e")
-        labels = arm.get_by_role("button").evaluate_all("all => all.map((each) => each.getAttribute('aria-label'))")
-        assert f"go to {shown}" in labels
+    arm.get_by_role("button", name="go to given").wait_for()
+    labels = arm.get_by_role("button").evaluate_all("all => all.map((each) => each.getAttribute('aria-label'))")
+    assert {f"go to {printable(text)}" for text in IN_FILES} <= set(labels)
     hover_all(page, ".arm .poses .grow")
     for button in arm.get_by_role("button", name="go", exact=True).all()[:3]:
         button.click()
