@@ -4,7 +4,7 @@
 const jauspy = {
   token: "",
   robot: 0,
-  chosenBefore: sessionStorage.getItem("jauspy-robot"), // by the operator, before this page was loaded again
+  chosenBefore: null, // by the operator, before this page was loaded again
   sockets: new Map(),
 
   url(path) {
@@ -62,9 +62,14 @@ const jauspy = {
     KeyW: [1, 0], ArrowUp: [1, 0], KeyS: [-1, 0], ArrowDown: [-1, 0],
     KeyA: [0, 1], ArrowLeft: [0, 1], KeyD: [0, -1], ArrowRight: [0, -1],
   },
+  keep(chosen) {
+    try {
+      sessionStorage.setItem("jauspy-robot", chosen);
+    } catch { /* this browser keeps nothing */ }
+  },
   // Show a robot, 0 for none. What the operator has chosen is kept for this tab, so that it is shown after a reload.
   selectRobot(id, chosen) {
-    if (chosen) sessionStorage.setItem("jauspy-robot", JSON.stringify(chosen));
+    if (chosen) jauspy.keep(JSON.stringify(chosen));
     if (jauspy.robot === id) return;
     jauspy.release_keys();
     jauspy.robot = id;
@@ -207,6 +212,9 @@ const jauspy = {
     jauspy.listenToButtons();
     jauspy.listenToKeys();
     jauspy.watchSliders();
+    try {
+      jauspy.chosenBefore = sessionStorage.getItem("jauspy-robot");
+    } catch { /* this browser keeps nothing */ }
     jauspy.restore();
     addEventListener("pagehide", jauspy.leave);
     addEventListener("pageshow", (event) => event.persisted && location.reload());
