@@ -6,8 +6,8 @@ from typing import Final
 
 from ..attack import Attack
 from . import (
-    can_bus,
     amplification,
+    can_bus,
     captures,
     clouds,
     commands,
