@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import math
 from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager
@@ -13,6 +12,7 @@ from typing import Any, cast
 
 import pytest
 
+from jauspy.console.browser_messages import ToolVelocity, jog_message
 from jauspy.console.manipulators import StandardArm, manipulators
 from jauspy.console.motion import MAX_SPEED, STILL, Jogging, Motion, velocity
 from jauspy.console.operation import DEAD_MAN_TIME, Operation
@@ -20,7 +20,7 @@ from jauspy.modules.robot import RobotRunner
 from jauspy.ocu.robot import Robot
 from jauspy.testing import VirtualNetwork
 
-UP = json.dumps([0, 0, 0.05, 0, 0, 0, "robot"])
+UP: ToolVelocity = (0.0, 0.0, 0.05, 0.0, 0.0, 0.0, "robot")
 TURN = "base_link_to_arm_link_1"
 STOP_TIME = 0.1
 """Seconds after the dead-man's switch in which the arm stands: 300 ms together."""
@@ -39,10 +39,10 @@ class Bench:
         assert self.runner.snapshot is not None
         return max(map(abs, self.runner.snapshot.joints["arm"].velocities))
 
-    async def hold(self, seconds: float, text: str = UP, token: str = "first") -> str:
+    async def hold(self, seconds: float, asked: ToolVelocity = UP, token: str = "first") -> str:
         problem = ""
         for _ in range(round(seconds / 0.05)):
-            problem = self.jogging.move(token, text)
+            problem = self.jogging.move(token, asked)
             await asyncio.sleep(0.05)
         return problem
 
@@ -65,11 +65,11 @@ async def bench(network: VirtualNetwork) -> AsyncIterator[Bench]:
     "text", ["", "[]", "[1,2,3,4,5,6]", '[1,2,3,4,5,6,"world"]', "[" * 1000, '[1e999,0,0,0,0,0,"tool"]']
 )
 def test_anything_else_means_still(text: str) -> None:
-    assert velocity(text) == STILL
+    assert velocity(jog_message(text)) == STILL
 
 
 def test_a_browser_cannot_ask_for_more_than_the_greatest_speed() -> None:
-    linear, angular, frame = velocity('[3, 4, 0, 0, 0, 0.5, "tool"]')
+    linear, angular, frame = velocity((3.0, 4.0, 0.0, 0.0, 0.0, 0.5, "tool"))
     assert linear == pytest.approx((0.6 * MAX_SPEED, 0.8 * MAX_SPEED, 0.0))
     assert (angular, frame) == ((0.0, 0.0, 0.5), "tool")
 

@@ -108,7 +108,7 @@ class ControlPanel:
     async def _release_control(self) -> None:
         operation = self._operation
         if operation is not None and operation.operator == self._token:
-            await operation.release()
+            await operation.release(self._token)
             self._update()
 
     def _ask_for_control(self) -> None:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Final
 from nicegui import ui
 
 from jauspy.console.markup import plain_text
-from jauspy.console.operation import EFFORT, VELOCITY_MODE, modes_of
+from jauspy.console.operation import EFFORT, MAX_SPEED, VELOCITY_MODE, modes_of
 from jauspy.console.route import LIST_DRIVER
 from jauspy.console.server import Console
 from jauspy.errors import JausError
@@ -89,8 +89,6 @@ POSE_INTERVAL: Final = 0.2
 """Seconds between two queries of the pose."""
 DRIVERS: Final = ("PrimitiveDriver", "VelocityStateDriver")
 """Services with which a robot is driven manually."""
-MAX_SPEED: Final = 1.5
-"""m/s; greatest speed limit that can be chosen. The robot also has its own limits."""
 
 
 class DrivePanel:
@@ -145,8 +143,8 @@ class DrivePanel:
         if self._robot is None:
             return
         operation = self._console.operation(self._robot.id)
-        if operation is not None and operation.operator == self._token:
-            operation.speed_limit = float(self._limit.value)
+        if operation is not None:
+            operation.set_limit(self._token, float(self._limit.value))
         pose: RobotPose | None = None
         with suppress(JausError):
             pose = await self._robot.pose()

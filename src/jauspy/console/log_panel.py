@@ -25,6 +25,7 @@ _COLUMNS: Final = [
         ("sign", ""),
         ("source", "from"),
         ("destination", "to"),
+        ("user", "user"),
         ("name", "message or event"),
         ("size", "bytes"),
     )
@@ -112,6 +113,7 @@ def _row(line: Line) -> dict[str, object]:
         "sign": _SIGNS[line.kind],
         "source": line.source,
         "destination": line.destination,
+        "user": line.user,
         "name": printable(line.name),
         "size": line.size or "",
     }

@@ -6,12 +6,13 @@ Both stop when the page no longer operates the robot.
 from __future__ import annotations
 
 import asyncio
-import json
 import math
 from collections.abc import Callable, Coroutine
 from typing import TYPE_CHECKING, Any, Final, TypeAlias
 
+from jauspy.console.browser_messages import ToolVelocity
 from jauspy.console.operation import DEAD_MAN_TIME, Operation
+from jauspy.console.users import Session, current
 from jauspy.errors import JausError
 from jauspy.geometry.vectors import Vector
 from jauspy.ids import JausID
@@ -23,7 +24,6 @@ MAX_SPEED: Final = 0.25
 """m/s; greatest speed from a browser: the limit for robots near people (ISO 10218-1)."""
 MAX_TURN: Final = 1.0
 """rad/s."""
-FRAMES: Final = ("robot", "tool")
 
 Velocity: TypeAlias = tuple[Vector, Vector, str]
 """m/s along and rad/s about the axes of a frame."""
@@ -31,15 +31,11 @@ Velocity: TypeAlias = tuple[Vector, Vector, str]
 STILL: Final[Velocity] = ((0.0, 0.0, 0.0), (0.0, 0.0, 0.0), "robot")
 
 
-def velocity(text: str) -> Velocity:
-    """Parse a browser's `[x, y, z, roll, pitch, yaw, frame]`, limited; zero for anything else."""
-    try:
-        *values, frame = json.loads(text)
-        x, y, z, roll, pitch, yaw = map(float, values)
-    except (ValueError, TypeError, RecursionError):
+def velocity(wanted: ToolVelocity | None) -> Velocity:
+    """Limit the velocity of a browser's message; zero for one that is not valid."""
+    if wanted is None:
         return STILL
-    if frame not in FRAMES or not all(map(math.isfinite, (x, y, z, roll, pitch, yaw))):
-        return STILL
+    x, y, z, roll, pitch, yaw, frame = wanted
     return _limited((x, y, z), MAX_SPEED), _limited((roll, pitch, yaw), MAX_TURN), frame
 
 
@@ -56,13 +52,15 @@ class Jogging:
         """The token of the page that moves the tool; empty while the tool stands."""
         self._watchdog: asyncio.TimerHandle | None = None
         self._wanted: Velocity | None = None
+        self._by: Session | None = None
+        """On whose behalf the newest velocity is sent."""
         self._sending: asyncio.Task[None] | None = None
 
-    def move(self, token: str, text: str) -> str:
+    def move(self, token: str, asked: ToolVelocity | None) -> str:
         """Move the tool; repeated within `DEAD_MAN_TIME`. Returns why not, or an empty string."""
         if why_not := self.operation.refusal(token):
             return why_not
-        wanted = velocity(text)
+        wanted = velocity(asked)
         self._cancel_watchdog()
         if any((*wanted[0], *wanted[1])):
             self._watchdog = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
@@ -88,7 +86,7 @@ class Jogging:
         self._want(STILL)
 
     def _want(self, wanted: Velocity) -> None:
-        self._wanted = wanted
+        self._wanted, self._by = wanted, current.get()
         if self._sending is None or self._sending.done():
             self._sending = asyncio.create_task(self._send(), name=f"console: jog {self._id}")
 
@@ -96,6 +94,7 @@ class Jogging:
         """Send the newest command; older ones that were not sent are dropped."""
         while (wanted := self._wanted) is not None:
             self._wanted = None
+            current.set(self._by)
             linear, angular, frame = wanted
             try:
                 arm = self.operation.robot.manipulator(str(self._id))

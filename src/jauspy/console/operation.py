@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from typing import Final
 
 from jauspy.console.manipulators import operated
-from jauspy.console.users import LOCAL, User
+from jauspy.console.users import LOCAL, Session, User, current
 from jauspy.console.watchdog import Watchdog
 from jauspy.errors import JausError
 from jauspy.ids import JausID
@@ -22,6 +22,8 @@ from jauspy.ocu.robot import Robot, RobotControl
 
 DEAD_MAN_TIME: Final = 0.2
 """Seconds without a message of the operator's browser after which the robot is stopped."""
+MAX_SPEED: Final = 1.5
+"""m/s; greatest speed limit that can be chosen. The robot also has its own limits."""
 MAX_TURN_RATE: Final = 1.2
 """rad/s at full deflection of the stick."""
 VELOCITY_MODE, EFFORT = "velocity", "effort"
@@ -61,6 +63,10 @@ class Operation:
         self._sent_mode = self.mode
         self._on_event = on_event
         self._watchdog = watchdog
+        self._renewing = Session(LOCAL, "")
+        """On whose behalf control is renewed: always that of the present user."""
+        self._by: Session | None = None
+        """On whose behalf the newest command is sent."""
         self._control: RobotControl | None = None
         self._timer: asyncio.TimerHandle | None = None
         self._busy = asyncio.Lock()
@@ -134,16 +140,22 @@ class Operation:
             await self._leave()
         if self._control is None:
             control = self.robot.control(*operated(self.robot), authority=authority)
+            before, self._renewing.user = self._renewing.user, user
+            reset = current.set(self._renewing)
             try:
                 await control.__aenter__()
             except JausError as error:
+                self._renewing.user = before
                 self.problem = str(error)
                 self._on_event(f"control of robot {self.robot.id} was not granted to {user.name}: {error}")
                 return self.problem
+            finally:
+                current.reset(reset)
             self._control = control
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, control.ids)
         self.operator, self.user, self.authority, self.problem, self._request = token, user, authority, "", None
+        self._renewing.user = user
         self._on_event(f"{user.name} operates robot {self.robot.id} with authority {authority}")
         return ""
 
@@ -201,13 +213,19 @@ class Operation:
             if self._watchdog is not None:
                 self._watchdog.hold(self.robot.id, control.ids)
 
-    async def release(self) -> None:
-        """Stop, put the robot in Standby and release control. May be called twice."""
+    async def release(self, token: str = "") -> None:
+        """Stop, put the robot in Standby and release control; with a token only if that browser operates the robot.
+
+        May be called twice.
+        """
         async with self._busy:
+            if token and token != self.operator:
+                return  # another browser has taken over meanwhile
             had_control = self._control is not None
             await self._leave()
             if had_control:
-                self._on_event(f"control of robot {self.robot.id} was released by {self.user.name}")
+                by = f" by {self.user.name}" if token else ", since the console ends"
+                self._on_event(f"control of robot {self.robot.id} was released{by}")
 
     def refusal(self, token: str) -> str:
         """Why a browser may not command the robot now; empty if it may."""
@@ -218,17 +236,26 @@ class Operation:
         return self._control.lost
 
     def drive(self, token: str, forward: float, left: float) -> str:
-        """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; returns why not, or an empty string."""
+        """Drive with deflections of -1..1, repeated within `DEAD_MAN_TIME`; other numbers stop the robot.
+
+        Returns why not, or an empty string.
+        """
         if why_not := self.refusal(token):
             return why_not
         ahead, turn = self._full_deflection()
-        linear, angular = ahead * min(1.0, max(-1.0, forward)), turn * min(1.0, max(-1.0, left))
+        is_valid = -1.0 <= forward <= 1.0 and -1.0 <= left <= 1.0
+        linear, angular = (ahead * forward, turn * left) if is_valid else (0.0, 0.0)
         self._cancel_timer()
         moving = bool(linear or angular)
         if moving:
             self._timer = asyncio.get_running_loop().call_later(DEAD_MAN_TIME, self._dead_man)
         self._want(linear, angular)
-        return ""
+        return "" if is_valid else "stopped: a deflection is a number from -1 to 1"
+
+    def set_limit(self, token: str, limit: float) -> None:
+        """Set the limit of the speed, at most `MAX_SPEED`; without effect for a browser that does not operate."""
+        if token == self.operator and 0.0 <= limit <= MAX_SPEED:
+            self.speed_limit = limit
 
     def set_mode(self, token: str, mode: str) -> str:
         """Switch between velocities and efforts; the robot stops first. Returns why not, or an empty string."""
@@ -238,7 +265,7 @@ class Operation:
             return f"this robot does not offer the mode {mode}"
         self._stop_driving()
         self.mode = mode
-        self._on_event(f"robot {self.robot.id} is driven by {mode}")
+        self._on_event(f"{self.user.name} drives robot {self.robot.id} by {mode}")
         return ""
 
     def _full_deflection(self) -> tuple[float, float]:
@@ -253,7 +280,7 @@ class Operation:
         self._want(0.0, 0.0)
 
     def _want(self, linear: float, angular: float) -> None:
-        self._wanted = (linear, angular)
+        self._wanted, self._by = (linear, angular), current.get()
         if self._sending is None or self._sending.done():
             self._sending = asyncio.create_task(self._send(), name=f"console: drive {self.robot.id}")
 
@@ -261,6 +288,7 @@ class Operation:
         """Send the newest command; older ones that were not sent are dropped."""
         while (wanted := self._wanted) is not None:
             self._wanted = None
+            current.set(self._by)  # not of the one whose command has started this task
             try:
                 if any(wanted):
                     await self._drive(*wanted)

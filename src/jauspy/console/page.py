@@ -195,7 +195,7 @@ class _Page:
         new = self._console.total_events - self._logged
         self._logged = self._console.total_events
         for event in list(self._console.events)[-new:] if new else ():
-            self._log.push(f"{event.time:%H:%M:%S}  {event.text}")
+            self._log.push(event.line)
 
     def _follow_changes(self, robot: Robot) -> None:
         """Update panels when cameras or drivers have appeared or disappeared; the panel Arm follows its arms itself."""

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import secrets
 import socket
-from collections import deque
+from collections import Counter, deque
 from collections.abc import AsyncIterator, Callable, Mapping
-from contextlib import asynccontextmanager, nullcontext
+from contextlib import asynccontextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from datetime import datetime
+from functools import partial
 from importlib.resources import files
 from pathlib import Path
 from typing import Any, Final
@@ -22,6 +22,7 @@ from starlette.staticfiles import StaticFiles
 from uvicorn.protocols.http.h11_impl import H11Protocol
 
 from jauspy.console.body_limit import BodyLimit
+from jauspy.console.browser_messages import drive_message, jog_message, messages, stop_request
 from jauspy.console.certificates import check_certificate
 from jauspy.console.connections import Connections
 from jauspy.console.fleet import NOTHING, Fleet
@@ -49,8 +50,8 @@ from jauspy.services.core.command_seal import needs_seal
 
 MAX_EVENTS: Final = 500
 """Lines of the log that are kept."""
-MAX_MESSAGE: Final = 1000
-"""Characters of a message of a browser."""
+MAX_EVENT: Final = 500
+"""Characters of a line of the log."""
 MAX_FRAME: Final = 1 << 16
 """Bytes of a message of a browser."""
 BY_ITSELF: Final = "(console)"
@@ -70,6 +71,13 @@ class Event:
 
     time: datetime
     text: str
+    user: str = ""
+    """Who has caused it, by the session; empty for what the console does by itself."""
+
+    @property
+    def line(self) -> str:
+        """The line in the log; only that of a user begins with a bracket."""
+        return f"{self.time:%H:%M:%S}  [{self.user}] {self.text}" if self.user else f"{self.time:%H:%M:%S}  {self.text}"
 
 
 class Console:
@@ -96,6 +104,8 @@ class Console:
         self.fleet.on_robots = self._follow
         self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
         self.total_events = 0
+        self.counters: Counter[str] = Counter()
+        """Messages of browsers that were refused, by socket and reason."""
         self.traffic = Traffic(registry)
         for each in (ocu, emergency_ocu):
             each.trace(self._trace)
@@ -111,9 +121,21 @@ class Console:
         self._leaving: set[asyncio.Task[None]] = set()
 
     def note(self, text: str) -> None:
-        """Add a line to the log."""
-        self.events.append(Event(datetime.now().astimezone(), printable(text)))
-        self.traffic.event(printable(text))
+        """Add a line to the log about what the console itself has done or found."""
+        self._add_event(text, None)
+
+    def act(self, text: str) -> None:
+        """Add a line to the log, and to the audit log, about what the user of the present task has done."""
+        user = current_user()
+        self._add_event(text, user)
+        if self._audit is not None and user is not None:
+            self._audit.note({"operator": user.name, "role": user.role, "event": printable(text)[:MAX_EVENT]})
+
+    def _add_event(self, text: str, user: User | None) -> None:
+        text, name = printable(text), "" if user is None else user.name
+        text = text if len(text) <= MAX_EVENT else f"{text[: MAX_EVENT - 1]}\u2026"
+        self.events.append(Event(datetime.now().astimezone(), text, name))
+        self.traffic.event(text, name)
         self.total_events += 1
 
     def new_browser(self, remove: Callable[[], object]) -> tuple[str, User] | None:
@@ -121,6 +143,14 @@ class Console:
         user = current_user() or LOCAL
         token = self.pages.add(user, current.get(), remove)
         return None if token is None else (token, user)
+
+    def refused(self, name: str, reason: str) -> None:
+        """Count a message that the browser of this task has sent on the socket of this name, and that was refused."""
+        key = f"{name}, {reason}"
+        self.counters[key] += 1
+        if (count := self.counters[key]).bit_count() == 1:  # the 1st, 2nd, 4th, 8th ...
+            user = current_user() or LOCAL
+            self.note(f"messages on {name} that were refused: {count}, {reason}; the last one of {user.name}")
 
     def is_of(self, token: str, user: User | None) -> bool:
         """True for the token of a page of this user that is open."""
@@ -137,16 +167,19 @@ class Console:
         for operation in self._operations.values():
             if operation.operator == token:
                 self.note(f"robot {operation.robot.id}: the browser of {operation.user.name} has left")
-                await operation.release()
+                await operation.release(token)
         await self.worlds.forget(token)
 
     def _trace(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
         """Record a message for the log; a sent command also goes into the audit log, with its user."""
-        self.traffic.note(source, destination, payload, sent=sent)
-        if self._audit is None or not sent or not _is_command(payload):
+        if not sent or not _is_command(payload):
+            self.traffic.note(source, destination, payload, sent=sent)
             return
         operation = self._operations.get(destination.subsystem)
         user = current_user() or (operation.user if operation is not None and operation.operator else None)
+        self.traffic.note(source, destination, payload, sent=sent, user=user.name if user else BY_ITSELF)
+        if self._audit is None:
+            return
         self._audit.note(
             {
                 "component": str(destination),
@@ -212,9 +245,7 @@ class Console:
         obeyed = sum(obeys(report, release=release) for report in found.values())
         what = "released from the emergency" if release else "stopped"
         text = f"{obeyed} of {len(found)} components {what}" if found else "no component answered"
-        who = current_user()
-        by = f" by {who.name}" if who is not None else ""
-        self.note(f"emergency {'release' if release else 'stop'} of {target}{by}: {text}")
+        self.act(f"emergency {'release' if release else 'stop'} of {target}: {text}")
         return text
 
     async def close(self) -> None:
@@ -242,12 +273,12 @@ def make_app(console: Console) -> FastAPI:
         if not await _accepted(page, console, token):
             return
         said = ""
-        async for text in _messages(page):
+        async for wanted in messages(page, drive_message, partial(console.refused, "/ws/drive")):
             operation = console.operation(subsystem)
-            forward, left = _pair(text)
+            forward, left = wanted or (0.0, 0.0)
             problem = "the robot has gone" if operation is None else operation.drive(token, forward, left)
             if problem != said:
-                await page.send_text(problem)
+                await _answer(page, problem)
                 said = problem
         if (operation := console.operation(subsystem)) is not None and operation.operator == token:
             operation.drive(token, 0.0, 0.0)
@@ -263,7 +294,7 @@ def make_app(console: Console) -> FastAPI:
         if camera is None:
             await page.close(4404, "there is no such camera")
             return
-        await camera.serve(page)
+        await camera.serve(page, partial(console.refused, "/ws/video"))
 
     @app.websocket("/ws/stop/{token}")
     async def stop(page: WebSocket, token: str) -> None:
@@ -273,28 +304,29 @@ def make_app(console: Console) -> FastAPI:
         """
         if not await _accepted(page, console, token):
             return
-        async for text in _messages(page):
-            if text == "leave":
+        async for request in messages(page, stop_request, partial(console.refused, "/ws/stop"), closes=False):
+            if request is None:
+                await _answer(page, "not understood: stop or release, and a robot's number or all")
+                continue
+            if request.verb == "leave":
                 console.forget(token)
                 return
-            verb, _, target = text.partition(" ")
-            if verb not in ("stop", "release") or not (target == "all" or (target.isdecimal() and len(target) < 6)):
-                await page.send_text(f"not understood: {printable(text)}")
-                continue
             user = current_user()
-            if verb == "release" and user is not None and not user.may_operate:
-                await page.send_text(f"{user.name} may stop robots, and not release them ({user.role})")
+            if request.verb == "release" and user is not None and not user.may_operate:
+                await _answer(page, f"{user.name} may stop robots, and not release them ({user.role})")
                 continue
             try:
-                await page.send_text(await console.stop(target, release=verb == "release"))
+                said = await console.stop(request.target, release=request.verb == "release")
             except JausError as error:
-                await page.send_text(str(error))
+                said = str(error)
+            await _answer(page, said)
 
     add_world(
         app,
         console.worlds,
         lambda page, token: _accepted(page, console, token),
         lambda token: console.is_of(token, current_user()),
+        partial(console.refused, "/ws/world"),
     )
     _add_jog(app, console)
     return app
@@ -307,11 +339,11 @@ def _add_jog(app: FastAPI, console: Console) -> None:
         if not await _accepted(page, console, token):
             return
         said = ""
-        async for text in _messages(page):
+        async for wanted in messages(page, jog_message, partial(console.refused, "/ws/jog")):
             jogging = console.jogging(component)
-            problem = "the arm has gone" if jogging is None else jogging.move(token, text)
+            problem = "the arm has gone" if jogging is None else jogging.move(token, wanted)
             if problem != said:
-                await page.send_text(problem)
+                await _answer(page, problem)
                 said = problem
         if (jogging := console.jogging(component)) is not None:
             jogging.leave(token)
@@ -326,29 +358,18 @@ async def _accepted(page: WebSocket, console: Console, token: str) -> bool:
     return True
 
 
+async def _answer(page: WebSocket, text: str) -> None:
+    """Send a text to a browser, unless it has left."""
+    with suppress(WebSocketDisconnect, RuntimeError):
+        await page.send_text(text)
+
+
 def _is_command(payload: bytes) -> bool:
     """True for a message that changes something."""
     try:
         return needs_seal(registry.decode(payload))
     except CodecError:
         return True
-
-
-async def _messages(page: WebSocket) -> AsyncIterator[str]:
-    try:
-        while True:
-            yield (await page.receive_text())[:MAX_MESSAGE]
-    except (WebSocketDisconnect, RuntimeError):
-        return
-
-
-def _pair(text: str) -> tuple[float, float]:
-    """Two numbers; zeros for anything else."""
-    try:
-        forward, left = json.loads(text)
-        return float(forward), float(left)
-    except (ValueError, TypeError):
-        return 0.0, 0.0
 
 
 class AcceptingServer(uvicorn.Server):
@@ -428,7 +449,7 @@ async def serving(
     gate = LoginMiddleware(BodyLimit(app), users, console.note, port=served, token=token, connections=connections)
     config = uvicorn.Config(
         ContentSecurityPolicy(gate),
-        log_level="warning",
+        log_config=None,  # see `logs.adopt`
         lifespan="on",
         http="h11",  # its headers are bounded
         ws_max_size=MAX_FRAME,

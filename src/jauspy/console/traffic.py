@@ -48,13 +48,15 @@ class Line:
     name: str
     """The message's name; the sentence of an event."""
     size: int = 0
+    user: str = ""
+    """Who has caused it, by the session; empty for what was received."""
     payload: bytes = b""
     """Empty for an event, and for messages above `MAX_PAYLOAD`."""
 
     @property
     def text(self) -> str:
         """The text that the filter searches."""
-        return f"{self.time:%H:%M:%S} {self.kind} {self.source} {self.destination} {self.name}"
+        return f"{self.time:%H:%M:%S} {self.kind} {self.source} {self.destination} {self.user} {self.name}"
 
 
 class Traffic:
@@ -68,7 +70,7 @@ class Traffic:
         self._kept: dict[int, deque[Line]] = {}
         self._names: dict[int, str] = {}
 
-    def note(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
+    def note(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool, user: str = "") -> None:
         """Keep a message."""
         code = int.from_bytes(payload[:2], "little") if len(payload) > 1 else OTHER
         kind = "sent" if sent else "refused" if self._is_refusal(code, payload) else "received"
@@ -76,15 +78,17 @@ class Traffic:
         name = self._name(code)
         if code == Event.CODE and len(payload) > _REPORT_AT + 1:
             name = f"{name} {self._name(int.from_bytes(payload[_REPORT_AT : _REPORT_AT + 2], 'little'))}"
-        self._keep(code, Line(self.total, self._now(), kind, str(source), str(destination), name, len(payload), kept))
+        size = len(payload)
+        line = Line(self.total, self._now(), kind, str(source), str(destination), name, size, user, kept)
+        self._keep(code, line)
 
     def name(self, payload: bytes) -> str:
         """The name of a message; its id in hex if it is not known."""
         return self._name(int.from_bytes(payload[:2], "little") if len(payload) > 1 else OTHER)
 
-    def event(self, text: str) -> None:
-        """Keep a sentence of the console."""
-        self._keep(EVENT, Line(self.total, self._now(), "event", "", "", text))
+    def event(self, text: str, user: str = "") -> None:
+        """Keep a sentence of the console, or about what one of its users has done."""
+        self._keep(EVENT, Line(self.total, self._now(), "event", "", "", text, user=user))
 
     def lines(self, words: str, kind: str = "", *, routine: bool = True, limit: int = 200) -> list[Line]:
         """The newest lines that have all words, and none of those after a minus sign; the newest first."""

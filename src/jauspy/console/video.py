@@ -16,6 +16,7 @@ from typing import Any, Final
 from fastapi import WebSocket, WebSocketDisconnect
 
 from jauspy.codec.message import Message
+from jauspy.console.browser_messages import Refuse, messages, video_request
 from jauspy.console.reports import reports_of
 from jauspy.console.video_recording import VideoRecording
 from jauspy.errors import JausError
@@ -127,8 +128,6 @@ QUIET_TIME: Final = 2.0
 """Seconds without a picture after which the browsers are sent the reason."""
 KEY_INTERVAL: Final = 2.0
 """Seconds after which a key picture is requested while a browser receives only those: slow cameras make few."""
-CHOICES: Final = ("all", "keys", "nothing")
-"""The pictures that a browser may request: `keys` are those that can be decoded without others."""
 _HEADER: Final = struct.Struct("<?xxxxxxxdd")
 """Whether it is a key picture, its time stamp in microseconds, and when it was taken, in milliseconds since 1970 by the
 robot's clock (NaN when unknown)."""
@@ -157,8 +156,8 @@ class Watcher:
         self._ready.set()
 
     def choose(self, choice: str) -> bool:
-        """Send these pictures from now on; returns True if a key picture is waited for."""
-        if choice not in CHOICES or choice == self.choice:
+        """Send these pictures (`all`, `keys` or `nothing`) from now on; returns True if a key picture is waited for."""
+        if choice == self.choice:
             return False
         self.choice = choice
         self._waits_for_idr = True
@@ -230,7 +229,7 @@ class SharedCamera:
         self._has_begun = False
         self._key_at = -math.inf
 
-    async def serve(self, socket: WebSocket) -> None:
+    async def serve(self, socket: WebSocket, refuse: Refuse) -> None:
         """Send news as JSON and requested pictures as bytes to one browser until it leaves."""
         watcher = Watcher()
         self._watchers.add(watcher)
@@ -240,7 +239,7 @@ class SharedCamera:
         def tell(attitude: Attitude) -> None:
             watcher.tell(attitude=attitude.as_dict())
 
-        leaving = asyncio.create_task(self._listen(socket, watcher, tell))
+        leaving = asyncio.create_task(self._listen(socket, watcher, tell, refuse))
         sending = asyncio.create_task(_send(socket, watcher))
         try:
             await asyncio.wait({leaving, sending}, return_when=asyncio.FIRST_COMPLETED)
@@ -347,24 +346,19 @@ class SharedCamera:
         if self.recording is not None:
             self.recording.add(picture)
 
-    async def _listen(self, socket: WebSocket, watcher: Watcher, tell: Callable[[Attitude], None]) -> None:
+    async def _listen(
+        self, socket: WebSocket, watcher: Watcher, tell: Callable[[Attitude], None], refuse: Refuse
+    ) -> None:
         """Handle the browser's requests, as in {"want": "keys", "attitude": true}, until it leaves."""
-        try:
-            while True:
-                try:
-                    asked = json.loads((await socket.receive_text())[:200])
-                except ValueError:
-                    continue
-                if not isinstance(asked, dict):
-                    continue
-                if watcher.choose(str(asked.get("want", ""))):
-                    self.camera.refresh()
-                if self._attitude is not None:
-                    self._attitude.remove(tell)
-                    if asked.get("attitude") is True:
-                        self._attitude.add(tell)
-        except (WebSocketDisconnect, RuntimeError, KeyError):  # KeyError: it sent bytes
-            return
+        async for asked in messages(socket, video_request, refuse):
+            if asked is None:
+                continue
+            if asked.want is not None and watcher.choose(asked.want):
+                self.camera.refresh()
+            if self._attitude is not None:
+                self._attitude.remove(tell)
+                if asked.attitude:
+                    self._attitude.add(tell)
 
 
 async def _send(socket: WebSocket, watcher: Watcher) -> None:

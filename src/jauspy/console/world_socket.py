@@ -10,6 +10,7 @@ from typing import Final
 from fastapi import FastAPI, HTTPException, WebSocket, WebSocketDisconnect
 from starlette.responses import FileResponse
 
+from jauspy.console.browser_messages import Refuse, messages, nothing
 from jauspy.console.robot_geometry import RobotGeometry
 from jauspy.console.world import RATE, World
 from jauspy.errors import JausError
@@ -66,7 +67,7 @@ class Worlds:
         self._worlds, self._pages = {}, {}
 
 
-def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[str], bool]) -> None:
+def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[str], bool], refuse: Refuse) -> None:
     """Add the socket, which is open while the tab is visible, and the files of meshes."""
 
     @app.websocket("/ws/world/{subsystem}/{token}")
@@ -77,7 +78,7 @@ def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[s
         if found is None:
             await page.close(4404, "there is no such robot")
             return
-        await _serve(page, found, f"/world/mesh/{subsystem}/{token}/")
+        await _serve(page, found, f"/world/mesh/{subsystem}/{token}/", refuse)
 
     @app.get("/world/mesh/{subsystem}/{token}/{number}")
     async def mesh(subsystem: int, token: str, number: int) -> FileResponse:
@@ -90,10 +91,10 @@ def add_world(app: FastAPI, worlds: Worlds, accept: Accept, is_page: Callable[[s
         return FileResponse(meshes[number], headers={"Cache-Control": "private, max-age=3600"})
 
 
-async def _serve(page: WebSocket, world: World, mesh_url: str) -> None:
+async def _serve(page: WebSocket, world: World, mesh_url: str, refuse: Refuse) -> None:
     """Send until the browser leaves: a slow one gets fewer messages, never older ones."""
     watcher = object()
-    leaving = asyncio.create_task(_until_closed(page))
+    leaving = asyncio.create_task(_until_closed(page, refuse))
     try:
         await world.watched_by(watcher)
         await _send_states(page, world, mesh_url, leaving)
@@ -139,9 +140,6 @@ async def _send_states(page: WebSocket, world: World, mesh_url: str, leaving: as
         await asyncio.wait({leaving}, timeout=max(0.0, began + 1.0 / RATE - clock()))
 
 
-async def _until_closed(page: WebSocket) -> None:
-    try:
-        while True:
-            await page.receive_text()
-    except (WebSocketDisconnect, RuntimeError):
-        return
+async def _until_closed(page: WebSocket, refuse: Refuse) -> None:
+    async for _ in messages(page, nothing, refuse):
+        pass  # a browser sends nothing here
