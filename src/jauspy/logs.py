@@ -1,4 +1,7 @@
-"""Loggers of this package. Lines of one kind are limited in rate, because peers can cause any number of them."""
+"""Loggers of this package, and of packages that it runs.
+
+Lines are limited in length, and those of one kind in rate, because peers can cause any number of them.
+"""
 
 from __future__ import annotations
 
@@ -14,12 +17,17 @@ LINE_INTERVAL: Final = 10.0
 MAX_KINDS: Final = 512
 """Kinds of lines that are distinguished; the kind that was written longest ago is forgotten."""
 
+MAX_LINE: Final = 1000
+"""Characters of a message; the rest of a longer one is left out."""
+_PACKAGE: Final = __name__.partition(".")[0]
+
 _Kind: TypeAlias = tuple[str, str, str]
 
 
 class LogRateLimit(logging.Filter):
     """Limits the lines of each kind: those of one logger with one text before formatting, and one place of an error.
 
+    Of other packages, which may format texts themselves, the lines of one place in the code are of one kind.
     `extra={"kind": ...}` replaces the text, for lines that are written once for each of a few kinds.
     """
 
@@ -33,7 +41,8 @@ class LogRateLimit(logging.Filter):
         """False for a line too many; else the number of lines that were left out is added to it."""
         if getattr(record, "is_within_limit", False):
             return True  # by the filter of its logger
-        text = str(getattr(record, "kind", record.msg))
+        is_own = record.name.partition(".")[0] == _PACKAGE
+        text = str(getattr(record, "kind", record.msg if is_own else f"{record.pathname}:{record.lineno}"))
         kind = (record.name, text, _place(record.exc_info[2] if record.exc_info else None))
         lines, since, left_out = self._kinds.get(kind, (float(MAX_LINES_AT_ONCE), record.created, 0))
         lines = min(float(MAX_LINES_AT_ONCE), lines + max(0.0, record.created - since) / LINE_INTERVAL)
@@ -42,8 +51,14 @@ class LogRateLimit(logging.Filter):
         self._kinds.move_to_end(kind)
         if len(self._kinds) > MAX_KINDS:
             self._kinds.popitem(last=False)
-        if granted and left_out:
-            record.msg, record.args = f"{record.getMessage()} ({left_out} such lines were left out)", ()
+        if granted:
+            message = whole = record.getMessage()
+            if len(message) > MAX_LINE:
+                message = f"{message[:MAX_LINE]} ... ({len(message) - MAX_LINE} more characters)"
+            if left_out:
+                message = f"{message} ({left_out} such lines were left out)"
+            if message is not whole:
+                record.msg, record.args = message, ()
         record.is_within_limit = granted
         return granted
 
@@ -61,6 +76,16 @@ def get_logger(name: str) -> logging.Logger:
     logger = logging.getLogger(name)
     logger.addFilter(LIMIT)
     return logger
+
+
+def adopt(*names: str) -> None:
+    """Take the loggers of other packages: with the limit, without handlers of their own, from warnings on."""
+    for name in names:
+        logger = logging.getLogger(name)
+        logger.handlers.clear()
+        logger.propagate = True
+        logger.setLevel(logging.WARNING)
+        logger.addFilter(LIMIT)
 
 
 def _place(trace: TracebackType | None) -> str:

@@ -14,7 +14,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache
 from typing import TYPE_CHECKING, Any, Final, TextIO
 
-from jauspy.logs import LIMIT
+from jauspy.logs import LIMIT, MAX_LINE
 from jauspy.printable import printable, printable_lines
 
 if TYPE_CHECKING:
@@ -171,7 +171,8 @@ class LogFormatter(logging.Formatter):
 
     def formatException(self, ei: Any) -> str:  # noqa: N802 - the name in `logging`
         """As `logging.Formatter`."""
-        return printable_lines(super().formatException(ei))
+        lines = printable_lines(super().formatException(ei)).split("\n")
+        return "\n".join(line if len(line) <= MAX_LINE else f"{line[:MAX_LINE]} ..." for line in lines)
 
 
 def log_to_stderr(level: str, formatter: logging.Formatter | None = None) -> None:

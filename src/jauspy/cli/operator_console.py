@@ -119,6 +119,7 @@ def console_page(
         raise ConfigError(f"{NEEDS_EXTRA} ({error})") from error
     if with_parent:
         end_with_parent()
+    console.log_to_stderr("WARNING")
 
     if token_file is not None and users is not None:
         raise ConfigError(

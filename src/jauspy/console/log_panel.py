@@ -82,7 +82,7 @@ class LogPanel:
         self._pause.set_text("resume" if self._paused else "pause")
 
     def _choose(self, event: Any) -> None:
-        line = self._traffic.find(int(event.args))
+        line = self._traffic.find(event.args) if isinstance(event.args, int) else None
         self._fields.clear()
         self._hex.set_text("")
         if line is None:

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+import time
 from typing import Final
 
 from fastapi import FastAPI
-from nicegui import ui
+from nicegui import core, ui
 
 from jauspy.console.arm_panel import ArmPanel
 from jauspy.console.camera_settings import VIDEO
@@ -16,6 +17,7 @@ from jauspy.console.fleet_panel import FleetPanel
 from jauspy.console.log_panel import LogPanel
 from jauspy.console.manipulators import MODULAR_ARM
 from jauspy.console.markup import attributes, call, page_files, plain_text
+from jauspy.console.page_events import FrameCheck, PageEvents
 from jauspy.console.plots import PlotsPanel
 from jauspy.console.server import Console
 from jauspy.console.trajectory_panel import TrajectoryPanel
@@ -53,6 +55,8 @@ NO_ROBOTS: Final = """
 
 def add_page(app: FastAPI, console: Console) -> None:
     """Add the page at `/`."""
+    app.add_middleware(FrameCheck, refused=console.refused)
+    events = PageEvents(core.sio, console.refused, time.monotonic)
 
     @ui.page("/", title="jauspy console", favicon="\U0001f6f0", dark=None)
     def index() -> None:
@@ -62,6 +66,7 @@ def add_page(app: FastAPI, console: Console) -> None:
             ui.label("too many pages of this console are open; close one, then load this page again")
             return
         token, user = browser
+        events.add(ui.context.client, user)
         page = _Page(console, token, user)
 
         def leave() -> None:

@@ -38,6 +38,7 @@ from jauspy.console.watchdog import Watchdog
 from jauspy.console.world_socket import Worlds, add_world
 from jauspy.errors import CodecError, ConfigError, JausError
 from jauspy.ids import JausID
+from jauspy.logs import adopt
 from jauspy.messages import registry
 from jauspy.modules.audit import MAX_PAYLOAD, AuditLog
 from jauspy.node.manager import raise_open_files_limit
@@ -60,6 +61,8 @@ BACKLOG: Final = 512
 """Connections that the kernel keeps until they are accepted."""
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
+LOGGERS: Final = ("nicegui", "engineio.server", "socketio.server", "uvicorn", "uvicorn.error", "uvicorn.access")
+"""Of the packages that serve the page; browsers can cause lines of all of them."""
 RECORDINGS: Final = Path.home() / "jauspy-recordings"
 STOP_TIME: Final = 1.0
 """Seconds in which an emergency stop is repeated until all obey."""
@@ -439,6 +442,7 @@ async def serving(
     from jauspy.console.content_security_policy import ContentSecurityPolicy  # noqa: PLC0415 - imports NiceGUI
     from jauspy.console.page import add_page  # noqa: PLC0415 - NiceGUI takes a second
 
+    adopt(*LOGGERS)
     console = Console(ocu, emergency_ocu, audit, recordings, watchdog)
     console.poses = poses or {}
     console.first_robot = robot
@@ -449,7 +453,8 @@ async def serving(
     gate = LoginMiddleware(BodyLimit(app), users, console.note, port=served, token=token, connections=connections)
     config = uvicorn.Config(
         ContentSecurityPolicy(gate),
-        log_config=None,  # see `logs.adopt`
+        log_config=None,
+        log_level="warning",
         lifespan="on",
         http="h11",  # its headers are bounded
         ws_max_size=MAX_FRAME,

@@ -1,0 +1,94 @@
+"""A page of the console without a browser: loads it, and speaks on the socket of NiceGUI."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import re
+import urllib.request
+from dataclasses import dataclass
+from types import TracebackType
+from typing import Any, Self
+
+from websockets.asyncio.client import ClientConnection, connect
+from websockets.exceptions import ConnectionClosed
+
+_CLIENT = re.compile(r"client_id[^0-9a-z]{1,20}([0-9a-f-]{36})")
+_TOKEN = re.compile(r'jauspy\.start\("([\w-]+)"\)')
+
+
+@dataclass(frozen=True)
+class Loaded:
+    """The page as it was loaded."""
+
+    text: str
+
+    @property
+    def client(self) -> str:
+        """The id of NiceGUI's client."""
+        found = _CLIENT.search(self.text)
+        assert found, "the page has the id of its client"
+        return found[1]
+
+    @property
+    def token(self) -> str:
+        """The token of the page's sockets."""
+        found = _TOKEN.search(self.text.replace("\\", ""))
+        assert found, "the page starts its script with a token"
+        return found[1]
+
+
+async def load(url: str) -> Loaded:
+    """Load the page, which opens no socket."""
+
+    def get() -> str:
+        with urllib.request.urlopen(url) as answer:
+            text: str = answer.read().decode()
+            return text
+
+    return Loaded(await asyncio.to_thread(get))
+
+
+class PageSocket:
+    """The socket of a page, after its handshake; `is_closed` when the console has closed it."""
+
+    def __init__(self, url: str, client: str) -> None:
+        query = f"EIO=4&transport=websocket&client_id={client}"
+        self._address = f"{url.replace('http', 'ws', 1)}/_nicegui_ws/socket.io/?{query}"
+        self._origin = url
+        self._client = client
+        self.is_closed = False
+
+    async def __aenter__(self) -> Self:
+        self._socket: ClientConnection = await connect(self._address, origin=self._origin, max_size=None)
+        await self.raw("40")
+        handshake = {"client_id": self._client, "tab_id": "tab", "document_id": "document", "next_message_id": 0}
+        await self.raw(f"420{json.dumps(['handshake', handshake])}")
+        self._reading = asyncio.create_task(self._read())
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._reading.cancel()
+        await self._socket.close()
+
+    async def raw(self, text: str | bytes) -> None:
+        """Send a packet of Engine.IO."""
+        try:
+            await self._socket.send(text)
+        except ConnectionClosed:
+            self.is_closed = True
+
+    async def emit(self, name: str, **content: Any) -> None:
+        """Send an event of Socket.IO."""
+        await self.raw(f"42{json.dumps([name, {'client_id': self._client, **content}])}")
+
+    async def _read(self) -> None:
+        try:
+            async for text in self._socket:
+                if text == "2":
+                    await self.raw("3")
+        except ConnectionClosed:
+            pass
+        self.is_closed = True
