@@ -12,6 +12,8 @@ from jauspy.errors import ConfigError
 
 MAX_FILE: Final = 16 << 20
 """Bytes. A file may name further ones, such as /dev/zero, which never ends."""
+MAX_REASON: Final = 300
+"""Characters of the reason in an error, which may quote the file."""
 
 MANIFESTS: Final = ("package.xml", "model.config", "model.sdf")
 """Files that make a directory a package of ROS or a model of Gazebo."""
@@ -87,5 +89,5 @@ def parse_toml(data: bytes, name: str) -> dict[str, Any]:
         return tomllib.loads(data.decode())
     except RecursionError:
         raise ConfigError(f"{name}: is nested too deeply") from None
-    except (tomllib.TOMLDecodeError, UnicodeDecodeError) as error:
-        raise ConfigError(f"{name}: is not TOML: {error}") from error
+    except ValueError as error:  # of tomllib, of a wrong encoding, of a number with thousands of digits
+        raise ConfigError(f"{name}: is not TOML: {str(error)[:MAX_REASON]}") from error

@@ -10,6 +10,7 @@ import pytest
 from jauspy.console.manipulators import JointInfo
 from jauspy.console.saved_files import SavedFiles, checked_name
 from jauspy.console.trajectory import MAX_ROWS, Trajectory, TrajectoryRow
+from jauspy.console.users import LOCAL
 from jauspy.errors import ConfigError
 from jauspy.ocu.joints import MotionLimits
 from jauspy.testing import VirtualNetwork
@@ -99,19 +100,24 @@ def test_the_program_of_a_modular_arm_is_python() -> None:
 
 
 def test_poses_and_trajectories_are_kept_by_robot(tmp_path: Path) -> None:
-    kept = SavedFiles(101, "inc1", tmp_path)
+    kept = saved(tmp_path)
     kept.save_pose("101.1.104", "stow", {"elbow": -0.0})
     kept.save_pose("101.1.104", "up", {"elbow": 1.23456})
-    assert SavedFiles(101, "inc1", tmp_path).poses("101.1.104") == {"stow": {"elbow": 0.0}, "up": {"elbow": 1.2346}}
-    assert SavedFiles(102, "inc1", tmp_path).poses("101.1.104") == {}
+    found = saved(tmp_path).poses("101.1.104")
+    assert {name: pose.positions for name, pose in found.items()} == {"stow": {"elbow": 0.0}, "up": {"elbow": 1.2346}}
+    assert SavedFiles(102, "inc1", LOCAL, print, tmp_path).poses("101.1.104") == {}
     kept.delete_pose("101.1.104", "stow")
     assert list(kept.poses("101.1.104")) == ["up"]
     made = trajectory((1.0, 0.1, 0.05))
-    kept.save_trajectory("wave 2", made.to_json("inc1"))
+    kept.save_trajectory("wave 2", made, "inc1")
     assert kept.trajectories() == ["wave 2"]
     assert kept.trajectory("wave 2") == made
     kept.delete_trajectory("wave 2")
     assert kept.trajectories() == []
+
+
+def saved(root: Path) -> SavedFiles:
+    return SavedFiles(101, "inc1", LOCAL, lambda _: None, root)
 
 
 @pytest.mark.parametrize("name", ["", "../../etc/passwd", "a/b", ".hidden", "x" * 41, "a\nb"])
@@ -119,11 +125,11 @@ def test_names_that_could_be_other_files_are_refused(name: str, tmp_path: Path) 
     with pytest.raises(ConfigError, match="a name is"):
         checked_name(name)
     with pytest.raises(ConfigError, match="a name is"):
-        SavedFiles(101, "inc1", tmp_path).save_trajectory(name, "{}")
+        saved(tmp_path).save_trajectory(name, Trajectory(), "inc1")
 
 
 def test_a_damaged_file_of_poses_is_reported(tmp_path: Path) -> None:
     (tmp_path / "101-inc1").mkdir()
     (tmp_path / "101-inc1" / "poses.json").write_text('{"poses": {"101.1.104": {"stow": {"elbow": "x"}}}}')
     with pytest.raises(ConfigError, match=r"poses\.json: poses.101.1.104.stow.elbow: .*correct or delete"):
-        SavedFiles(101, "inc1", tmp_path).poses("101.1.104")
+        saved(tmp_path).poses("101.1.104")

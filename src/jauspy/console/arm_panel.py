@@ -7,11 +7,12 @@ from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.confirmation import confirmed
 from jauspy.console.gripper_panel import GripperPanel
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.markup import attributes, plain_text, style_number
 from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
-from jauspy.console.saved_files import SavedFiles
+from jauspy.console.saved_files import Pose, SavedByOther, SavedFiles
 from jauspy.console.server import Console
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot
@@ -201,7 +202,7 @@ class ArmPanel:
     # --- poses ----------------------------------------------------------------------------------------------------
 
     def _files(self) -> SavedFiles | None:
-        return None if self._robot is None else SavedFiles(self._robot.id, self._robot.name)
+        return None if self._robot is None else self._console.files(self._robot)
 
     def _show_poses(self) -> None:
         self._poses.clear()
@@ -221,10 +222,10 @@ class ArmPanel:
                 with ui.element("div").classes("row"):
                     ui.label(name).classes("grow").tooltip("of the file that the console was started with")
                     self._add_go(name, positions)
-            for name, positions in poses.items():
+            for name, pose in poses.items():
                 with ui.element("div").classes("row"):
-                    ui.label(name).classes("grow")
-                    self._add_go(name, positions)
+                    ui.label(name).classes("grow").tooltip(str(pose.author))
+                    self._add_go(name, pose.positions, pose)
                     delete = ui.button("\u00d7", on_click=lambda name=name: self._delete_pose(name))
                     attributes(delete.props("flat dense"), aria_label=f"delete {name}")
             if left_out := len(self._console.poses.get(self._robot_name, {})) - len(given):
@@ -239,16 +240,44 @@ class ArmPanel:
         joints = {each.name for each in self._joints}
         return {name: to for name, to in self._console.poses.get(self._robot_name, {}).items() if joints & to.keys()}
 
-    def _add_go(self, name: str, positions: dict[str, float]) -> None:
-        button = ui.button("go", on_click=lambda: self._go(positions, f"the motion to {name}"))
+    def _add_go(self, name: str, positions: dict[str, float], shown: Pose | None = None) -> None:
+        def go() -> None:
+            if shown is None or self._is_as_shown(name, shown):
+                self._go(positions, f"the motion to {name}")
+
+        button = ui.button("go", on_click=go)
         attributes(button.props("outline dense no-caps"), aria_label=f"go to {name}")
+
+    def _is_as_shown(self, name: str, shown: Pose) -> bool:
+        """False, with the reason shown, for a pose that was changed or deleted since it is on this page."""
+        files, arm = self._files(), self._arm
+        if files is None or arm is None:
+            return False
+        try:
+            now = files.poses(str(arm.info.id)).get(name)
+        except JausError as error:
+            self._motion.problem = str(error)
+            return False
+        if now == shown:
+            return True
+        changed = "deleted" if now is None else f"changed ({now.author})"
+        self._motion.problem = f"{name} was {changed} since it is shown here; nothing moves"
+        self._show_poses()
+        return False
 
     async def _save_pose(self) -> None:
         files, arm = self._files(), self._arm
         if files is None or arm is None:
             return
+        id, name = str(arm.info.id), str(self._name.value or "")
         try:
-            files.save_pose(str(arm.info.id), str(self._name.value or ""), await arm.positions())
+            positions = await arm.positions()
+            try:
+                files.save_pose(id, name, positions)
+            except SavedByOther as other:
+                if not await confirmed(f"{other}. Replace it?", "replace"):
+                    return
+                files.save_pose(id, name, positions, seen=other.author)
         except JausError as error:
             self._motion.problem = str(error)
             return
@@ -256,12 +285,18 @@ class ArmPanel:
         self._name.set_value("")
         self._show_poses()
 
-    def _delete_pose(self, name: str) -> None:
+    async def _delete_pose(self, name: str) -> None:
         files, arm = self._files(), self._arm
         if files is None or arm is None:
             return
+        id = str(arm.info.id)
         try:
-            files.delete_pose(str(arm.info.id), name)
+            try:
+                files.delete_pose(id, name)
+            except SavedByOther as other:
+                if not await confirmed(f"{other}. Delete it?", "delete"):
+                    return
+                files.delete_pose(id, name, seen=other.author)
         except JausError as error:
             self._motion.problem = str(error)
         self._show_poses()

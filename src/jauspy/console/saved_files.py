@@ -1,21 +1,33 @@
-"""Files in which the console saves named poses and trajectories of each robot, as JSON."""
+"""Files in which the console saves named poses and trajectories of each robot, as JSON, with their authors.
+
+Only users who may operate robots save and delete. What somebody else has saved is replaced or deleted only if the user
+has seen who that was.
+"""
 
 from __future__ import annotations
 
 import os
 import re
+from collections.abc import Callable
+from dataclasses import dataclass
+from datetime import UTC, datetime
+from itertools import islice
 from pathlib import Path
 from typing import Annotated, Final, TypeAlias
 
 from pydantic import BaseModel, ConfigDict, Field, TypeAdapter, ValidationError
 
-from jauspy.console.trajectory import MAX_FILE, Trajectory
+from jauspy.console.trajectory import MAX_FILE, UNKNOWN, Author, Trajectory, place
+from jauspy.console.users import User
 from jauspy.errors import ConfigError
-from jauspy.user_files import read_file, read_toml
+from jauspy.printable import printable
+from jauspy.user_files import parse_toml, read_file
 
 MAX_NAME: Final = 40
 MAX_SAVED: Final = 100
 """Poses of an arm, and trajectories of a robot."""
+MAX_LISTED: Final = 10_000
+"""Files of a folder that are looked at."""
 _NAME: Final = re.compile(r"[\w][\w .+-]*")
 _Position = Annotated[float, Field(allow_inf_nan=False)]
 
@@ -24,6 +36,24 @@ class _Poses(BaseModel):
     model_config = ConfigDict(extra="forbid")
     poses: dict[str, dict[str, dict[str, _Position]]] = {}
     """By component, then by name: positions by joint."""
+    authors: dict[str, dict[str, Author]] = {}
+    """Of poses, by component and name; files of earlier versions have none."""
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A named pose: positions by joint, in radians or metres."""
+
+    positions: dict[str, float]
+    author: Author = UNKNOWN
+
+
+class SavedByOther(ConfigError):
+    """Somebody else has saved what is to be replaced or deleted; pass `author` as `seen` when the user agrees."""
+
+    def __init__(self, name: str, author: Author) -> None:
+        super().__init__(f"{name} was {author}")
+        self.author = author
 
 
 def state_directory() -> Path:
@@ -50,9 +80,9 @@ _ROBOT_POSES: Final = TypeAdapter(dict[str, dict[str, dict[str, _Position]]])
 def read_poses(path: Path) -> RobotPoses:
     """A file of named poses, a table `[robot.name]` for each; raises `ConfigError` that names the mistake."""
     try:
-        poses = _ROBOT_POSES.validate_python(read_toml(path))
+        poses = _ROBOT_POSES.validate_python(parse_toml(read_file(path, MAX_FILE), str(path)))
     except ValidationError as error:
-        where = ".".join(map(str, error.errors()[0]["loc"]))
+        where = place(error.errors()[0]["loc"])
         raise ConfigError(
             f"{path}: {where}: expected a table [ROBOT.POSE] with a position for each joint, in radians or metres"
         ) from error
@@ -60,55 +90,135 @@ def read_poses(path: Path) -> RobotPoses:
         try:
             checked_name(name)
         except ConfigError as error:
-            raise ConfigError(f"{path}: {name!r}: {error}") from error
+            raise ConfigError(f"{path}: {name[:MAX_NAME]!r}: {error}") from error
     return poses
 
 
 class SavedFiles:
-    """The poses and trajectories of one robot."""
+    """The poses and trajectories of one robot, for a user; None is nobody, who may read only.
 
-    def __init__(self, subsystem: int, robot: str, root: Path | None = None) -> None:
+    `on_change` is called with a sentence about each change.
+    """
+
+    def __init__(
+        self,
+        subsystem: int,
+        robot: str,
+        user: User | None,
+        on_change: Callable[[str], None],
+        root: Path | None = None,
+    ) -> None:
         label = re.sub(r"[^\w-]+", "_", robot)[:MAX_NAME]
         self._folder = (root or state_directory()) / (f"{subsystem}-{label}" if label else str(subsystem))
+        self._subsystem = subsystem
+        self._user = user
+        self._on_change = on_change
 
-    def poses(self, component: str) -> dict[str, dict[str, float]]:
+    def poses(self, component: str) -> dict[str, Pose]:
         """The poses of an arm by name; raises `ConfigError` for a file that cannot be read."""
-        return self._poses().poses.get(component, {})
+        saved = self._poses()
+        authors = saved.authors.get(component, {})
+        return {
+            name: Pose(positions, authors.get(name, UNKNOWN))
+            for name, positions in saved.poses.get(component, {}).items()
+            if _NAME.fullmatch(name) and len(name) <= MAX_NAME
+        }
 
-    def save_pose(self, component: str, name: str, positions: dict[str, float]) -> None:
-        """Save a pose, positions in radians or metres; replaces the pose of this name."""
-        poses = self._poses()
-        own = poses.poses.setdefault(component, {})
-        own[checked_name(name)] = {joint: round(value, 4) + 0.0 for joint, value in positions.items()}
+    def save_pose(self, component: str, name: str, positions: dict[str, float], *, seen: Author | None = None) -> None:
+        """Save a pose, positions in radians or metres; replaces the pose of this name.
+
+        Raises `SavedByOther` if that is of somebody else than `seen`, and `ConfigError` if it cannot be saved.
+        """
+        name, author, saved = checked_name(name), self._author(), self._poses()
+        own, authors = saved.poses.setdefault(component, {}), saved.authors.setdefault(component, {})
+        before = authors.get(name, UNKNOWN) if name in own else None
+        self._check(name, before, seen)
+        own[name] = {joint: round(value, 4) + 0.0 for joint, value in positions.items()}
         if len(own) > MAX_SAVED:
             raise ConfigError(f"an arm has at most {MAX_SAVED} poses; delete one first")
-        self._write("poses.json", poses.model_dump_json(indent=2))
+        authors[name] = author
+        self._write_poses(saved)
+        self._changed("saved", f"the pose {name} of {component}", before)
 
-    def delete_pose(self, component: str, name: str) -> None:
-        """Delete a pose; unknown names are ignored."""
-        poses = self._poses()
-        poses.poses.get(component, {}).pop(name, None)
-        self._write("poses.json", poses.model_dump_json(indent=2))
+    def delete_pose(self, component: str, name: str, *, seen: Author | None = None) -> None:
+        """Delete a pose; unknown names are ignored. Raises as `save_pose`."""
+        self._author()
+        saved = self._poses()
+        if name not in saved.poses.get(component, {}):
+            return
+        before = saved.authors.get(component, {}).pop(name, UNKNOWN)
+        self._check(name, before, seen)
+        del saved.poses[component][name]
+        self._write_poses(saved)
+        self._changed("deleted", f"the pose {name} of {component}", before)
 
     def trajectories(self) -> list[str]:
         """The names of the trajectories."""
-        return sorted(path.stem for path in (self._folder / "trajectories").glob("*.json"))[:MAX_SAVED]
+        try:
+            with os.scandir(self._folder / "trajectories") as entries:
+                names = [entry.name for entry in islice(entries, MAX_LISTED)]
+        except OSError:
+            return []
+        stems = (name.removesuffix(".json") for name in names if name.endswith(".json"))
+        return sorted(stem for stem in stems if _NAME.fullmatch(stem) and len(stem) <= MAX_NAME)[:MAX_SAVED]
 
-    def save_trajectory(self, name: str, text: str) -> None:
-        """Save a trajectory; replaces the one of this name."""
-        name, known = checked_name(name), self.trajectories()
+    def save_trajectory(self, name: str, trajectory: Trajectory, robot: str, *, seen: Author | None = None) -> None:
+        """Save a trajectory; replaces the one of this name. Raises as `save_pose`."""
+        name, author, known = checked_name(name), self._author(), self.trajectories()
+        before = self._author_of(name)
+        self._check(name, before, seen)
         if name not in known and len(known) >= MAX_SAVED:
             raise ConfigError(f"a robot has at most {MAX_SAVED} trajectories; delete one first")
-        self._write(f"trajectories/{name}.json", text)
+        self._write(f"trajectories/{name}.json", trajectory.to_json(robot, author))
+        self._changed("saved", f"the trajectory {name}", before)
 
     def trajectory(self, name: str) -> Trajectory:
         """Load a trajectory; raises `ConfigError`."""
-        path = self._folder / "trajectories" / f"{checked_name(name)}.json"
+        path = self._path(name)
         return Trajectory.from_json(read_file(path, MAX_FILE), str(path))
 
-    def delete_trajectory(self, name: str) -> None:
-        """Delete a trajectory; unknown names are ignored."""
-        (self._folder / "trajectories" / f"{checked_name(name)}.json").unlink(missing_ok=True)
+    def delete_trajectory(self, name: str, *, seen: Author | None = None) -> None:
+        """Delete a trajectory; unknown names are ignored. Raises as `save_pose`."""
+        self._author()
+        before = self._author_of(name)
+        if before is None:
+            return
+        self._check(name, before, seen)
+        try:
+            self._path(name).unlink(missing_ok=True)
+        except OSError as error:
+            raise ConfigError(f"{self._path(name)}: cannot be deleted: {error.strerror}") from error
+        self._changed("deleted", f"the trajectory {name}", before)
+
+    def _path(self, name: str) -> Path:
+        return self._folder / "trajectories" / f"{checked_name(name)}.json"
+
+    def _author(self) -> Author:
+        """The user with the present time; raises `ConfigError` unless the user may operate."""
+        if self._user is None or not self._user.may_operate:
+            who = "nobody" if self._user is None else f"{self._user.name} ({self._user.role})"
+            raise ConfigError(f"{who} may not save or delete poses and trajectories: this takes an operator")
+        return Author(by=self._user.name, at=f"{datetime.now(UTC):%Y-%m-%d %H:%M:%S} UTC")
+
+    def _author_of(self, name: str) -> Author | None:
+        """The author of a trajectory; None if there is none of this name."""
+        if not self._path(name).exists():
+            return None
+        try:
+            return self.trajectory(name).author
+        except ConfigError:  # it is damaged, and may be replaced
+            return UNKNOWN
+
+    def _check(self, name: str, before: Author | None, seen: Author | None) -> None:
+        """Raise `SavedByOther` for what the user neither has saved nor has seen the author of."""
+        assert self._user is not None
+        if before is not None and before.by != self._user.name and before != seen:
+            raise SavedByOther(name, before)
+
+    def _changed(self, what: str, of: str, before: Author | None) -> None:
+        assert self._user is not None
+        foreign = before is not None and before.by != self._user.name
+        self._on_change(f"robot {self._subsystem}: {what} {of}" + (f", which was {before}" if foreign else ""))
 
     def _poses(self) -> _Poses:
         path = self._folder / "poses.json"
@@ -118,16 +228,24 @@ class SavedFiles:
             return _Poses.model_validate_json(read_file(path, MAX_FILE))
         except ValidationError as error:
             first = error.errors()[0]
-            where = ".".join(map(str, first["loc"])) or "the whole"
-            raise ConfigError(f"{path}: {where}: {first['msg']}; correct or delete the file") from None
+            raise ConfigError(f"{path}: {place(first['loc'])}: {first['msg']}; correct or delete the file") from None
+
+    def _write_poses(self, poses: _Poses) -> None:
+        try:
+            text = poses.model_dump_json(indent=2)
+        except ValueError as error:
+            raise ConfigError(f"the poses cannot be saved: {printable(str(error))[:200]}") from error
+        self._write("poses.json", text)
 
     def _write(self, name: str, text: str) -> None:
         """Replace the file atomically."""
         path = self._folder / name
+        new = path.with_suffix(".new")
+        flags = os.O_WRONLY | os.O_CREAT | os.O_TRUNC | os.O_NOFOLLOW | os.O_NONBLOCK
         try:
             path.parent.mkdir(parents=True, exist_ok=True)
-            new = path.with_suffix(".new")
-            new.write_text(text)
+            with os.fdopen(os.open(new, flags, 0o644), "w", encoding="utf-8", errors="backslashreplace") as stream:
+                stream.write(text)
             new.replace(path)
         except OSError as error:
             raise ConfigError(f"{path}: cannot be written: {error.strerror}") from error

@@ -30,7 +30,7 @@ from jauspy.console.login import LOCAL_HOSTS, LoginMiddleware
 from jauspy.console.motion import Jogging
 from jauspy.console.open_pages import OpenPages
 from jauspy.console.operation import Operation
-from jauspy.console.saved_files import RobotPoses
+from jauspy.console.saved_files import RobotPoses, SavedFiles
 from jauspy.console.traffic import Traffic
 from jauspy.console.users import LOCAL, User, Users, current, current_user
 from jauspy.console.video import AttitudeFeed, SharedCamera, camera_state
@@ -154,6 +154,10 @@ class Console:
         if (count := self.counters[key]).bit_count() == 1:  # the 1st, 2nd, 4th, 8th ...
             user = current_user() or LOCAL
             self.note(f"messages on {name} that were refused: {count}, {reason}; the last one of {user.name}")
+
+    def files(self, robot: Robot) -> SavedFiles:
+        """The saved poses and trajectories of a robot, for the user of the present task."""
+        return SavedFiles(robot.id, robot.name, current_user(), self.act)
 
     def is_of(self, token: str, user: User | None) -> bool:
         """True for the token of a page of this user that is open."""

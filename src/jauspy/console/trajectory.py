@@ -20,6 +20,8 @@ MAX_SECONDS: Final = 3600.0
 """Greatest duration of one row."""
 MAX_FILE: Final = 1 << 20
 """Bytes of a file that is loaded."""
+MAX_PLACE: Final = 200
+"""Characters of the place of a mistake."""
 DEFAULT_SECONDS: Final = 2.0
 _Name = Annotated[str, Field(min_length=1, max_length=255)]
 _Finite = Annotated[float, Field(allow_inf_nan=False, strict=True)]
@@ -31,8 +33,24 @@ class _RowModel(BaseModel):
     positions: Annotated[list[_Finite], Field(max_length=MAX_JOINTS)]
 
 
+class Author(BaseModel):
+    """Who has saved something, and when (ISO 8601, UTC); both are empty if it is not known."""
+
+    model_config = ConfigDict(extra="forbid", frozen=True)
+    by: Annotated[str, Field(max_length=64)] = ""
+    at: Annotated[str, Field(max_length=32)] = ""
+
+    def __str__(self) -> str:
+        return f"saved by {printable(self.by)}, {printable(self.at)}" if self.by else "saved by an unknown user"
+
+
+UNKNOWN: Final = Author()
+"""The author of what an earlier version has saved, or another program."""
+
+
 class _FileModel(BaseModel):
     model_config = ConfigDict(extra="forbid")
+    author: Author = UNKNOWN
     robot: Annotated[str, Field(max_length=255)] = ""
     joints: Annotated[list[_Name], Field(min_length=1, max_length=MAX_JOINTS)]
     rows: Annotated[list[_RowModel], Field(max_length=MAX_ROWS)]
@@ -52,6 +70,7 @@ class Trajectory:
 
     joints: tuple[str, ...] = ()
     rows: list[TrajectoryRow] = field(default_factory=list)
+    author: Author = field(default=UNKNOWN, compare=False)
 
     def add(self, positions: Sequence[float], seconds: float = DEFAULT_SECONDS) -> None:
         """Add a row at the end; raises `ConfigError` when there are too many."""
@@ -91,10 +110,11 @@ class Trajectory:
             before = {**before, **positions}
         return ""
 
-    def to_json(self, robot: str) -> str:
+    def to_json(self, robot: str, author: Author | None = None) -> str:
         """The content of a file."""
+        by = "" if author is None else f'  "author": {author.model_dump_json()},\n'
         rows = [{"seconds": row.seconds, "positions": row.positions} for row in self.rows]
-        head = f'{{\n  "robot": {json.dumps(robot)},\n  "joints": {json.dumps(self.joints)},\n  "rows": [\n'
+        head = f'{{\n{by}  "robot": {json.dumps(robot)},\n  "joints": {json.dumps(self.joints)},\n  "rows": [\n'
         return head + ",\n".join(f"    {json.dumps(row)}" for row in rows) + "\n  ]\n}\n"
 
     @classmethod
@@ -106,8 +126,9 @@ class Trajectory:
             data = _FileModel.model_validate_json(text)
         except ValidationError as error:
             first = error.errors()[0]
-            where = ".".join(map(str, first["loc"])) or "the whole"
-            raise ConfigError(f"{name}: {where}: {first['msg']}; see docs/console.md for the form") from None
+            raise ConfigError(
+                f"{name}: {place(first['loc'])}: {first['msg']}; see docs/console.md for the form"
+            ) from None
         if len(set(data.joints)) < len(data.joints):
             raise ConfigError(f"{name}: joints: a name is there twice")
         for number, row in enumerate(data.rows, 1):
@@ -115,7 +136,8 @@ class Trajectory:
                 raise ConfigError(
                     f"{name}: row {number} has {len(row.positions)} positions for {len(data.joints)} joints"
                 )
-        return cls(tuple(data.joints), [TrajectoryRow(row.seconds, list(row.positions)) for row in data.rows])
+        rows = [TrajectoryRow(row.seconds, list(row.positions)) for row in data.rows]
+        return cls(tuple(data.joints), rows, data.author)
 
     def program(self, subsystem: int, component: str, *, modular: bool) -> str:
         """A Python program that moves the arm through the rows."""
@@ -130,6 +152,11 @@ class Trajectory:
             more="\nfrom jauspy.services.cell import motion_command" if modular else "",
             play=_PLAY_MODULAR if modular else _PLAY,
         )
+
+
+def place(location: Sequence[int | str]) -> str:
+    """The place of a mistake in a file as text; its keys may be of any length and kind."""
+    return printable(".".join(map(str, location)))[:MAX_PLACE] or "the whole"
 
 
 def is_modular(arm: object) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import copy
 import math
 from collections.abc import Callable
 from functools import partial
@@ -10,10 +11,11 @@ from typing import Final
 from nicegui import ui
 from nicegui.events import UploadEventArguments, ValueChangeEventArguments
 
+from jauspy.console.confirmation import confirmed
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.markup import attributes, style_number
 from jauspy.console.motion import Motion
-from jauspy.console.saved_files import SavedFiles, checked_name
+from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
 from jauspy.console.server import Console
 from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular
 from jauspy.errors import ConfigError, JausError
@@ -40,6 +42,8 @@ class TrajectoryPanel:
         self._problem_here = ""
         self._motion = Motion(console, token)
         self.trajectory = Trajectory()
+        self._loaded: tuple[int, str, Trajectory] | None = None
+        """The robot, name and content of the file that was loaded or saved last."""
         with ui.element("div").classes("choice"):
             self._choice = ui.select({}, label="arm", on_change=self._choose).props("dense outlined options-dense")
             self._choice.classes("wide named")
@@ -48,6 +52,7 @@ class TrajectoryPanel:
             self._saved.props("dense outlined options-dense").classes("wide")
             ui.button("save", on_click=self._save).props("outline no-caps")
             ui.button("delete", on_click=self._delete).props("flat no-caps")
+            self._author = ui.label("").classes("hint")
         self._table = ui.element("div").classes("rows").props('role="table"')
         self._problem = ui.label("").classes("problem").props('role="status"')
         with ui.element("div").classes("row"):
@@ -100,6 +105,8 @@ class TrajectoryPanel:
 
     def _take(self, trajectory: Trajectory) -> None:
         self.trajectory = trajectory
+        self._loaded = None
+        self._author.set_text("")
         self._next, self._active = 0, -1
         self._render()
 
@@ -221,7 +228,22 @@ class TrajectoryPanel:
             self._problem_here = problem
             return False
         self._motion.begin(arm.robot.id, self._play_rows(arm, part, start), "the trajectory")
+        self._problem_here = self._change_since_loaded()
         return not self._motion.problem
+
+    def _change_since_loaded(self) -> str:
+        """A sentence if the file has another content than the rows that are shown, and played."""
+        if (files := self._files()) is None or self._robot is None or self._loaded is None:
+            return ""
+        robot, name, loaded = self._loaded
+        if robot != self._robot.id or self.trajectory.rows != loaded.rows:
+            return ""
+        try:
+            now = files.trajectory(name)
+        except ConfigError:
+            return f"{name} was deleted since it was loaded; the rows shown here are played"
+        changed = f"{name} was changed ({now.author}) since it was loaded; the rows shown here are played"
+        return "" if now == loaded else changed
 
     async def _play_rows(self, arm: Manipulator, part: Trajectory, start: int) -> None:
         def progress(number: int) -> None:
@@ -249,24 +271,33 @@ class TrajectoryPanel:
     # --- files ------------------------------------------------------------------------------------------------------
 
     def _files(self) -> SavedFiles | None:
-        return None if self._robot is None else SavedFiles(self._robot.id, self._robot.name)
+        return None if self._robot is None else self._console.files(self._robot)
 
     def _show_saved(self) -> None:
         files = self._files()
         self._saved.set_options(files.trajectories() if files is not None else [], value=None)
 
-    def _text(self) -> str:
-        return self.trajectory.to_json(self._robot.name if self._robot is not None else "")
+    def _keep(self, name: str) -> None:
+        """Remember what the file has, to notice when somebody else changes it."""
+        assert self._robot is not None
+        self._loaded = self._robot.id, name, copy.deepcopy(self.trajectory)
 
-    def _save(self) -> None:
+    async def _save(self) -> None:
         files, self._problem_here = self._files(), ""
-        if files is None:
+        if files is None or self._robot is None:
             return
+        name, robot = str(self._name.value or ""), self._robot.name
         try:
-            files.save_trajectory(str(self._name.value or ""), self._text())
+            try:
+                files.save_trajectory(name, self.trajectory, robot)
+            except SavedByOther as other:
+                if not await confirmed(f"{other}. Replace it?", "replace"):
+                    return
+                files.save_trajectory(name, self.trajectory, robot, seen=other.author)
         except ConfigError as error:
             self._problem_here = str(error)
             return
+        self._keep(name)
         self._show_saved()
 
     def _load(self) -> None:
@@ -279,15 +310,23 @@ class TrajectoryPanel:
         except ConfigError as error:
             self._problem_here = str(error)
             return
+        self._keep(str(name))
         self._name.set_value(str(name))
+        self._author.set_text(str(self.trajectory.author))
 
-    def _delete(self) -> None:
-        files = self._files()
-        if files is not None:
+    async def _delete(self) -> None:
+        files, name = self._files(), str(self._name.value or "")
+        if files is None:
+            return
+        try:
             try:
-                files.delete_trajectory(str(self._name.value or ""))
-            except (ConfigError, OSError) as error:
-                self._problem_here = str(error)
+                files.delete_trajectory(name)
+            except SavedByOther as other:
+                if not await confirmed(f"{other}. Delete it?", "delete"):
+                    return
+                files.delete_trajectory(name, seen=other.author)
+        except ConfigError as error:
+            self._problem_here = str(error)
         self._show_saved()
 
     async def _upload_file(self, event: UploadEventArguments) -> None:
@@ -299,7 +338,8 @@ class TrajectoryPanel:
         self._upload.reset()
 
     def _download(self) -> None:
-        ui.download.content(self._text(), f"{self._file_name()}.json", "application/json")
+        text = self.trajectory.to_json(self._robot.name if self._robot is not None else "")
+        ui.download.content(text, f"{self._file_name()}.json", "application/json")
 
     def _export(self) -> None:
         arm = self._arm
