@@ -12,6 +12,7 @@ from jauspy.errors import ConfigError
 from jauspy.modules import robot_files
 from jauspy.node.address_books import load_address_book
 from jauspy.node.config import load_config, load_key
+from jauspy.user_files import parse_toml
 
 NESTED = "networks = " + "[" * 20_000 + "]" * 20_000
 
@@ -71,3 +72,20 @@ def test_aliases_that_grow_are_refused(tmp_path: Path) -> None:
     path.write_text(f'a0: &a0 [101.1.1]\n{lists}addrbook: {{udp: {{"10.0.0.5:3794": *a9}}}}\n')
     with pytest.raises(ConfigError, match="aliases are not read"):
         load_address_book(path)
+
+
+@pytest.mark.parametrize(
+    "text", ["a" + ".a" * 20_000 + " = 1", "[a" + " . 'b='" * 20_000 + "]", 'x.y = {"a"' + '."\\"]"' * 20_000 + " = 1}"]
+)
+def test_keys_of_thousands_of_parts_are_refused_at_once(text: str) -> None:
+    with pytest.raises(ConfigError, match=r"x\.toml: is nested too deeply"):
+        parse_toml(text.encode(), "x.toml")
+
+
+def test_a_number_of_thousands_of_digits_is_one_sentence() -> None:
+    with pytest.raises(ConfigError, match=r"x\.toml: is not TOML: Exceeds the limit"):
+        parse_toml(b"a = " + b"9" * 5000, "x.toml")
+
+
+def test_long_arrays_of_numbers_are_not_deep() -> None:
+    assert len(parse_toml(b"a = [" + b"0.5," * 50_000 + b"]", "x.toml")["a"]) == 50_000

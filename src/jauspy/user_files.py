@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import tomllib
 from collections.abc import Iterable
 from pathlib import Path
@@ -12,6 +13,12 @@ from jauspy.errors import ConfigError
 
 MAX_FILE: Final = 16 << 20
 """Bytes. A file may name further ones, such as /dev/zero, which never ends."""
+MAX_DEPTH: Final = 64
+"""Levels of tables and lists in a TOML file."""
+_LONG_KEY: Final = re.compile(
+    r"""(?<![\w-])(?:(?:[\w-]++|"(?:[^"\\\n]|\\.)*+"|'[^'\n]*+')[ \t]*+\.[ \t]*+)""" + f"{{{MAX_DEPTH}}}", re.ASCII
+)
+"""A key of so many parts with dots between them, for which tomllib takes time that grows with their square."""
 MAX_REASON: Final = 300
 """Characters of the reason in an error, which may quote the file."""
 
@@ -86,8 +93,23 @@ def confined(path: Path, folders: Iterable[Path]) -> Path:
 def parse_toml(data: bytes, name: str) -> dict[str, Any]:
     """The keys in these bytes; `name` begins the sentence of the `ConfigError`."""
     try:
-        return tomllib.loads(data.decode())
+        text = data.decode()
+        if _LONG_KEY.search(text) is not None:
+            raise ConfigError(f"{name}: is nested too deeply")
+        found = tomllib.loads(text)
     except RecursionError:
         raise ConfigError(f"{name}: is nested too deeply") from None
     except ValueError as error:  # of tomllib, of a wrong encoding, of a number with thousands of digits
         raise ConfigError(f"{name}: is not TOML: {str(error)[:MAX_REASON]}") from error
+    if _is_deep(found):
+        raise ConfigError(f"{name}: is nested too deeply")
+    return found
+
+
+def _is_deep(value: Any) -> bool:
+    """True for more than `MAX_DEPTH` levels of tables and lists."""
+    level = [value]
+    for _ in range(MAX_DEPTH):
+        tables = [part.values() if isinstance(part, dict) else part for part in level if isinstance(part, dict | list)]
+        level = [part for parts in tables for part in parts]
+    return any(isinstance(part, dict | list) for part in level)

@@ -24,6 +24,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
+from jauspy.printable import printable
 from jauspy.protocol.seal import DEFAULT_ROLES
 from jauspy.user_files import parse_toml, read_file
 
@@ -35,11 +36,21 @@ MEMORY_COST: Final = 64 * 1024
 ITERATIONS: Final = 3
 LANES: Final = 4
 _HASH: Final = re.compile(
-    r"\$argon2id\$v=19\$m=(?P<memory>\d{1,7}),t=(?P<iterations>\d{1,2}),p=(?P<lanes>\d{1,2})"
-    r"\$[A-Za-z0-9+/]{11,}\$[A-Za-z0-9+/]{22,}"
+    r"\$argon2id\$v=19\$m=(?P<memory>[0-9]{1,6}),t=(?P<iterations>[0-9]{1,2}),p=(?P<lanes>[0-9]{1,2})"
+    r"\$[A-Za-z0-9+/]{11,86}\$[A-Za-z0-9+/]{22,86}"
 )
-MAX_MEMORY_COST: Final = 1 << 20
+MAX_MEMORY_COST: Final = 1 << 18
 """KiB that a hash of the file may cost."""
+MAX_COST: Final = 1 << 20
+"""KiB, times iterations: up to five times the cost of a hash that jauspy makes."""
+MAX_LANES: Final = 16
+MAX_FILE: Final = 1 << 20
+"""Bytes of the file."""
+MAX_USERS: Final = 1000
+MAX_SHOWN: Final = 5
+"""Mistakes of a file in one error."""
+MAX_PROBLEM: Final = 300
+"""Characters of one."""
 HEADING: Final = "# Users of the console in the browser; `jauspy console user` edits this file.\n"
 
 
@@ -85,12 +96,14 @@ class Users:
             raise ConfigError(f"users: {path}: cannot be read: {error.strerror}") from error
         if mode & stat.S_IWOTH:
             raise ConfigError(f"{path}: all users may change it; do: chmod o-w {path}")
-        config = _parsed(path, read_file(path))
+        config = _parsed(path, read_file(path, MAX_FILE))
         roles = {**DEFAULT_ROLES, **config.roles}
         self._found: dict[str, tuple[User, str]] = {}
         for name, each in config.users.items():
             if each.role not in roles:
-                raise ConfigError(f"{path}: users.{name}.role = {each.role!r}; the roles are: {', '.join(roles)}")
+                raise ConfigError(
+                    f"{path}: users.{name}.role = {each.role[:40]!r}; the roles are: {', '.join([*roles][:20])}"
+                )
             if not _is_hash(each.password):
                 raise ConfigError(
                     f"{path}: users.{name}.password is not a hash (Argon2id); make one: jauspy console user add {name}"
@@ -137,7 +150,7 @@ def add_user(path: Path, name: str, role: str, password: str) -> bool:
         raise ConfigError(f"{name!r} is not a name of a user: 1 to 32 letters, digits, _ and -")
     if not MIN_PASSWORD <= len(password) <= MAX_PASSWORD:
         raise ConfigError(f"a password has {MIN_PASSWORD} to {MAX_PASSWORD} characters")
-    text = read_file(path).decode("utf-8", "replace") if path.exists() else HEADING
+    text = read_file(path, MAX_FILE).decode("utf-8", "replace") if path.exists() else HEADING
     roles = {**DEFAULT_ROLES, **_parsed(path, text.encode()).roles}
     if role not in roles:
         raise ConfigError(f"--role {role}: the roles are: {', '.join(roles)}")
@@ -148,7 +161,7 @@ def add_user(path: Path, name: str, role: str, password: str) -> bool:
 
 def remove_user(path: Path, name: str) -> None:
     """Remove a user from the file; raises `ConfigError` if there is none of this name."""
-    text = read_file(path).decode("utf-8", "replace")
+    text = read_file(path, MAX_FILE).decode("utf-8", "replace")
     rest = _without(text, name)
     if rest == text:
         raise ConfigError(f"{path}: there is no user {name!r}; list them: jauspy console user ls")
@@ -181,15 +194,32 @@ def _write(path: Path, text: str) -> None:
 
 def _parsed(path: Path, data: bytes) -> _UsersConfig:
     try:
-        return _UsersConfig.model_validate(parse_toml(data, str(path)))
+        config = _UsersConfig.model_validate(parse_toml(data, str(path)))
     except ValidationError as error:
-        problems = "\n".join(f"  {explain(each, _UsersConfig)}" for each in error.errors(include_url=False))
+        errors = error.errors(include_url=False)[:MAX_SHOWN]
+        problems = "\n".join(f"  {printable(explain(each, _UsersConfig))[:MAX_PROBLEM]}" for each in errors)
         raise ConfigError(f"{path}: is not a file of users of the console:\n{problems}") from error
+    for kind, names in (("user", config.users), ("role", config.roles)):
+        if wrong := next((name for name in names if not NAME.fullmatch(name)), None):
+            raise ConfigError(
+                f"{path}: {wrong[:40]!r} is not a name of a {kind}: 1 to 32 letters, digits, _ and -; correct it"
+            )
+    if len(config.users) > MAX_USERS:
+        raise ConfigError(f"{path}: has more than {MAX_USERS} users")
+    return config
 
 
 def _is_hash(text: str) -> bool:
     found = _HASH.fullmatch(text)
-    return found is not None and 8 * int(found["lanes"]) <= int(found["memory"]) <= MAX_MEMORY_COST
+    if found is None:
+        return False
+    memory, iterations, lanes = (int(found[name]) for name in ("memory", "iterations", "lanes"))
+    return (
+        1 <= lanes <= MAX_LANES
+        and 8 * lanes <= memory <= MAX_MEMORY_COST
+        and iterations >= 1
+        and memory * iterations <= MAX_COST
+    )
 
 
 MAX_SESSIONS: Final = 32
