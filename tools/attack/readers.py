@@ -19,6 +19,8 @@ from typing import Final
 import jauspy
 from jauspy.cli.main import main as command
 from jauspy.codec.source import generate
+from jauspy.console.saved_files import SavedFiles, read_poses
+from jauspy.console.users import LOCAL, Users
 from jauspy.errors import CodecError, JausError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.mapper import Mapper
@@ -92,8 +94,33 @@ def scan(path: Path) -> None:
         mapper.add(PlanarPose(at, 0.0, 0.0), PlanarPose(), [angle for angle, _ in rays], [far for _, far in rays])
 
 
+def users(path: Path) -> None:
+    """Read the users of the console, and verify a password of each."""
+    found = Users(path)
+    for user in found:
+        found.verified(user.name, "guessed")
+
+
+def poses(path: Path) -> None:
+    """Read named poses that are given to the console."""
+    read_poses(path)
+
+
+def saved(path: Path) -> None:
+    """Read a trajectory that the console has saved; the poses, too, which have another form."""
+    folder = path.resolve().parent / "state" / "101-inc1"
+    (folder / "trajectories").mkdir(parents=True, exist_ok=True)
+    for name in ("poses.json", "trajectories/x.json"):
+        shutil.copy(path, folder / name)
+    files = SavedFiles(101, "inc1", LOCAL, print, folder.parent)
+    with contextlib.suppress(JausError):
+        files.poses("101.1.104")
+    files.trajectory(files.trajectories()[0])
+
+
 READERS: Final[Mapping[str, Callable[[Path], None]]] = {
-    each.__name__: each for each in (definition, decode, robot, urdf, addresses, node_manager, scan)
+    each.__name__: each
+    for each in (definition, decode, robot, urdf, addresses, node_manager, scan, users, poses, saved)
 }
 
 

@@ -14,6 +14,8 @@ from . import (
     compression,
     configurations,
     console,
+    console_files,
+    console_sockets,
     definitions,
     emergencies,
     events,
@@ -86,4 +88,6 @@ ALL: Final[tuple[Attack, ...]] = (
     captures.ATTACK,
     robot_files.ATTACK,
     configurations.ATTACK,
+    console_files.ATTACK,
+    console_sockets.ATTACK,
 )
