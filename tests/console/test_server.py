@@ -70,7 +70,7 @@ async def test_a_browser_takes_control_of_nothing_and_stops_all(console: Visit) 
             assert await drive.recv() in ("the robot has gone", "take control first")
         async with socket_of(console, f"/ws/stop/{token}") as stop:
             await stop.send("dance 101")
-            assert await stop.recv() == "not understood: dance 101"
+            assert await stop.recv() == "not understood: stop or release, and a robot's number or all"
             await stop.send("stop 101")
             assert re.fullmatch(r"(\d+) of \1 components stopped", str(await stop.recv()))
             await stop.send("release 101")
@@ -84,7 +84,7 @@ async def test_pages_that_never_connect_keep_no_other_out(console: Visit) -> Non
             await given_up.recv()
     async with asyncio.timeout(60.0), socket_of(console, f"/ws/stop/{tokens[-1]}") as stop:
         await stop.send("dance 101")
-        assert await stop.recv() == "not understood: dance 101"
+        assert await stop.recv() == "not understood: stop or release, and a robot's number or all"
 
 
 async def test_each_answer_has_a_policy_and_each_script_of_the_page_its_nonce(console: Visit) -> None:
