@@ -8,6 +8,7 @@ import os
 import signal
 import subprocess
 import sys
+from pathlib import Path
 
 import pytest
 
@@ -48,6 +49,9 @@ def test_a_single_processor_is_shared() -> None:
 
 async def test_a_worker_that_does_not_end_is_killed_in_a_cancelled_task(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(worker_process, "STOP_TIMEOUT", 0.1)
+    monkeypatch.setenv(
+        "PYTHONPATH", str(Path(__file__).parents[1])
+    )  # workers import nothing from the current directory
     process = await WorkerProcess.start("tests.helpers.stubborn_worker", 0, ())
     process.send("begin")
     messages = process.messages()

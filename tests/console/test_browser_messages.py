@@ -69,7 +69,7 @@ async def desk(network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch) -> Asyn
         console = Console(ocu, stopper)
         console.fleet.robots = {101: robot}
         current.set(Session(ANNA, "127.0.0.1"))
-        browser = console.new_browser()
+        browser = console.new_browser(lambda: None)
         assert browser is not None
         operation = console.operation(101)
         assert operation is not None

@@ -56,7 +56,7 @@ async def office(network: VirtualNetwork, folder: Path) -> AsyncIterator[Office]
             console.fleet.robots = {101: robot}
             for user in (ANNA, BEN, CARL):
                 current.set(Session(user, "127.0.0.1"))
-                browser = console.new_browser()
+                browser = console.new_browser(lambda: None)
                 assert browser is not None
                 tokens[user.name] = browser[0]
             operation = console.operation(101)

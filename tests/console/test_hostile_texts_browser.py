@@ -31,23 +31,26 @@ ROBOT = f"66  {PAYLOADS[0]}"
 def files(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A folder of state with poses and trajectories whose names and joints are hostile, and a file of poses."""
     state = tmp_path_factory.mktemp("state")
-    folder = SavedFiles(66, PAYLOADS[0], state / "jauspy" / "console")._folder
+    folder = SavedFiles(66, PAYLOADS[0], None, lambda _: None, state / "jauspy" / "console")._folder
     (folder / "trajectories").mkdir(parents=True)
-    for text in IN_FILES:
+    for number, text in enumerate(IN_FILES):
         if "/" not in text:
-            (folder / "trajectories" / f"{text}.json").write_text(trajectory())
-    (folder / "trajectories" / "plain.json").write_text(trajectory())
+            (folder / "trajectories" / f"{text}.json").write_text(trajectory(text))
+        (folder / "trajectories" / f"plain {number}.json").write_text(trajectory(text))
     poses = {text: dict.fromkeys(PAYLOADS, 0.5) for text in IN_FILES}
-    (folder / "poses.json").write_text(json.dumps({"poses": {f"66.1.{number}": poses for number in (1, 2)}}))
+    authors = {text: {"by": text, "at": PAYLOADS[0]} for text in IN_FILES}
+    saved = {"poses": {"66.1.1": poses, "66.1.2": poses}, "authors": {"66.1.1": authors}}
+    (folder / "poses.json").write_text(json.dumps(saved))
     robot, joints = json.dumps(PAYLOADS[0]), "".join(f"{json.dumps(text)} = 0.5\n" for text in PAYLOADS)
     (state / "poses.toml").write_text(f"[{robot}.given]\n{joints}")
     return state
 
 
-def trajectory() -> str:
-    """A file of a trajectory for hostile joints."""
+def trajectory(author: str) -> str:
+    """A file of a trajectory for hostile joints, by this author."""
     rows = [{"seconds": 1.0, "positions": [0.1] * len(PAYLOADS)}] * 2
-    return json.dumps({"robot": PAYLOADS[0], "joints": PAYLOADS, "rows": rows})
+    by = {"by": author, "at": PAYLOADS[0]}
+    return json.dumps({"author": by, "robot": PAYLOADS[0], "joints": PAYLOADS, "rows": rows})
 
 
 @pytest.fixture(scope="module")
@@ -141,7 +144,8 @@ def test_joints_and_poses_of_the_arm(page: Any) -> None:
     arm.get_by_text("poses", exact=True).click()
     arm.get_by_role("button", name="go to given").wait_for()
     labels = arm.get_by_role("button").evaluate_all("all => all.map((each) => each.getAttribute('aria-label'))")
-    assert {f"go to {printable(text)}" for text in IN_FILES} <= set(labels)
+    shown = {text.removeprefix("go to ") for text in labels if text and text.startswith("go to ")}
+    assert shown == {"given", "constructor", "__proto__"}, "the other texts are not names of poses"
     hover_all(page, ".arm .poses .grow")
     for button in arm.get_by_role("button", name="go", exact=True).all()[:3]:
         button.click()
@@ -152,14 +156,14 @@ def test_joints_and_poses_of_the_arm(page: Any) -> None:
 def test_trajectories(page: Any) -> None:
     tab(page, "Trajectory")
     panel = page.locator(".trajectory")
-    for text in ("plain", *(text for text in IN_FILES if "/" not in text)):
+    for number, text in enumerate(IN_FILES):
         panel.locator(".q-select").nth(1).click()
-        page.get_by_role("option").get_by_text(text, exact=True).first.click()
-        page.wait_for_timeout(200)
+        page.get_by_role("option", name=f"plain {number}", exact=True).click()
+        panel.get_by_text(f"saved by {printable(text)}, {printable(PAYLOADS[0])}", exact=True).wait_for()
     upload = {"name": "\u2028<img src=x onerror=window.PWNED=1>.json", "mimeType": "application/json"}
     panel.locator("input[type=file]").set_input_files({**upload, "buffer": b'{"joints": "<img src=x>"}'})
     page.locator(".trajectory .problem").get_by_text("<img").first.wait_for()
-    panel.locator("input[type=file]").set_input_files({**upload, "buffer": trajectory().encode()})
+    panel.locator("input[type=file]").set_input_files({**upload, "buffer": trajectory(IN_FILES[0]).encode()})
     page.locator(".trajectory .line").nth(2).wait_for()
     labels = panel.locator("[aria-label]").evaluate_all("all => all.map((each) => each.getAttribute('aria-label'))")
     assert {f"{text} of row 1" for text in PAYLOADS} <= set(labels)

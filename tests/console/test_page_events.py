@@ -18,6 +18,7 @@ pytest.importorskip("nicegui", reason="needs the extra 'console'")
 
 from nicegui import Client, ui
 from nicegui.page import page as make_page
+from tests.helpers.console_visit import Visit, visit
 from tests.helpers.nicegui_page import PageSocket, load
 
 from jauspy.console.browser_messages import MAX_INVALID
@@ -197,13 +198,13 @@ def mutated(chance: random.Random, text: str) -> str:
     return text
 
 
-async def fuzz(url: str, process: subprocess.Popen[str], cases: int, seed: int) -> None:
+async def fuzz(visitor: Visit, process: subprocess.Popen[str], cases: int, seed: int) -> None:
     """Send packets of all kinds and mutations of them; the console answers at the end, and has not grown."""
     chance, memory = random.Random(seed), psutil.Process(process.pid).memory_info
     grown = 0
     for number in range(max(1, cases // 100)):
-        loaded = await load(url)
-        async with PageSocket(url, loaded.client) as page:
+        loaded = await load(visitor)
+        async with PageSocket(visitor, loaded.client) as page:
             for _ in range(100):
                 if page.is_closed:
                     break
@@ -221,7 +222,7 @@ async def fuzz(url: str, process: subprocess.Popen[str], cases: int, seed: int) 
                 await asyncio.sleep(0.0)
         if number == 2:
             grown = memory().rss
-    assert (await load(url)).token
+    assert (await load(visitor)).token
     if grown:
         assert memory().rss - grown < 150 << 20
 
@@ -237,7 +238,7 @@ async def test_noise_on_the_socket_of_the_page_leaves_no_traceback(cases: int, s
         assert process.stdout is not None
         url = process.stdout.readline().strip().rpartition(" ")[2]
         async with asyncio.timeout(600.0):
-            await fuzz(url, process, cases, seed)
+            await fuzz(visit(url), process, cases, seed)
         process.send_signal(signal.SIGINT)
         _, errors = await asyncio.to_thread(process.communicate, timeout=30)
     assert "Traceback" not in errors, errors[:4000]

@@ -13,8 +13,6 @@ import pytest
 
 pytest.importorskip("fastapi", reason="needs the extra 'console'")
 
-from fastapi import WebSocketDisconnect
-
 from jauspy.console import video as module
 from jauspy.console.video import MAX_BYTES, MAX_QUEUED, Attitude, SharedCamera, Watcher, camera_state
 from jauspy.errors import RequestError
@@ -23,6 +21,10 @@ from jauspy.video.h264_payload import IDR, SPS, Picture
 KEY = Picture(0, (bytes([SPS, 0x42, 0xC0, 0x1E]), bytes([IDR]) + b"key"), whole=True)
 OTHER = Picture(6000, (b"\x01other",), whole=True)
 TAKEN = datetime(2026, 1, 1, tzinfo=UTC)
+
+
+def refuse(reason: str) -> None:
+    """Ignore a message that is refused."""
 
 
 class FakeCamera:
@@ -63,11 +65,9 @@ class Browser:
         self.reads = asyncio.Event()
         self.reads.set()
 
-    async def receive_text(self) -> str:
+    async def receive(self) -> dict[str, Any]:
         text = await self.asked.get()
-        if text is None:
-            raise WebSocketDisconnect
-        return text
+        return {"type": "websocket.disconnect" if text is None else "websocket.receive", "text": text}
 
     async def send_text(self, text: str) -> None:
         await self.reads.wait()
@@ -123,15 +123,13 @@ def test_only_key_pictures_or_nothing() -> None:
     assert not watcher.choose("nothing")
     watcher.put(KEY, b"data", "avc1")
     assert len(watcher) == 2
-    assert not watcher.choose("everything"), "what is not known changes nothing"
-    assert watcher.choice == "nothing"
     assert watcher.left_out == 0, "what was not asked for is not missing"
 
 
 async def test_a_picture_carries_when_it_was_taken(monkeypatch: pytest.MonkeyPatch) -> None:
     camera, browser = FakeCamera(), Browser()
     shared = SharedCamera(camera, "101.1.106", lambda _: None)  # type: ignore[arg-type] - what it uses of a camera
-    serving = asyncio.create_task(shared.serve(browser))  # type: ignore[arg-type] - what it uses of a socket
+    serving = asyncio.create_task(shared.serve(browser, refuse))  # type: ignore[arg-type] - what it uses of a socket
     for picture in (KEY, OTHER):
         camera.queue.put_nowait(picture)
     await until(lambda: len(browser.pictures) == 2)
@@ -154,7 +152,7 @@ async def test_one_that_does_not_read_holds_nobody_up() -> None:
     camera, slow, fast = FakeCamera(), Browser(), Browser()
     shared = SharedCamera(camera, "101.1.106", lambda _: None)  # type: ignore[arg-type] - what it uses of a camera
     slow.reads.clear()
-    serving = [asyncio.create_task(shared.serve(each)) for each in (slow, fast)]  # type: ignore[arg-type] - a socket
+    serving = [asyncio.create_task(shared.serve(each, refuse)) for each in (slow, fast)]  # type: ignore[arg-type] - a socket
     for number in range(200):
         camera.queue.put_nowait(KEY)
         await until(lambda number=number: len(fast.pictures) > number)
@@ -172,7 +170,7 @@ async def test_why_there_is_no_picture_is_reported_in_words(monkeypatch: pytest.
     camera, browser, events = FakeCamera(), Browser(), list[str]()
     state = camera_state("STANDBY", silent=False)
     shared = SharedCamera(camera, "101.1.106", events.append, lambda: state)  # type: ignore[arg-type] - what it uses
-    serving = asyncio.create_task(shared.serve(browser))  # type: ignore[arg-type] - what it uses of a socket
+    serving = asyncio.create_task(shared.serve(browser, refuse))  # type: ignore[arg-type] - what it uses of a socket
     await until(lambda: browser.said("reason"))
     assert browser.said("reason") == f"{camera.waiting}; the camera's component is in STANDBY"
     camera.queue.put_nowait(RequestError("101.1.106 does not send to rtp://here"))
@@ -200,7 +198,7 @@ class FakeFeed:
 async def test_the_attitude_goes_to_those_who_show_it() -> None:
     feed, browser = FakeFeed(), Browser()
     shared = SharedCamera(FakeCamera(), "101.1.106", lambda _: None, attitude=feed)  # type: ignore[arg-type] - fakes
-    serving = asyncio.create_task(shared.serve(browser))  # type: ignore[arg-type] - what it uses of a socket
+    serving = asyncio.create_task(shared.serve(browser, refuse))  # type: ignore[arg-type] - what it uses of a socket
     for _ in range(2):
         browser.asked.put_nowait('{"want": "all", "attitude": true}')
     await until(lambda: browser.said("attitude"))

@@ -5,16 +5,16 @@ from __future__ import annotations
 import asyncio
 import json
 import re
-import urllib.request
 from dataclasses import dataclass
 from types import TracebackType
 from typing import Any, Self
 
+from tests.helpers.console_visit import Visit
 from websockets.asyncio.client import ClientConnection, connect
 from websockets.exceptions import ConnectionClosed
 
 _CLIENT = re.compile(r"client_id[^0-9a-z]{1,20}([0-9a-f-]{36})")
-_TOKEN = re.compile(r'jauspy\.start\("([\w-]+)"\)')
+_TOKEN = re.compile(r'data-token="([\w-]+)"')
 
 
 @dataclass(frozen=True)
@@ -38,29 +38,25 @@ class Loaded:
         return found[1]
 
 
-async def load(url: str) -> Loaded:
+async def load(visit: Visit) -> Loaded:
     """Load the page, which opens no socket."""
-
-    def get() -> str:
-        with urllib.request.urlopen(url) as answer:
-            text: str = answer.read().decode()
-            return text
-
-    return Loaded(await asyncio.to_thread(get))
+    return Loaded(await asyncio.to_thread(visit.get))
 
 
 class PageSocket:
     """The socket of a page, after its handshake; `is_closed` when the console has closed it."""
 
-    def __init__(self, url: str, client: str) -> None:
+    def __init__(self, visit: Visit, client: str) -> None:
         query = f"EIO=4&transport=websocket&client_id={client}"
-        self._address = f"{url.replace('http', 'ws', 1)}/_nicegui_ws/socket.io/?{query}"
-        self._origin = url
+        self._address = f"{visit.sockets}/_nicegui_ws/socket.io/?{query}"
+        self._visit = visit
         self._client = client
         self.is_closed = False
 
     async def __aenter__(self) -> Self:
-        self._socket: ClientConnection = await connect(self._address, origin=self._origin, max_size=None)
+        self._socket: ClientConnection = await connect(
+            self._address, origin=self._visit.url, additional_headers=self._visit.headers, max_size=None
+        )
         await self.raw("40")
         handshake = {"client_id": self._client, "tab_id": "tab", "document_id": "document", "next_message_id": 0}
         await self.raw(f"420{json.dumps(['handshake', handshake])}")

@@ -8,9 +8,10 @@ import re
 import subprocess
 import sys
 import tempfile
-import urllib.request
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
+from urllib.parse import urlsplit
+from urllib.request import HTTPCookieProcessor, build_opener
 
 import psutil
 from websockets.exceptions import WebSocketException
@@ -25,7 +26,7 @@ ON_ONE = 150
 """Messages on one connection."""
 GROWTH = 150 << 20
 """Bytes by which the console may grow: pages of browsers that have left are kept for some seconds."""
-PAGE = re.compile(r'jauspy\.start\("([\w-]+)"\)')
+PAGE = re.compile(r'data-token="([\w-]+)"')
 CLIENT = re.compile(r"client_id[^0-9a-z]{1,20}([0-9a-f-]{36})")
 SEEDS = (
     "[0.5, 0]",
@@ -61,14 +62,30 @@ def console(arena: Arena) -> Iterator[tuple[str, subprocess.Popen[bytes]]]:
     arena.require(text.count("\n") < 200, f"the console logs {text.count(chr(10))} lines")
 
 
-def page(url: str) -> tuple[str, str]:
-    """The token of a new page, and the id of its client."""
-    with urllib.request.urlopen(url) as answer:  # noqa: S310 # nosec B310 - of this machine
-        text = answer.read().decode().replace("\\", "")
-    token, client = PAGE.search(text), CLIENT.search(text)
-    assert token is not None
-    assert client is not None
-    return token[1], client[1]
+class Browser:
+    """A browser with a session at the console, whose address has the token."""
+
+    def __init__(self, url: str) -> None:
+        cookies = HTTPCookieProcessor()
+        self._opener, self._jar = build_opener(cookies), cookies.cookiejar
+        self._opener.open(url).close()
+        parts = urlsplit(url)
+        self._url = f"{parts.scheme}://{parts.netloc}"
+
+    def page(self) -> tuple[str, str]:
+        """The token of a new page, and the id of its client."""
+        with self._opener.open(self._url) as answer:
+            text = answer.read().decode().replace("\\", "")
+        token, client = PAGE.search(text), CLIENT.search(text)
+        assert token is not None
+        assert client is not None
+        return token[1], client[1]
+
+    def connect(self, path: str) -> ClientConnection:
+        """A socket at this path."""
+        cookie = {"cookie": "; ".join(f"{cookie.name}={cookie.value}" for cookie in self._jar)}
+        url = self._url.replace("http", "ws", 1) + path
+        return connect(url, origin=Origin(self._url), additional_headers=cookie, close_timeout=0.5)
 
 
 def mutated(chance: random.Random, text: str) -> str:
@@ -106,6 +123,7 @@ def run(arena: Arena) -> None:
     """One connection after the other, on each of the sockets in turn."""
     with arena.hosts["robot"].entered(), console(arena) as (url, process):
         memory = psutil.Process(process.pid).memory_info
+        browser = Browser(url)
         before, turns, socket = 0, 0, None
         paths = ("drive/101", "jog/101.1.104", "video/101.1.106", "world/101", "stop", "")
         for number in arena.paced(RATE):
@@ -113,17 +131,17 @@ def run(arena: Arena) -> None:
                 if socket is None or number % ON_ONE == 0:
                     if socket is not None:
                         socket.close()
-                    token, client = page(url)
+                    token, client = browser.page()
                     path = paths[turns % len(paths)]
                     query = f"/_nicegui_ws/socket.io/?EIO=4&transport=websocket&client_id={client}"
                     where = f"/ws/{path}/{token}" if path else query
-                    socket = connect(url.replace("http", "ws", 1) + where, origin=Origin(url), close_timeout=0.5)
+                    socket = browser.connect(where)
                     turns += 1
                     client = "" if path else client
                     if turns == 2 * len(paths):
                         before = memory().rss
                 send(arena, socket, client)
-        page(url)
+        browser.page()
         growth = memory().rss - before if before else 0
         arena.require(growth < GROWTH, f"the console has grown by {growth >> 20} MiB")
 

@@ -6,7 +6,6 @@ tip.
 
 from __future__ import annotations
 
-import logging
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
@@ -15,12 +14,13 @@ from typing import Final
 from jauspy.geometry.denavit_hartenberg import DHLink, manipulator_geometry
 from jauspy.geometry.kinematics import KinematicState, forward_kinematics
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.logs import get_logger
 from jauspy.platform.joint_control import ACCELERATION_TIME
 from jauspy.platform.joints import ControlMode, JointGroup, JointState, Target
 from jauspy.services.command_timeout import ContinuousCommands
 from jauspy.services.manipulator.blocking import BlockedJoint, StandstillWatch
 
-_LOG: Final = logging.getLogger("jauspy.manipulator")
+_LOG: Final = get_logger("jauspy.manipulator")
 
 POSITION_TOLERANCE: Final = 0.01
 """Radians or metres from a position up to which it is reached."""
