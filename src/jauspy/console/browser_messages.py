@@ -28,7 +28,7 @@ T = TypeVar("T")
 _Share = Annotated[float, Field(ge=-1.0, le=1.0, allow_inf_nan=False, strict=True)]
 _Number = Annotated[float, Field(ge=-MAX_NUMBER, le=MAX_NUMBER, allow_inf_nan=False, strict=True)]
 Deflections: TypeAlias = tuple[_Share, _Share]
-"""Of the stick: forward and left."""
+"""Deflections of the stick: forward and left."""
 ToolVelocity: TypeAlias = tuple[_Number, _Number, _Number, _Number, _Number, _Number, Literal["robot", "tool"]]
 """x, y, z in m/s, roll, pitch, yaw in rad/s, and the frame."""
 

@@ -37,7 +37,7 @@ class _Poses(BaseModel):
     poses: dict[str, dict[str, dict[str, _Position]]] = {}
     """By component, then by name: positions by joint."""
     authors: dict[str, dict[str, Author]] = {}
-    """Of poses, by component and name; files of earlier versions have none."""
+    """Authors of poses, by component and name; files of earlier versions have none."""
 
 
 @dataclass(frozen=True, slots=True)

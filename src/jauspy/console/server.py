@@ -62,7 +62,7 @@ BACKLOG: Final = 512
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
 LOGGERS: Final = ("nicegui", "engineio.server", "socketio.server", "uvicorn", "uvicorn.error", "uvicorn.access")
-"""Of the packages that serve the page; browsers can cause lines of all of them."""
+"""Loggers of the packages that serve the page; browsers can cause lines of all of them."""
 RECORDINGS: Final = Path.home() / "jauspy-recordings"
 STOP_TIME: Final = 1.0
 """Seconds in which an emergency stop is repeated until all obey."""

@@ -14,7 +14,7 @@ from jauspy.errors import ConfigError
 MAX_LINE: Final = 64 * 1024
 """Bytes."""
 _BEGIN: Final = b'{"n": 1, '
-"""Of the first line, which may be incomplete after a power failure."""
+"""Start of the first line, which may be incomplete after a power failure."""
 
 
 def parsed(line: bytes) -> dict[str, Any] | None:

@@ -188,11 +188,11 @@ def _wheel_effort(description: RobotDescription, joints: WheelJoints, mass: floa
     wheels = _setup(description, joints).wheels
     weight = GRAVITY * mass / len(wheels)
     middle = sum(wheel.x for wheel in wheels) / len(wheels)
-    along = sum(abs(wheel.x - middle) for wheel in wheels) / len(wheels)
-    across = sum(abs(wheel.y) for wheel in wheels) / len(wheels)
+    half_base = sum(abs(wheel.x - middle) for wheel in wheels) / len(wheels)
+    half_track = sum(abs(wheel.y) for wheel in wheels) / len(wheels)
     friction = max(description.friction.get(wheel.joint.child, WHEEL_FRICTION) for wheel in wheels)
     radius = max(wheel.radius for wheel in wheels)
-    turning = friction * weight * along / math.hypot(along, across)
+    turning = friction * weight * half_base / math.hypot(half_base, half_track)
     return radius * max(STEEPEST * weight, TURNING_RESERVE * turning)
 
 

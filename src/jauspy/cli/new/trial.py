@@ -31,7 +31,7 @@ class Trial:
 
     @property
     def cannot(self) -> str:
-        """What it cannot do, as a verb; empty if it drives and turns."""
+        """The verb for what the robot cannot do; empty if it drives and turns."""
         failed = {"drive": self.speed < LEAST_SPEED, "turn": self.turn_rate < LEAST_TURN_RATE}
         return " or ".join(verb for verb, is_missing in failed.items() if is_missing)
 
