@@ -124,7 +124,9 @@ def test_a_limit_that_is_lowered_below_what_is_open(victim: Victim) -> None:
         resource.prlimit(victim.process.pid, resource.RLIMIT_NOFILE, limits)
         counters = asyncio.run(status.read(victim.root))["counters"]
         assert counters["dropped.component_refused"] >= 10
-        assert counters["open_files.limit_changed"] == 1
+        assert counters["open_files.limit_changed"] in (1, 2), (
+            "when it was lowered, and perhaps when it was raised again"
+        )
         assert counters["multicast.not_refreshed"] >= 1
         log = victim.log.read_text()
         assert "Traceback" not in log

@@ -19,7 +19,7 @@ pytest.importorskip("nicegui", reason="needs the extra 'console'")
 from nicegui import Client, ui
 from nicegui.page import page as make_page
 from tests.helpers.console_visit import Visit, visit
-from tests.helpers.nicegui_page import PageSocket, load
+from tests.helpers.nicegui_page import Loaded, PageSocket, load
 
 from jauspy.console.browser_messages import MAX_INVALID
 from jauspy.console.page_events import MAX_EVENTS_AT_ONCE, NAME, PageEvents, can_have
@@ -198,12 +198,20 @@ def mutated(chance: random.Random, text: str) -> str:
     return text
 
 
+async def new_page(visitor: Visit) -> Loaded:
+    """A page that has a place; those of browsers that have left keep theirs for some seconds."""
+    async with asyncio.timeout(60.0):
+        while not (loaded := await load(visitor)).has_place:
+            await asyncio.sleep(0.2)
+    return loaded
+
+
 async def fuzz(visitor: Visit, process: subprocess.Popen[str], cases: int, seed: int) -> None:
     """Send packets of all kinds and mutations of them; the console answers at the end, and has not grown."""
     chance, memory = random.Random(seed), psutil.Process(process.pid).memory_info
     grown = 0
     for number in range(max(1, cases // 100)):
-        loaded = await load(visitor)
+        loaded = await new_page(visitor)
         async with PageSocket(visitor, loaded.client) as page:
             for _ in range(100):
                 if page.is_closed:
@@ -222,7 +230,7 @@ async def fuzz(visitor: Visit, process: subprocess.Popen[str], cases: int, seed:
                 await asyncio.sleep(0.0)
         if number == 2:
             grown = memory().rss
-    assert (await load(visitor)).token
+    await new_page(visitor)
     if grown:
         assert memory().rss - grown < 150 << 20
 

@@ -61,6 +61,7 @@ class Motion:
     moved: float = 0.0
     """Metres or radians that nobody who is entitled has commanded: off the line of the course, or at rest."""
     legs: int = 0
+    """Legs that began and ended, with the time to brake, while the robot was recorded."""
     driven: int = 0
     """Legs that the robot has carried out."""
     samples: int = 0
@@ -98,7 +99,8 @@ def judge(samples: Sequence[Sample], legs: Sequence[Leg], pilot: str) -> Motion:
     """Compare the samples with the legs that were commanded meanwhile."""
     if not samples:
         return Motion()
-    finished = [leg for leg in legs if leg.end is not None and leg.begin >= samples[0].time]
+    begin, end = samples[0].time, samples[-1].time - SETTLE
+    finished = [leg for leg in legs if leg.end is not None and begin <= leg.begin and leg.end <= end]
     return Motion(
         max([_off_line(samples), *(_spread(rest) for rest in rests(samples, legs))]),
         len(finished),
