@@ -22,7 +22,7 @@ from tests.helpers.console_visit import Visit, visit
 from tests.helpers.nicegui_page import Loaded, PageSocket, load
 
 from jauspy.console.browser_messages import MAX_INVALID
-from jauspy.console.page_events import MAX_EVENTS_AT_ONCE, NAME, PageEvents, can_have
+from jauspy.console.page_events import ENDING, MAX_EVENTS_AT_ONCE, NAME, PageEvents, can_have
 from jauspy.console.users import Session, User, current
 
 ANNA, BEN = User("anna", "operator", 127), User("ben", "observer", 0)
@@ -33,15 +33,18 @@ class Server:
 
     def __init__(self) -> None:
         self.passed: list[Any] = []
-        self.ended: list[str] = []
-        self.environ: dict[str, dict[str, Any]] = {"one": {}, "two": {}}
-        self.eio = SimpleNamespace(handlers={"message": self._pass}, disconnect=self._disconnect)
+        self.environ: dict[str, dict[str, Any]] = {
+            connection: {"asgi.scope": {ENDING: asyncio.Event()}} for connection in ("one", "two")
+        }
+        self.eio = SimpleNamespace(handlers={"message": self._pass})
 
     async def _pass(self, connection: str, data: Any) -> None:
         self.passed.append(data)
 
-    async def _disconnect(self, connection: str) -> None:
-        self.ended.append(connection)
+    @property
+    def ended(self) -> list[str]:
+        """The connections that end with their next frame."""
+        return [name for name, environ in self.environ.items() if environ["asgi.scope"][ENDING].is_set()]
 
 
 class Bench:

@@ -7,6 +7,7 @@ dropped; too many end the connection. Lines of the browser for the server's log 
 
 from __future__ import annotations
 
+import asyncio
 import re
 from collections.abc import Awaitable, Callable, Mapping
 from dataclasses import dataclass, field
@@ -41,6 +42,11 @@ _FRAME: Final = re.compile("[1-6]")
 """The beginning of a frame of Engine.IO."""
 _PACKET: Final = re.compile(r"(?P<kind>[012])(?P<ack>[0-9]{0,9})(?P<data>[\[{].*)?", re.DOTALL | re.ASCII)
 _CONNECT, _DISCONNECT = "0", "1"
+ENDING: Final = "jauspy.ending"
+"""Where the ASGI scope of a socket has an event, which is set to end the socket with its next frame.
+
+`disconnect` of Engine.IO would wait until all packets are sent, for ever if the browser has left.
+"""
 
 _Id = Annotated[str, Field(max_length=64)]
 _Count = Annotated[int, Field(ge=0, le=MAX_INTEGER)]
@@ -100,12 +106,13 @@ class FrameCheck:
         if not scope.get("path", "").startswith(SOCKET_PATH):
             await self._app(scope, receive, send)
         elif scope["type"] == "websocket":
-            await self._app(scope, lambda: self._next(receive), send)
+            ending = asyncio.Event()
+            await self._app({**scope, ENDING: ending}, lambda: self._next(receive, ending), send)
         else:
             await PlainTextResponse("the console needs WebSockets", 400)(scope, receive, send)
 
-    async def _next(self, receive: Receive) -> Message:
-        message = await receive()
+    async def _next(self, receive: Receive, ending: asyncio.Event) -> Message:
+        message: Message = {"type": "websocket.disconnect", "code": 1008} if ending.is_set() else await receive()
         if message["type"] != "websocket.receive" or _FRAME.match(message.get("text") or ""):
             return message
         self._refused(NAME, NOT_VALID)
@@ -140,12 +147,12 @@ class PageEvents:
             state = environ["jauspy.page_events"] = _Connection(Budget(self._now(), MAX_EVENT_RATE, MAX_EVENTS_AT_ONCE))
         if not state.budget.take(self._now()):
             self._refused(NAME, TOO_MANY)
-            await self._server.eio.disconnect(connection)
+            environ["asgi.scope"][ENDING].set()
         elif (passes := self._passes(state, environ, data)) is None:
             state.invalid += 1
             self._refused(NAME, NOT_VALID)
             if state.invalid >= MAX_INVALID:
-                await self._server.eio.disconnect(connection)
+                environ["asgi.scope"][ENDING].set()
         elif passes:
             await self._pass_on(connection, data)
 
