@@ -48,6 +48,14 @@ def test_somebody_else_in_control() -> None:
     assert (motion.samples, motion.controlled) == (12, 10)
 
 
+def test_who_may_take_control_may_move_the_robot_from_then_on() -> None:
+    taken = [*STILL, sample(1.0, controller="43.1.1"), sample(1.1, x=2.0, controller="43.1.1")]
+    assert judge(taken, [], PILOT).moved == 2.0
+    assert judge(taken, [], PILOT, may_be_taken=True).moved == 0.0
+    lost = [*STILL, sample(1.0, x=0.3, controller="None"), *taken[-2:]]
+    assert judge(lost, [], PILOT, may_be_taken=True).moved == 0.3
+
+
 def test_each_of_these_breaks_a_bound() -> None:
     attack = Attack("a", Attacker.REMOTE, "datagrams", lambda _: None, Bounds(), Layout(Victims.COMMANDS))
     result = Result(attack, motion=Motion(0.3, 4, 1, 100, 90))

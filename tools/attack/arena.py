@@ -137,7 +137,7 @@ class Arena:
         """Honest queries, those lost, the longest silence, and what each victim uses more than before."""
         self.close()
         time.sleep(0.3)
-        asked, lost, silence, self.motion = self.stage.end()
+        asked, lost, silence, self.motion = self.stage.end(may_be_taken=self.attack.bounds.may_be_taken)
         return asked + self.asked, lost + self.lost, silence, self._growth()
 
     def _growth(self) -> list[Usage]:

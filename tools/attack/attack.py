@@ -65,6 +65,8 @@ class Bounds:
     """Share of the operator's drives that the robot carries out at least; 0 for attackers who may stop it."""
     control: float = 0.95
     """Share of the time in which the operator is in control at least."""
+    may_be_taken: bool = False
+    """The attackers may take control once the operator has lost it, and then move the robot."""
 
 
 class BoundBroken(Exception):

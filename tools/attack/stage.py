@@ -102,12 +102,12 @@ class Stage:
         for victim in self.victims:
             victim.truth.begin()
 
-    def end(self) -> tuple[int, int, float, Motion]:
-        """Queries since `begin`, those not answered, the longest silence in seconds, and how the robot moved."""
+    def end(self, *, may_be_taken: bool) -> tuple[int, int, float, Motion]:
+        """Queries since `begin`, those not answered, the longest silence in seconds, and the motion by `judge`."""
         if self._operator is None:
             return 0, 0, 0.0, Motion()
         asked, answered, silence = self._operator.ask("end")
-        return asked, asked - answered, silence, judge(self.samples(), self.legs(), PILOT_ID)
+        return asked, asked - answered, silence, judge(self.samples(), self.legs(), PILOT_ID, may_be_taken=may_be_taken)
 
     def samples(self) -> list[Sample]:
         """Where the robot truly was since `begin`."""

@@ -6,6 +6,7 @@ import json
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from itertools import takewhile
 from pathlib import Path
 from typing import Any, Final
 
@@ -24,6 +25,10 @@ class Sample:
     joints: tuple[float, ...]
     controllers: dict[str, str]
     states: dict[str, list[str]]
+
+    def is_held_by_others(self, pilot: str) -> bool:
+        """True if a client other than the operator controls a component."""
+        return any(client not in (pilot, "None") for client in self.controllers.values())
 
     def distance(self, other: Sample) -> float:
         """Metres on the floor."""
@@ -95,14 +100,19 @@ def sample_of(reported: dict[str, Any]) -> Sample:
     return Sample(reported["time"], (x, y, yaw), tuple(reported["joints"]), reported["controllers"], reported["states"])
 
 
-def judge(samples: Sequence[Sample], legs: Sequence[Leg], pilot: str) -> Motion:
-    """Compare the samples with the legs that were commanded meanwhile."""
+def judge(samples: Sequence[Sample], legs: Sequence[Leg], pilot: str, *, may_be_taken: bool = False) -> Motion:
+    """Compare the samples with the legs that were commanded meanwhile.
+
+    With `may_be_taken`, the attackers may take control when the operator has lost it, as after an emergency, and then
+    move the robot: motion counts until they first do.
+    """
     if not samples:
         return Motion()
+    own = list(takewhile(lambda sample: not sample.is_held_by_others(pilot), samples)) if may_be_taken else samples
     begin, end = samples[0].time, samples[-1].time - SETTLE
     finished = [leg for leg in legs if leg.end is not None and begin <= leg.begin and leg.end <= end]
     return Motion(
-        max([_off_line(samples), *(_spread(rest) for rest in rests(samples, legs))]),
+        max([_off_line(own), *(_spread(rest) for rest in rests(own, legs))]) if own else 0.0,
         len(finished),
         sum(_is_driven(leg, samples) for leg in finished),
         len(samples),

@@ -146,4 +146,5 @@ def run(arena: Arena) -> None:
         arena.require(growth < GROWTH, f"the console has grown by {growth >> 20} MiB")
 
 
-ATTACK = Attack("console-sockets", Attacker.LOCAL, "messages", run, Bounds())
+ATTACK = Attack("console-sockets", Attacker.LOCAL, "messages", run, Bounds(descriptors=4, tasks=4))
+"""The node manager and the robot still know the components of the console that has ended."""

@@ -34,8 +34,9 @@ def run(arena: Arena) -> None:
         arena.send(sock, judp.pack(Packet(STRANGER, destination, payload, number & 0xFFFF)))
 
 
-BOUNDS = Bounds(descriptors=8, tasks=4, lines=1000, driven=0.0, control=0.0)
-"""Among the messages is SetEmergency, which anybody may send: the robot stops, and control ends with its time-out.
+BOUNDS = Bounds(descriptors=8, tasks=4, lines=1000, driven=0.0, control=0.0, may_be_taken=True)
+"""Among the messages is SetEmergency, which anybody may send: the robot stops, and control ends with its
+time-out; then anybody may take it.
 
 A camera that somebody asks for video starts a process; each kind of malformed message is logged once a component."""
 ATTACK = Attack("services", Attacker.REMOTE, "messages", run, BOUNDS, restarts=True)
