@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 import typing
 from collections import Counter
-from collections.abc import Iterator, Sequence
-from typing import Final
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Final
 
 from pydantic import BaseModel
 from pydantic_core import ErrorDetails
+
+_NAMES_KEY: Final = re.compile(r"[\w.\[\]-]+(:| = )")
+"""Errors of a table that begin with the key in it."""
 
 
 def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
@@ -19,13 +23,13 @@ def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
     match problem["type"]:
         case "missing":
             return f"{key}: is missing"
-        case "extra_forbidden":
+        case "extra_forbidden" | "unexpected_keyword_argument":
             return (
                 f"{key} = {problem['input']!r}: there is no such key; known here are: {', '.join(_keys(where, model))}"
             )
-        case "value_error" if not key:
-            return str(problem["ctx"]["error"])
-        case "tuple_type" | "model_type" | "dict_type" | "mapping_type" as kind:
+        case "value_error" if not key or _NAMES_KEY.match(str(problem["ctx"]["error"])):
+            return f"{key}.{problem['ctx']['error']}".lstrip(".")
+        case "tuple_type" | "model_type" | "dataclass_type" | "dict_type" | "mapping_type" as kind:
             return f"{key} = {problem['input']!r}: {_form(kind, where, model)}"
         case _:
             text = problem["msg"].removeprefix("Value error, ")
@@ -43,17 +47,30 @@ def _form(kind: str, where: tuple[int | str, ...], model: type[BaseModel]) -> st
 
 def _keys(where: tuple[int | str, ...], model: type[BaseModel]) -> list[str]:
     """The keys of the table in which a key is unknown."""
+    table: type = model
     for part in where[:-1]:
-        if isinstance(part, str) and part in model.model_fields:  # else a name that the user chose
-            model = next(models_in(model.model_fields[part].annotation))
-    return sorted(model.model_fields)
+        annotation = _annotations(table).get(str(part))  # None for an index, and for a name that the user chose
+        table = next(models_in(annotation), table)
+    return sorted(_annotations(table))
 
 
-def models_in(annotation: object) -> Iterator[type[BaseModel]]:
-    """The models that a type holds, as `X | None` and `tuple[X, ...]` do."""
+def _annotations(table: type) -> Mapping[str, Any]:
+    """The types of the keys of a table, a model or a dataclass."""
+    if issubclass(table, BaseModel):
+        return {name: field.annotation for name, field in table.model_fields.items()}
+    hints = typing.get_type_hints(table, include_extras=True)
+    return {name: hint for name, hint in hints.items() if typing.get_origin(hint) is not typing.ClassVar}
+
+
+def models_in(annotation: object) -> Iterator[type]:
+    """The models and dataclasses that a type holds, as `X | None` and `tuple[X, ...]` do."""
     if isinstance(annotation, type) and typing.get_origin(annotation) is None:
-        if issubclass(annotation, BaseModel):
+        if issubclass(annotation, BaseModel) or dataclasses.is_dataclass(annotation):
             yield annotation
+        return
+    forms = [item.form for item in getattr(annotation, "__metadata__", ()) if hasattr(item, "form")]
+    if forms:  # `Written`: the table has another form than the value
+        yield from forms
         return
     for argument in typing.get_args(annotation):
         yield from models_in(argument)

@@ -145,6 +145,6 @@ def simulated_force_torque(data: mujoco.MjData, prefix: str, setup: ForceTorqueS
 def _errors(setup: ForceTorqueSetup) -> Iterator[list[float]]:
     """Those of force and torque, for one measurement after the other."""
     random = np.random.default_rng(setup.seed)
-    deviations = np.repeat((setup.force_noise, setup.torque_noise), 3)
+    deviations = np.repeat(setup.noise, 3)
     while True:
         yield from (deviations * random.standard_normal((ERRORS_AT_ONCE, 6))).tolist()

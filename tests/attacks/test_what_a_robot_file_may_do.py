@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import re
 from pathlib import Path
 from typing import Final
@@ -11,10 +12,10 @@ import pytest
 from jauspy.errors import ConfigError
 from jauspy.modules import config as tables, robot_files
 from jauspy.modules.audit import AuditLog
-from jauspy.modules.can_config import CanConfig
 from jauspy.modules.config import RobotConfig
 from jauspy.modules.operators import command_seals
 from jauspy.platform import backends
+from jauspy.platform.can.setup import CanTable
 
 DOCUMENT: Final = Path(__file__).parents[2] / "docs" / "security.md"
 SECRET: Final = "s3cr3t"
@@ -132,5 +133,5 @@ def test_no_other_key_is_a_free_text_that_names_something() -> None:
     named = {"name", "description", "xacro_arguments"}
     keys = {key for key, field in RobotConfig.model_fields.items() if "str" in str(field.annotation)}
     assert keys <= named | set(REFUSED) | HARMLESS | {"backend", "joint_limits", "groups"}
-    assert "bus" in CanConfig.model_fields
+    assert "bus" in {field.name for field in dataclasses.fields(CanTable)}
     assert "address" in tables.CloudConfig.model_fields

@@ -32,7 +32,7 @@ def test_pixel_centres_left_and_up_are_positive() -> None:
 
 
 def test_pixels_out_of_range_give_no_points() -> None:
-    found = points([[math.inf, 0.4, 0.5, 5.0, 5.1, math.inf]], min_distance=0.5, max_distance=5.0)
+    found = points([[math.inf, 0.4, 0.5, 5.0, 5.1, math.inf]], range=(0.5, 5.0))
     assert found[:, 0].tolist() == [0.5, 5.0]
 
 

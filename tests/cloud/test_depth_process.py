@@ -27,7 +27,7 @@ from jauspy.platform.kinematic import KinematicRobot
 from jauspy.testing import until
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
-SETTINGS = DepthSettings(80, 60, rate=20.0, min_distance=0.1, max_distance=5.0)
+SETTINGS = DepthSettings((80, 60), rate=20.0, range=(0.1, 5.0))
 TIMEOUT = 100.0
 """Seconds; the process has what other work leaves of the processors, which may be little."""
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
 from jauspy.errors import ConfigError
@@ -103,7 +104,7 @@ class Module:
 
 
 def _with_fixed_cameras(config):
-    cameras = tuple(each.model_copy(update={"link": "lidar_link"}) for each in config.cameras)
+    cameras = tuple(replace(camera, link="lidar_link", outside=None) for camera in config.cameras)
     modules = tuple(
         each.model_copy(update={"group": None}) if each.type == "CM-VIS" else each for each in config.modules
     )

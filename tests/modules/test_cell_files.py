@@ -117,13 +117,13 @@ def test_parts_without_a_module_get_one_in_order(tmp_path):
         (PARTS.replace('"box"', '"crate"'), "cell.parts[2].type = 'crate': no such type; there are: base, box, servo"),
         (PARTS.replace("base_2", "base_1"), "cell.parts: base_1 is there twice"),
         (PARTS + 'car = "base_1"', "cell.car = 'base_1': must be a base that is not fixed; there are: base_2"),
-        (PARTS.replace("[0, 1, 0]", "[0, nan, 0]"), "cell.parts[2].pose.xyz[1] = nan: input should be a finite number"),
+        (PARTS.replace("[0, 1, 0]", "[0, nan, 0]"), "cell.parts[2].pose.xyz[1] = nan: it must be a finite number"),
         (PARTS.replace("[0, 1, 0]", "[0, 1]"), "cell.parts[2].pose.xyz[2]: is missing"),
         (PARTS + 'gripper = "hand"', "cell.gripper: the URDF has no link 'hand'"),
         (PARTS + "sensor = { rat = 5 }", "known here are: angle_noise, position_noise, rate, seed"),
         (PARTS + "attach_failure = 1.5", "attach_failure = 1.5: input should be less than or equal to 1"),
         (PARTS.replace("0, 2, 0] }", "0, 2, 0] }, fixed = true"), "'servo_1' is no base; only those are bolted down"),
-        (PARTS.replace("servo_1", "servo 1"), "cell.parts[3].name = 'servo 1': string should match pattern"),
+        (PARTS.replace("servo_1", "servo 1"), "cell.parts[3].name = 'servo 1': a name has letters, digits and"),
         ('[cell]\nparts = []\ntypes = "lost.toml"', "lost.toml"),
     ],
 )
@@ -136,7 +136,7 @@ def test_mistakes_in_a_cell_are_explained(tmp_path, cell, complaint):
 @pytest.mark.parametrize(
     ("before", "after", "complaint"),
     [
-        ("axis = [0, 2, 0]", "axis = [0, 0, 0]", "axis: it must not be zero"),
+        ("axis = [0, 2, 0]", "axis = [0, 0, 0]", "axis = [0, 0, 0]: it must not be zero"),
         ("[0.03, 0.03, 0.02]", "[0.03, 0.04, 0.02]", "a cylinder has its radius twice"),
         ('kind = "servo"', 'kind = "tube"', "servo: parts of the kind servo need this table"),
         ('kind = "base"', 'kind = "box"', "connectors: a box has none"),

@@ -43,7 +43,7 @@ def true_place(world: World) -> tuple[float, float]:
 
 
 def test_reports_carry_the_errors_of_the_estimate() -> None:
-    world = world_with(LocalizationSetup(exact=False, gnss=GnssSetup()))
+    world = world_with(LocalizationSetup(source="sensors", gnss=GnssSetup()))
     world.tell(SetLocalWaypoint(x=5.0, y=0.0), SetTravelSpeed(1.0))
     world.run(4.0)
     pose, place, velocity = world.pose, world.place, world.velocity
@@ -66,7 +66,7 @@ def test_exact_poses_have_no_errors() -> None:
 
 
 def test_setting_the_local_pose_moves_the_frame_and_counts_errors_from_there() -> None:
-    world = world_with(LocalizationSetup(exact=False))
+    world = world_with(LocalizationSetup(source="sensors"))
     world.tell(SetLocalWaypoint(x=5.0, y=0.0), SetTravelSpeed(1.0))
     world.run(5.0)
     grown = world.pose.position_rms
@@ -78,7 +78,7 @@ def test_setting_the_local_pose_moves_the_frame_and_counts_errors_from_there() -
 
 
 def test_waypoints_are_reached_by_the_estimated_pose() -> None:
-    world = world_with(LocalizationSetup(exact=False, seed=3))
+    world = world_with(LocalizationSetup(source="sensors", seed=3))
     world.tell(SetLocalWaypoint(x=6.0, y=-4.0), SetTravelSpeed(1.2))
     world.run_until(world.stands, 3.0)
     world.run(12.0)
@@ -89,7 +89,7 @@ def test_waypoints_are_reached_by_the_estimated_pose() -> None:
 
 def test_a_global_waypoint_follows_what_gnss_tells() -> None:
     """The heading at the start is off by degrees: by dead reckoning alone the robot would miss by a metre."""
-    world = world_with(LocalizationSetup(exact=False, seed=2, gnss=replace(RTK, heading_error=math.radians(10.0))))
+    world = world_with(LocalizationSetup(source="sensors", seed=2, gnss=replace(RTK, heading_error=math.radians(10.0))))
     frame = GlobalFrame(ORIGIN)
     goal = frame.from_world(replace(world.vehicle.pose, x=15.0, y=5.0))
     world.tell(SetGlobalWaypoint(latitude=goal.latitude, longitude=goal.longitude), SetTravelSpeed(1.5))
@@ -116,7 +116,7 @@ def test_keys_of_the_file(tmp_path: Path) -> None:
         "gnss = { receiver = 'rtk', rate = 8.0 }\n"
     )
     found = robot_model(load(file(tmp_path, table))).localization
-    assert (found.exact, found.seed, found.imu) == (False, 9, None)
+    assert (found.source, found.seed, found.imu) == ("sensors", 9, None)
     assert found.odometry.noise == 0.02
     assert found.gnss == replace(RTK, rate=8.0)
 
@@ -146,5 +146,5 @@ def test_wrong_keys_are_one_sentence(tmp_path: Path, table: str, origin: bool, s
 
 def test_part_is_found_by_its_type() -> None:
     _, model = described("inc1")
-    robot = KinematicRobot(replace(model, localization=LocalizationSetup(exact=False)))
+    robot = KinematicRobot(replace(model, localization=LocalizationSetup(source="sensors")))
     assert Localization.of(robot) is not None

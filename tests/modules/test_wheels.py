@@ -200,7 +200,7 @@ def test_the_specification_names_the_wheels(files: dict[str, str]) -> None:
             "'fl_axel'",
             "wheels.left: 'fl_axel' is not a continuous joint of the URDF; those are: fl_axle",
         ),
-        ("skid_steer", "left = ['fl_axle'", "left = ['fr_axle'", "wheels: fr_axle is there twice"),
+        ("skid_steer", "left = ['fl_axle'", "left = ['fr_axle'", "wheels.left: fr_axle is there twice"),
         ("skid_steer", 'type = "skid_steer"', 'type = "mecano"', "wheels.type = 'mecano'"),
         ("skid_steer", 'type = "skid_steer"', 'type = "ackermann"', "an ackermann chassis has steering joints"),
         ("mecanum", ", 'rl_axle'", "", "mecanum wheels are four"),

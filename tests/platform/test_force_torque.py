@@ -69,7 +69,7 @@ def test_simulated_and_computed_weight_agree() -> None:
     pytest.importorskip("mujoco", reason="MuJoCo is not installed")
     model = robot_model(load("inc1"))
     (wrist,) = model.force_torque
-    model = replace(model, force_torque=(replace(wrist, force_noise=0.0, torque_noise=0.0),))
+    model = replace(model, force_torque=(replace(wrist, noise=(0.0, 0.0)),))
     readings = []
     for backend in ("kinematic", "sim"):
         robot = find(backend).open(model, "empty")

@@ -17,7 +17,7 @@ from jauspy.platform.motion_sensors import Encoders, GnssReceiver, InertialSenso
 
 _, INC1 = described("inc1")
 CHASSIS = replace(INC1, lidars=(), cameras=(), force_torque=(), groups={})
-SENSORS = LocalizationSetup(exact=False, gnss=GnssSetup())
+SENSORS = LocalizationSetup(source="sensors", gnss=GnssSetup())
 STEP = 0.02
 LEGS = ((0.5, 0.0), (0.4, 0.2), (0.0, 0.4), (0.4, -0.2))
 """Efforts, for five seconds each."""
@@ -97,7 +97,7 @@ def test_the_same_seed_gives_the_same_errors_and_the_same_motion() -> None:
 
 
 def test_without_sensors_there_is_no_localisation() -> None:
-    for setup in (LocalizationSetup(), LocalizationSetup(exact=True)):
+    for setup in (LocalizationSetup(), LocalizationSetup(source="exact")):
         assert Localization.of(KinematicRobot(replace(CHASSIS, localization=setup))) is None
 
 

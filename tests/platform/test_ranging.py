@@ -10,7 +10,7 @@ import pytest
 
 from jauspy.platform.ranging import LidarSetup, Scanner
 
-SETUP = LidarSetup("lidar", "lidar_link", rays=8, rate=10.0, min_range=0.5, max_range=4.0)
+SETUP = LidarSetup("lidar", "lidar_link", rays=8, rate=10.0, range=(0.5, 4.0))
 
 
 def distances(angles: Sequence[float]) -> list[float]:

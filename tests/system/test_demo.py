@@ -30,12 +30,12 @@ from jauspy.cli.demo.report import DemoState
 from jauspy.cli.options import on_bus
 from jauspy.modules.robot import RobotRunner
 from jauspy.modules.robot_files import load, robot_model
-from jauspy.modules.vehicle_config import LocalizationConfig
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
 from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.contract import Command, DriveBase, PartId, Robot
+from jauspy.platform.localization import LocalizationSetup
 from jauspy.transport import LocalTransport
 
 INC1 = load("inc1")
@@ -114,7 +114,7 @@ async def test_thing_is_lifted_in_the_simulation(
     world: str, body: str, backend: str, root: Path, tmp_path: Path
 ) -> None:
     """The stages after the drive; the robot is put before the thing, not quite where the plan has it."""
-    exact = INC1.model_copy(update={"localization": LocalizationConfig(source="exact"), "world": world})
+    exact = INC1.model_copy(update={"localization": LocalizationSetup(source="exact"), "world": world})
     goals = plan.PLANS[world]
     if backend == "can":  # simulated servo drives between the modules and the physics
         exact = on_bus(exact, "virtual:sim")

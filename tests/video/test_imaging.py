@@ -50,7 +50,7 @@ def square(x, y):
     return np.where((abs(x) < 0.1) & (abs(y) < 0.1), 200, 20)
 
 
-def picture(scene, setup=ImagingSetup(), **settings):  # noqa: B008 - frozen
+def picture(scene, setup=ImagingSetup(), **settings):
     made = Imaging(CameraSetup("front", "link", FOV, setup))
     made.settings = replace(setup.initial, **settings)
     return made.take(scene, WIDTH, HEIGHT).image

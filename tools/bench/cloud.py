@@ -68,7 +68,7 @@ def main() -> None:
     robot = backends.find(options.backend).open(robot_model(config), "yard")
     robot.groups["arm"].command([Target(ControlMode.POSITION, value) for value in LOOKING_DOWN])
     robot.advance(5.0)
-    settings = DepthSettings(rate=options.rate, min_distance=0.01)
+    settings = DepthSettings(rate=options.rate, range=(0.01, 10.0))
     print("address clouds  lost    points clouds/s  median ms    95 % skipped steps of the robot")
     for address in ADDRESS:
         print(asyncio.run(measure(robot, address, settings, options.seconds)))

@@ -7,7 +7,7 @@ import math
 import time
 from collections.abc import AsyncIterator
 from contextlib import AsyncExitStack, asynccontextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from importlib import import_module
 from pathlib import Path
@@ -79,14 +79,12 @@ def configured(seed: int, disturbances: Disturbances, robot: str = ROBOT) -> Rob
     config = robot_files.load(robot)
     if config.cell is None:
         raise ConfigError(f"the robot {robot!r} has no [cell]")
-    sensor = config.cell.sensor.model_copy(update={"seed": seed})
-    cell = config.cell.model_copy(
-        update={
-            "seed": seed,
-            "sensor": sensor,
-            "pose_error": (disturbances.position, disturbances.angle),
-            "attach_failure": disturbances.attach_failure,
-        }
+    cell = replace(
+        config.cell,
+        seed=seed,
+        sensor=replace(config.cell.sensor, seed=seed),
+        pose_error=(disturbances.position, disturbances.angle),
+        attach_failure=disturbances.attach_failure,
     )
     return config.model_copy(update={"cell": cell})
 

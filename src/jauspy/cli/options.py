@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -122,4 +123,4 @@ def on_bus(config: RobotConfig, bus: str | None) -> RobotConfig:
         return config
     if config.can is None:
         raise ConfigError(f"--bus: {config.name} has no table [can] in its file, and so no drives (docs/hardware.md)")
-    return config.model_copy(update={"can": config.can.model_copy(update={"bus": bus})})
+    return config.model_copy(update={"can": replace(config.can, bus=bus)})

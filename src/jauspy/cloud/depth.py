@@ -6,11 +6,14 @@ import math
 import time
 from collections import Counter
 from dataclasses import dataclass
-from typing import Final
+from typing import Annotated, Final
 
-from jauspy.cloud.stream import XYZ_RGB, CloudPublisher
+from annotated_types import Interval
+
+from jauspy.cloud.stream import MAX_POINTS, XYZ_RGB, CloudPublisher
 from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera, CameraSession, DepthFrame
+from jauspy.platform.tables import Table, check_order
 from jauspy.worker_process import CountersReport, Parent, SupervisedWorker, WorkerReady
 
 NICENESS: Final = 5
@@ -20,17 +23,20 @@ _LOG: Final = get_logger("jauspy.cloud")
 
 
 @dataclass(frozen=True, slots=True)
-class DepthSettings:
-    """Settings of the clouds of a camera."""
+class DepthSettings(Table):
+    """Point clouds of a depth camera: the table `depth`."""
 
-    width: int = 400
-    height: int = 250
-    """Pixels that are measured: each one with something in range becomes a point."""
-    rate: float = 10.0
+    size: tuple[Annotated[int, Interval(ge=16, le=1920)], Annotated[int, Interval(ge=16, le=1080)]] = (400, 250)
+    """Pixels across and down that are measured: each one with something in range becomes a point."""
+    rate: Annotated[float, Interval(gt=0.0, le=60.0)] = 10.0
     """Clouds per second."""
-    min_distance: float = 0.2
-    max_distance: float = 10.0
-    """Range of distances along the camera's x axis, in metres."""
+    range: tuple[Annotated[float, Interval(ge=0.0)], Annotated[float, Interval(gt=0.0, le=1000.0)]] = (0.2, 10.0)
+    """Minimal and maximal distance along the camera's x axis, in metres."""
+
+    def __post_init__(self) -> None:
+        check_order("range", self.range, "the minimal and then the maximal distance")
+        if math.prod(self.size) > MAX_POINTS:
+            raise ValueError(f"size: {list(self.size)} are too many points for one message; it has {MAX_POINTS}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -106,7 +112,7 @@ def _publish(stream: DepthStream, camera: CameraSession, publisher: CloudPublish
 def _publish_cloud(stream: DepthStream, camera: CameraSession, publisher: CloudPublisher) -> int:
     """Publish one cloud; returns its number of points."""
     setup, settings = stream.camera.setup, stream.settings
-    frame = camera.measure(settings.width, settings.height)
+    frame = camera.measure(*settings.size)
     points = coloured_points(frame, setup.fov, settings)
     age = time.monotonic() - frame.taken
     publisher.publish(points, setup.link, time.time() - age, XYZ_RGB)
@@ -122,7 +128,7 @@ def coloured_points(frame: DepthFrame, fov: float, settings: DepthSettings) -> b
     import numpy as np  # noqa: PLC0415 - comes with the extra `cloud`
 
     along = frame.distances
-    rows, columns = np.nonzero((along >= settings.min_distance) & (along <= settings.max_distance))
+    rows, columns = np.nonzero((along >= settings.range[0]) & (along <= settings.range[1]))
     height, width = along.shape
     pixel = 2.0 * math.tan(fov / 2.0) / width
     points = np.empty((len(rows), 6), "<f4")

@@ -2,27 +2,39 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, fields
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
-from pydantic import AfterValidator, BeforeValidator, Field, ModelWrapValidatorHandler, PrivateAttr, model_validator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    BeforeValidator,
+    ConfigDict,
+    Field,
+    ModelWrapValidatorHandler,
+    PrivateAttr,
+    model_validator,
+)
 
+from jauspy.cloud.depth import DepthSettings
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.modules import catalogue
-from jauspy.modules.camera_config import CameraConfig
-from jauspy.modules.can_config import CanConfig
-from jauspy.modules.cell_config import CellConfig
-from jauspy.modules.config_base import GainsConfig, Name, StrictConfig, UrdfName
-from jauspy.modules.vehicle_config import GnssConfig, LightConfig, LocalizationConfig, WheelsConfig
-from jauspy.platform.camera import Quality
-from jauspy.platform.description import GroupSetup, JointGains, TrackSetup
+from jauspy.platform.camera import CameraSetup, Quality
+from jauspy.platform.can.setup import CanTable
+from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
-from jauspy.platform.lights import TimeOfDay
+from jauspy.platform.imaging_settings import ImagingSetup
+from jauspy.platform.lights import LampSetup, TimeOfDay
+from jauspy.platform.localization import GnssSetup, LocalizationSetup
+from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import LidarSetup
+from jauspy.platform.tables import Name, UrdfName
+from jauspy.platform.video_settings import VideoSettings
+from jauspy.platform.wheels import WheelJoints
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
@@ -58,19 +70,10 @@ CAR: Final = "car"
 """The `part` of the CM-MOB that drives the car of the cell."""
 
 
-class TracksConfig(StrictConfig):
-    """The chassis: the belts of each side, prismatic joints of the URDF; those of flippers run with the tracks."""
+class StrictConfig(BaseModel):
+    """A table of the file; unknown keys are errors."""
 
-    left: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
-    right: Annotated[tuple[UrdfName, ...], Field(min_length=1, max_length=4)]
-    inertia: Annotated[float, Field(gt=0.0, le=1000.0)] = 6.0
-    """Inertia of rotors and sprockets at the belts of a side, in kilograms."""
-    turning_point: Annotated[float, Field(ge=-10.0, le=10.0)] = 0.0
-    """Metres from the base forward to the point that does not move sideways in a turn, for odometry."""
-
-    def setup(self) -> TrackSetup:
-        """Return the setup for the backend."""
-        return TrackSetup(self.left, self.right, self.inertia, self.turning_point)
+    model_config = ConfigDict(extra="forbid", frozen=True)
 
 
 class JointConfig(StrictConfig):
@@ -79,8 +82,8 @@ class JointConfig(StrictConfig):
     name: UrdfName
     start: float = 0.0
     """Initial position, in radians or metres."""
-    position: GainsConfig
-    velocity: GainsConfig
+    position: Gains
+    velocity: Gains
 
 
 class JointLimitsConfig(StrictConfig):
@@ -117,56 +120,48 @@ class GroupConfig(StrictConfig):
 
     def setup(self) -> GroupSetup:
         """Return the setup for the backend."""
-        gains = {joint.name: JointGains(joint.position.gains(), joint.velocity.gains()) for joint in self.joints}
+        gains = {joint.name: JointGains(joint.position, joint.velocity) for joint in self.joints}
         names, start = zip(*((joint.name, joint.start) for joint in self.joints), strict=True)
-        return GroupSetup(names, gains, self.base, self.tip, self.rate, start)
+        return GroupSetup(joints=names, gains=gains, base=self.base, tip=self.tip, rate=self.rate, start=start)
 
 
 Groups: TypeAlias = Mapping[UrdfName, GroupConfig]
 
 
-MAX_RAYS: Final = 100_000
-"""Rays of one scan."""
+@dataclass(frozen=True, slots=True)
+class CameraTable(CameraSetup):
+    """A camera and its stream at first: a table `[[cameras]]`."""
 
+    imaging: ImagingSetup = ImagingSetup()
+    """Limits and faults of its lens and sensor; by default with noise."""
+    size: tuple[int, int] = (640, 480)
+    """Width and height of the stream's pictures."""
+    rate: int = 15
+    """Pictures per second."""
+    bit_rate: int = 2000
+    """Kilobits per second."""
+    depth: DepthSettings | None = None
+    """Settings of a depth camera; None for other cameras."""
+    stamped: bool = False
+    """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
 
-class LidarConfig(StrictConfig):
-    """A lidar that scans the x-y plane of a link of the URDF, all around; with several layers also above and below."""
+    def __post_init__(self) -> None:
+        super(CameraTable, self).__post_init__()
+        if self.outside is not None and self.depth is not None:
+            raise ValueError("depth: a camera outside of the robot measures no depths; leave it out")
+        try:
+            self.settings()
+        except ConfigError as error:
+            raise ValueError(str(error)) from None
 
-    name: UrdfName
-    link: UrdfName
-    rays: Annotated[int, Field(ge=1, le=3600)] = 360
-    """Of a layer."""
-    layers: Annotated[int, Field(ge=1, le=128)] = 1
-    vertical: tuple[Annotated[float, Field(ge=-89.0, le=89.0)], Annotated[float, Field(ge=-89.0, le=89.0)]] = (
-        -15.0,
-        15.0,
-    )
-    """Inclinations of the lowest and the highest of several layers, in degrees, positive upwards."""
-    rate: Annotated[float, Field(gt=0.0, le=100.0)] = 10.0
-    """Scans per second."""
-    range: tuple[Annotated[float, Field(ge=0.0)], Annotated[float, Field(gt=0.0, le=1000.0)]] = (0.1, 30.0)
-    """Minimal and maximal measured distance, in metres."""
-    noise: Annotated[float, Field(ge=0.0, le=1.0)] = 0.01
-    """Standard deviation of a distance in a simulation, in metres."""
-    seed: Annotated[int, Field(ge=0)] = 0
-    """Seed of the noise."""
+    def setup(self) -> CameraSetup:
+        """Return the camera without its stream, for the backend."""
+        return CameraSetup(**{field.name: getattr(self, field.name) for field in fields(CameraSetup)})
 
-    @model_validator(mode="after")
-    def _check_range(self) -> Self:
-        if self.range[0] >= self.range[1]:
-            raise ValueError(f"range: {list(self.range)} is empty; give the minimal and then the maximal distance")
-        if self.vertical[0] >= self.vertical[1]:
-            raise ValueError(f"vertical: {list(self.vertical)} is empty; give the lowest and then the highest angle")
-        if self.layers * self.rays > MAX_RAYS:
-            raise ValueError(f"layers: {self.layers} of {self.rays} rays are too many; a scan may have {MAX_RAYS}")
-        return self
-
-    def setup(self) -> LidarSetup:
-        """Return the setup for the backend."""
-        low, high = (math.radians(each) for each in self.vertical)
-        return LidarSetup(
-            self.name, self.link, self.rays, self.rate, *self.range, self.noise, self.seed, self.layers, (low, high)
-        )
+    def settings(self) -> VideoSettings:
+        """Return the settings for the encoder; raises `ConfigError` for what cannot be encoded."""
+        width, height = self.size
+        return VideoSettings(width=width, height=height, rate=self.rate, bit_rate=1000 * self.bit_rate)
 
 
 def _check_cloud_address(address: str) -> str:
@@ -183,27 +178,6 @@ class CloudConfig(StrictConfig):
     address: Annotated[str, Field(max_length=200), AfterValidator(_check_cloud_address)]
     """The address of the publisher, as in tcp://127.0.0.1:5565; others, such as ipc://, replace files, and are given by
     `--cloud`."""
-
-
-class ForceTorqueConfig(StrictConfig):
-    """A sensor of forces and torques between a link of the URDF and the link that carries it."""
-
-    name: UrdfName
-    link: UrdfName
-    rate: Annotated[float, Field(gt=0.0, le=500.0)] = 100.0
-    """Measurements per second."""
-    force: Annotated[float, Field(gt=0.0, le=5000.0)] = 300.0
-    """The largest force along each axis, in newtons."""
-    torque: Annotated[float, Field(gt=0.0, le=5000.0)] = 30.0
-    """The largest torque about each axis, in newton metres."""
-    noise: tuple[Annotated[float, Field(ge=0.0, le=100.0)], Annotated[float, Field(ge=0.0, le=100.0)]] = (0.1, 0.01)
-    """Standard deviations in a simulation, in newtons and newton metres."""
-    seed: Annotated[int, Field(ge=0)] = 0
-    """Seed of the noise."""
-
-    def setup(self) -> ForceTorqueSetup:
-        """Return the setup for the backend."""
-        return ForceTorqueSetup(self.name, self.link, self.rate, self.force, self.torque, *self.noise, self.seed)
 
 
 class AccessControlConfig(StrictConfig):
@@ -372,22 +346,22 @@ class RobotConfig(StrictConfig):
     audit_log: Annotated[str, Field(min_length=1)] | None = None
     """The file in which commands are recorded, below the folder of the TOML file, where a relative path starts."""
     modules: tuple[ModuleConfig, ...]
-    localization: LocalizationConfig = LocalizationConfig()
-    tracks: TracksConfig | None = None
-    wheels: WheelsConfig | None = None
+    localization: LocalizationSetup = LocalizationSetup()
+    tracks: TrackSetup | None = None
+    wheels: WheelJoints | None = None
     """Without tracks and wheels the base is fixed to the world."""
-    cell: CellConfig | None = None
+    cell: CellSetup | None = None
     """The factory cell around the robot. Parts with a servo or connectors that no module names get one for each."""
-    can: CanConfig | None = None
+    can: CanTable | None = None
     """The servo drives of the robot, for the backend `can`."""
     joint_limits: Mapping[UrdfName, JointLimitsConfig] = Field(default_factory=dict)
     """Limits in place of those of the URDF, by the names of joints."""
     groups: Groups = Field(default_factory=dict)
     """The groups of joints, by name."""
-    lidars: Annotated[tuple[LidarConfig, ...], Field(max_length=16)] = ()
-    force_torque: Annotated[tuple[ForceTorqueConfig, ...], Field(max_length=16)] = ()
-    cameras: Annotated[tuple[CameraConfig, ...], Field(max_length=16)] = ()
-    lights: Annotated[tuple[LightConfig, ...], Field(max_length=8)] = ()
+    lidars: Annotated[tuple[LidarSetup, ...], Field(max_length=16)] = ()
+    force_torque: Annotated[tuple[ForceTorqueSetup, ...], Field(max_length=16)] = ()
+    cameras: Annotated[tuple[CameraTable, ...], Field(max_length=16)] = ()
+    lights: Annotated[tuple[LampSetup, ...], Field(max_length=8)] = ()
     """Lamps of the robot."""
     clouds: Annotated[tuple[CloudConfig, ...], Field(max_length=32)] = ()
     """Point clouds that are published whenever the robot runs."""
@@ -453,7 +427,7 @@ class RobotConfig(StrictConfig):
         self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
         self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
         self._check_cameras()
-        if self.origin is None and isinstance(self.localization.gnss, GnssConfig):
+        if self.origin is None and isinstance(self.localization.gnss, GnssSetup):
             raise ValueError(f"localization.gnss: needs {catalogue.ORIGIN}, from which its positions are counted")
         self._check_lights()
         if not any(module.offers("Discovery") for module in self.modules):
@@ -520,7 +494,7 @@ class RobotConfig(StrictConfig):
                     f"have; it can have: {', '.join(known) or 'none'}"
                 )
 
-    def _check_sensors(self, key: str, sensors: Sequence[LidarConfig | ForceTorqueConfig], need: str) -> None:
+    def _check_sensors(self, key: str, sensors: Sequence[LidarSetup | ForceTorqueSetup], need: str) -> None:
         names = [sensor.name for sensor in sensors]
         if len(set(names)) < len(names):
             raise ValueError(f"{key}: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")

@@ -13,7 +13,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from jauspy.config_errors import explain
 from jauspy.errors import ConfigError
 from jauspy.modules.config import RobotConfig
-from jauspy.modules.config_base import Name
+from jauspy.platform.tables import Name
 from jauspy.protocol.seal import DEFAULT_ROLES, Operator, PublicKey
 from jauspy.services.core import CommandSeal
 from jauspy.services.core.command_seal import CommandRecord

@@ -20,12 +20,13 @@ from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
 from jauspy.modules.audit_files import own_path
-from jauspy.modules.can_config import CanConfig, can_setup
-from jauspy.modules.config import GroupConfig, JointConfig, JointLimitsConfig, RobotConfig, TracksConfig
+from jauspy.modules.can_drives import can_setup
+from jauspy.modules.config import GroupConfig, JointConfig, JointLimitsConfig, RobotConfig
 from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.modules.xacro_files import expand
 from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
+from jauspy.platform.wheels import wheel_setup
 from jauspy.user_files import read_file, read_toml
 
 SUFFIX: Final = ".toml"
@@ -64,8 +65,6 @@ def load(name_or_path: str | Path) -> RobotConfig:
         )
         raise ConfigError(f"{source}: is not a description of a robot:\n{problems}") from error
     config.set_file(str(source))
-    if config.can is not None:
-        config.can.set_file(str(source))
     return config
 
 
@@ -161,11 +160,9 @@ def _robot_model(config: RobotConfig) -> RobotModel:
     for name, group in config.groups.items():
         _check_group(f"groups.{name}", group, description)
     groups = {name: group.setup() for name, group in config.groups.items()}
-    lidars = tuple(lidar.setup() for lidar in config.lidars)
-    for number, lidar in enumerate(lidars):
+    for number, lidar in enumerate(config.lidars):
         _check_link(f"lidars[{number}].link", lidar.link, description)
-    force_torque = tuple(sensor.setup() for sensor in config.force_torque)
-    for number, sensor in enumerate(force_torque):
+    for number, sensor in enumerate(config.force_torque):
         _check_carried(f"force_torque[{number}].link", sensor.link, description)
     cameras = tuple(camera.setup() for camera in config.cameras)
     for number, camera in enumerate(cameras):
@@ -179,27 +176,21 @@ def _robot_model(config: RobotConfig) -> RobotModel:
             _check_pan_tilt(f"groups.{module.group}", config.groups[module.group], link, description)
     if (cell := config.cell) is not None and cell.gripper:
         _check_link("cell.gripper", cell.gripper, description)
-    tracks = config.tracks.setup() if config.tracks else None
-    setup = cell.setup() if cell else None
-    drives = _can_setup(config.can, description, tracks, groups) if config.can else None
-    localization = config.localization.setup(has_origin=config.origin is not None)
-    lamps = tuple(light.setup() for light in config.lights)
-    for number, lamp in enumerate(lamps):
+    for number, lamp in enumerate(config.lights):
         _check_link(f"lights[{number}].link", lamp.link, description)
-    wheels = config.wheels.setup(description) if config.wheels else None
     return RobotModel(
         description,
-        tracks,
+        config.tracks,
         groups,
-        lidars,
-        cameras,
-        force_torque,
-        cell=setup,
-        can=drives,
-        wheels=wheels,
-        lamps=lamps,
+        lidars=config.lidars,
+        cameras=cameras,
+        force_torque=config.force_torque,
+        cell=config.cell,
+        can=_can_setup(config, description, groups),
+        wheels=wheel_setup(description, config.wheels) if config.wheels else None,
+        lamps=config.lights,
         time_of_day=config.time_of_day,
-        localization=localization,
+        localization=config.localization.with_receiver(has_origin=config.origin is not None),
         quality=config.quality,
         model_path=config.model_path,
     )
@@ -220,11 +211,11 @@ def _with_limits(description: RobotDescription, limits: Mapping[str, JointLimits
 
 
 def _can_setup(
-    config: CanConfig, description: RobotDescription, tracks: TrackSetup | None, groups: Mapping[str, GroupSetup]
-) -> CanSetup | str:
+    config: RobotConfig, description: RobotDescription, groups: Mapping[str, GroupSetup]
+) -> CanSetup | str | None:
     """The drives, or a text why they do not match the robot: a file may inherit drives that it does not use."""
     try:
-        return can_setup(config, description, tracks, groups)
+        return None if config.can is None else can_setup(config.can, description, config.tracks, groups)
     except ConfigError as error:
         return str(with_place(error, config.file))
 
@@ -254,7 +245,7 @@ def _found(element: Element, name: str, path: Path, packages: PackagePaths) -> P
         raise ConfigError(f"{place(element)}: <{element.tag}>: {error}") from error
 
 
-def _check_tracks(tracks: TracksConfig, description: RobotDescription) -> None:
+def _check_tracks(tracks: TrackSetup, description: RobotDescription) -> None:
     sides = (("left", tracks.left), ("right", tracks.right))
     for key, name in ((key, name) for key, names in sides for name in names):
         joint = description.joints.get(name)

@@ -5,11 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
-from typing import TYPE_CHECKING, Final, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeAlias
+
+from annotated_types import Interval, MaxLen
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector, cross, difference, dot, scaled
 from jauspy.platform.imaging_settings import IDEAL, ImagingSetup
+from jauspy.platform.tables import Converted, Prepared, Table, UrdfName
 
 if TYPE_CHECKING:
     import numpy as np
@@ -29,19 +32,60 @@ class Quality(Enum):
     HIGH = "high"
 
 
+class Viewpoint(Enum):
+    """The motion of an outside camera: fixed in the world, behind the robot, or on a circle around it."""
+
+    FIXED = "fixed"
+    CHASE = "chase"
+    ORBIT = "orbit"
+
+
+def _table_of_view(given: object) -> object:
+    """The table of which `outside = "chase"` is a short form."""
+    return {"view": given} if isinstance(given, str) else given
+
+
+_Length: TypeAlias = Annotated[float, Interval(ge=-1000.0, le=1000.0)]
+
+
 @dataclass(frozen=True, slots=True)
-class CameraSetup:
+class OutsideSetup(Table):
+    """The viewpoint of a camera outside of the robot: the table `outside`."""
+
+    view: Viewpoint
+    position: tuple[_Length, _Length, _Length] = (-3.0, -3.0, 2.0)
+    """Of a fixed camera, in the world, in metres."""
+    target: tuple[_Length, _Length, _Length] | None = None
+    """Point of the world at which a fixed camera looks, in metres; None: the robot."""
+    distance: Annotated[float, Interval(ge=0.5, le=100.0)] = 2.6
+    """Metres from the robot, over the ground, of a camera that moves with it."""
+    height: Annotated[float, Interval(ge=0.0, le=100.0)] = 1.5
+    """Metres above the robot's base, of a camera that moves with it."""
+    aim: Annotated[float, Interval(ge=-10.0, le=10.0)] = 0.35
+    """Height above the robot's base at which the camera looks, in metres."""
+    angle: Annotated[float, Interval(ge=-360.0, le=360.0), Converted(math.radians)] = 0.0
+    """Radians (degrees in the file) from straight behind the robot, counterclockwise; at the start of an orbit."""
+    period: Annotated[float, Interval(ge=1.0, le=3600.0)] = 24.0
+    """Seconds of one turn around the robot."""
+
+
+@dataclass(frozen=True, slots=True)
+class CameraSetup(Table):
     """A camera of a robot: it looks along its link's x axis, z is up; or one outside of it."""
 
-    name: str
-    link: str
+    name: UrdfName
+    link: Annotated[str, MaxLen(80)] = ""
     """Empty for a camera outside of the robot."""
-    fov: float
-    """Horizontal field of view, in radians; the widest of a camera that zooms."""
+    fov: Annotated[float, Interval(ge=5.0, le=150.0), Converted(math.radians)] = math.radians(80.0)
+    """Horizontal field of view, in radians (degrees in the file); the widest of a camera that zooms."""
     imaging: ImagingSetup = IDEAL
     """Limits and faults of its lens and sensor."""
-    outside: OutsideSetup | None = None
-    """The viewpoint of a camera outside of the robot."""
+    outside: Annotated[OutsideSetup | None, Prepared(_table_of_view)] = None
+    """The viewpoint of a camera outside of the robot, in place of a link."""
+
+    def __post_init__(self) -> None:
+        if bool(self.link) == (self.outside is not None):
+            raise ValueError("link: a camera needs the link that carries it, or else `outside`, and not both")
 
 
 @dataclass(frozen=True, slots=True)
@@ -131,35 +175,6 @@ LAG: Final = 0.8
 MIN_HEIGHT: Final = 0.15
 """Least height of a camera above the world's zero, in metres."""
 _UP: Final = (0.0, 0.0, 1.0)
-
-
-class Viewpoint(Enum):
-    """The motion of an outside camera: fixed in the world, behind the robot, or on a circle around it."""
-
-    FIXED = "fixed"
-    CHASE = "chase"
-    ORBIT = "orbit"
-
-
-@dataclass(frozen=True, slots=True)
-class OutsideSetup:
-    """Metres, radians, seconds."""
-
-    view: Viewpoint
-    position: Vector = (-3.0, -3.0, 2.0)
-    """In the world, of a fixed camera."""
-    target: Vector | None = None
-    """What a fixed camera looks at, in the world; None: the robot."""
-    distance: float = 2.6
-    """From the robot, over the ground, of a camera that moves with it."""
-    height: float = 1.5
-    """Above the robot's base, likewise."""
-    aim: float = 0.35
-    """Height above the robot's base at which the camera looks."""
-    angle: float = 0.0
-    """Direction from straight behind the robot, counterclockwise; at the start of an orbit."""
-    period: float = 24.0
-    """Of one turn around the robot."""
 
 
 class OutsideView:

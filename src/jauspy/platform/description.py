@@ -8,7 +8,9 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Final
+from typing import TYPE_CHECKING, Annotated, Final
+
+from annotated_types import Interval, Len
 
 from jauspy.geometry.urdf import RobotDescription
 from jauspy.platform.camera import CameraSetup, Quality
@@ -16,6 +18,7 @@ from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import EXACT, LocalizationSetup
 from jauspy.platform.ranging import LidarSetup
+from jauspy.platform.tables import NotNegative, Table, UrdfName
 
 if TYPE_CHECKING:
     from jauspy.platform.can.setup import CanSetup
@@ -33,13 +36,14 @@ def is_world_file(world: str) -> bool:
 
 
 @dataclass(frozen=True, slots=True)
-class Gains:
-    """Effort per error, per integrated error, per change of error; `i_limit` bounds the integral part."""
+class Gains(Table):
+    """A PID controller: effort per error, per integrated error, per change of error."""
 
-    p: float
-    i: float = 0.0
-    d: float = 0.0
-    i_limit: float = math.inf
+    p: NotNegative
+    i: NotNegative = 0.0
+    d: NotNegative = 0.0
+    i_limit: NotNegative = math.inf
+    """Limit of the integral part of the effort."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -67,16 +71,17 @@ class GroupSetup:
 
 
 @dataclass(frozen=True, slots=True)
-class TrackSetup:
-    """Two tracks: the joints of the belts of each side, and the inertia of rotors and sprockets at them, in kg.
+class TrackSetup(Table):
+    """A chassis on tracks, the table `[tracks]`: prismatic joints of the URDF, the belts of each side.
 
-    The first joint of a side has the motor, the others run with it.
+    The first joint of a side has the motor; the others, such as those of flippers, run with it.
     """
 
-    left: tuple[str, ...]
-    right: tuple[str, ...]
-    inertia: float
-    turning_point: float = 0.0
+    left: Annotated[tuple[UrdfName, ...], Len(1, 4)]
+    right: Annotated[tuple[UrdfName, ...], Len(1, 4)]
+    inertia: Annotated[float, Interval(gt=0.0, le=1000.0)] = 6.0
+    """Inertia of rotors and sprockets at the belts of a side, in kilograms."""
+    turning_point: Annotated[float, Interval(ge=-10.0, le=10.0)] = 0.0
     """Metres from the base forward to the point that does not move sideways in a turn, for odometry."""
 
 

@@ -4,30 +4,32 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Final, Protocol
+from typing import Annotated, Final, Protocol
+
+from annotated_types import Interval
 
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.ranging import Sampling
+from jauspy.platform.tables import Deviation, Seed, Table, UrdfName
 
 ZERO: Final[Vector] = (0.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True, slots=True)
-class ForceTorqueSetup:
-    """A sensor between a link and the link that carries it."""
+class ForceTorqueSetup(Table):
+    """A sensor of forces and torques between a link of the URDF and the link that carries it."""
 
-    name: str
-    link: str
-    rate: float = 100.0
+    name: UrdfName
+    link: UrdfName
+    rate: Annotated[float, Interval(gt=0.0, le=500.0)] = 100.0
     """Measurements per second."""
-    force: float = 300.0
+    force: Annotated[float, Interval(gt=0.0, le=5000.0)] = 300.0
     """The largest force along each axis, N."""
-    torque: float = 30.0
+    torque: Annotated[float, Interval(gt=0.0, le=5000.0)] = 30.0
     """The largest torque about each axis, N m."""
-    force_noise: float = 0.0
-    torque_noise: float = 0.0
-    """Standard deviations, N and N m."""
-    seed: int = 0
+    noise: tuple[Deviation, Deviation] = (0.1, 0.01)
+    """Standard deviations of forces and torques in a simulation, N and N m."""
+    seed: Seed = 0
     """Seed of the noise: the same seed gives the same noise."""
 
 

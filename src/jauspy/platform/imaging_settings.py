@@ -8,7 +8,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from enum import Enum
-from typing import Final
+from typing import Annotated, Final, TypeAlias
+
+from annotated_types import Ge, Interval, Le
+
+from jauspy.platform.tables import Converted, Seed, Table
 
 NORMAL_TIME: Final = 0.01
 """Seconds of exposure that, at ISO 100 and the widest aperture, show a scene in daylight as it is rendered."""
@@ -69,32 +73,44 @@ class MeteringMode(Enum):
     SPOT = "spot"
 
 
-@dataclass(frozen=True, slots=True)
-class ImagingSetup:
-    """Capabilities of one camera, and imperfections of its lens and sensor."""
+def _metres(millimetres: float) -> float:
+    return millimetres / 1000.0
 
-    optical_zoom: float = 1.0
+
+_Coefficient: TypeAlias = Annotated[float, Interval(ge=-10.0, le=10.0)]
+
+
+@dataclass(frozen=True, slots=True)
+class ImagingSetup(Table):
+    """Capabilities of one camera, and imperfections of its lens and sensor: the table `imaging`."""
+
+    optical_zoom: Annotated[float, Interval(ge=1.0, le=50.0)] = 1.0
     """Largest factor of the lens; 1 for a fixed focal length."""
-    digital_zoom: float = 4.0
+    digital_zoom: Annotated[float, Interval(ge=1.0, le=16.0)] = 4.0
     """Largest factor of the digital zoom; 1 for none."""
-    exposure_time: tuple[float, float] = (0.001, 0.066)
+    exposure_time: tuple[Annotated[float, Ge(0.0001)], Annotated[float, Le(60.0)]] = (0.001, 0.066)
     """Shortest and longest, in seconds."""
-    aperture: tuple[float, float] = (2.8, 2.8)
+    aperture: tuple[Annotated[float, Ge(0.7)], Annotated[float, Le(128.0)]] = (2.8, 2.8)
     """Smallest and largest f-number."""
-    max_iso: int = 3200
-    sensor_width: float = 0.0064
-    """Metres; with the field of view it determines the focal length, and with it the depth of field."""
-    nearest_focus: float = 0.1
+    max_iso: Annotated[int, Interval(ge=100, le=3200)] = 3200
+    sensor_width: Annotated[float, Interval(ge=1.0, le=50.0), Converted(_metres)] = 0.0064
+    """Metres (millimetres in the file); with the field of view it determines focal length and depth of field."""
+    nearest_focus: Annotated[float, Interval(ge=0.01, le=10.0)] = 0.1
     """Metres."""
-    distortion: tuple[float, float, float, float, float] = (0.0, 0.0, 0.0, 0.0, 0.0)
+    distortion: tuple[_Coefficient, _Coefficient, _Coefficient, _Coefficient, _Coefficient] = (0.0, 0.0, 0.0, 0.0, 0.0)
     """k1, k2, p1, p2, k3 of OpenCV's model; zero bends nothing."""
-    shot_noise: float = 0.0
+    shot_noise: Annotated[float, Interval(ge=0.0, le=0.5)] = 0.0035
     """Standard deviation of the light of a white pixel at ISO 100, as a fraction; that of a darker one goes with the
     root of its light."""
-    read_noise: float = 0.0
+    read_noise: Annotated[float, Interval(ge=0.0, le=0.5)] = 0.0002
     """Standard deviation at ISO 100 in black, as a fraction of white."""
-    seed: int = 0
-    """Of the noise: the same seed gives the same noise."""
+    seed: Seed = 0
+    """Seed of the noise: the same seed gives the same noise."""
+
+    def __post_init__(self) -> None:
+        for key, (low, high) in (("exposure_time", self.exposure_time), ("aperture", self.aperture)):
+            if low > high:
+                raise ValueError(f"{key}: [{low}, {high}] is empty; give the least and then the largest")
 
     @property
     def zoom_modes(self) -> tuple[ZoomMode, ...]:
@@ -191,7 +207,7 @@ class ImagingSettings:
 
 _SETS_APERTURE: Final = (ExposureMode.MANUAL, ExposureMode.APERTURE_PRIORITY)
 
-IDEAL: Final = ImagingSetup()
+IDEAL: Final = ImagingSetup(shot_noise=0.0, read_noise=0.0)
 """A lens and a sensor without faults."""
 
 

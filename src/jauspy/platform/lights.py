@@ -7,9 +7,12 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Final
+from typing import Annotated, Final, TypeAlias
+
+from annotated_types import Interval
 
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, RobotParts
+from jauspy.platform.tables import Converted, Table, UrdfName
 
 DAYLIGHT: Final = 20_000.0
 """Illuminance, in lux, that pictures show as 1."""
@@ -47,22 +50,26 @@ class Switch(Enum):
         return self.value.startswith("variable")
 
 
+_Coordinate: TypeAlias = Annotated[float, Interval(ge=-10.0, le=10.0)]
+
+
 @dataclass(frozen=True, slots=True)
-class LampSetup:
+class LampSetup(Table):
     """A lamp that shines along the x axis of its link, turned down by `tilt`, in a round cone."""
 
-    name: str
-    link: str
+    name: UrdfName
+    link: UrdfName
     switch: Switch
-    cone: float = math.radians(60.0)
-    """Angle from one side of the cone to the other, in radians."""
-    brightness: float = 2000.0
+    """The light of JAUS's IlluminationService that switches it."""
+    cone: Annotated[float, Interval(ge=5.0, le=150.0), Converted(math.radians)] = math.radians(60.0)
+    """Angle from one side of the cone to the other, in radians (degrees in the file)."""
+    brightness: Annotated[float, Interval(gt=0.0, le=1e6)] = 2000.0
     """Luminous flux, in lumens."""
-    position: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    position: tuple[_Coordinate, _Coordinate, _Coordinate] = (0.0, 0.0, 0.0)
     """In the frame of the link, in metres."""
-    tilt: float = 0.0
-    """Radians below the x axis."""
-    is_on: bool = False
+    tilt: Annotated[float, Interval(ge=-90.0, le=90.0), Converted(math.radians)] = 0.0
+    """Radians (degrees in the file) below the x axis."""
+    on: bool = False
     """Whether it is on at the start."""
 
     @property
@@ -110,7 +117,7 @@ class SwitchedLamp(Lamp):
 
     def __init__(self, setup: LampSetup) -> None:
         super().__init__(setup)
-        self._level = float(setup.is_on)
+        self._level = float(setup.on)
 
     @property
     def level(self) -> float:

@@ -8,100 +8,131 @@ from __future__ import annotations
 
 import math
 from abc import abstractmethod
-from dataclasses import dataclass
-from typing import Final, final
+from dataclasses import dataclass, replace
+from typing import Annotated, Final, Literal, TypeAlias, final
+
+from annotated_types import Interval
 
 from jauspy.geometry.poses import ORIGIN, UNACCELERATED, Acceleration, Pose, Twist
 from jauspy.platform.contract import Command, DriveBase, OptionalPart, PartId, Robot, RobotLink
+from jauspy.platform.tables import Converted, Deviation, Fraction, Prepared, Seed, Table
 
 MICRO_G: Final = 9.80665e-6
 """m/s^2, the unit of the data sheets of accelerometers."""
 
 
 @dataclass(frozen=True, slots=True)
-class OdometrySetup:
-    """Encoders of tracks or wheels, which do not measure slip."""
+class OdometrySetup(Table):
+    """Encoders of tracks or wheels in a simulation, which do not measure slip."""
 
-    scale_error: float = 0.01
+    scale_error: Fraction = 0.01
     """Standard deviation of the calibration: measured over true distance, less 1."""
-    noise: float = 0.005
+    noise: Deviation = 0.005
     """Standard deviation of the distance after one metre, in metres; it grows with the square root of the distance."""
-    resolution: float = 1e-5
+    resolution: Annotated[float, Interval(gt=0.0, le=0.1)] = 1e-5
     """Metres of one count: 4096 counts for a turn of a motor, with a gear of 25:1 and a sprocket of 0.4 m, are 4 um."""
 
 
-@dataclass(frozen=True, slots=True)
-class ImuSetup:
-    """An inertial measurement unit at the origin of the base.
+def _of_micro_g(value: float) -> float:
+    return value * MICRO_G
 
-    The defaults are those of a MEMS unit of the class of Bosch's BMI088, from its data sheet, after the calibration
-    that every maker of robots does; one of the class of ADIS16465 has a tenth of the bias.
+
+_Degrees: TypeAlias = Annotated[float, Interval(ge=0.0, le=100.0), Converted(math.radians)]
+_MicroG: TypeAlias = Annotated[float, Interval(ge=0.0, le=1e5), Converted(_of_micro_g)]
+
+
+@dataclass(frozen=True, slots=True)
+class ImuSetup(Table):
+    """An inertial measurement unit at the origin of the base, in a simulation.
+
+    The file has the units of data sheets: degrees and micro-g in place of radians and m/s^2. The defaults are those of
+    a MEMS unit of the class of Bosch's BMI088, from its data sheet, after the calibration that every maker of robots
+    does; one of the class of ADIS16465 has a tenth of the bias.
     """
 
-    rate: float = 50.0
+    rate: Annotated[float, Interval(ge=20.0, le=250.0)] = 50.0
     """Measurements per second, each the mean since the one before, as units that integrate give them."""
-    gyro_noise: float = math.radians(0.014)
-    """rad/s/sqrt(Hz)."""
-    gyro_bias: float = math.radians(0.5)
-    """rad/s, standard deviation after switching on; `alignment` seconds at rest measure it."""
-    gyro_bias_walk: float = math.radians(0.0003)
-    """rad/s/sqrt(s): after ten minutes as much as the stability in the data sheet with changes of temperature."""
-    gyro_scale_error: float = 0.002
-    """Standard deviation of the calibration."""
-    acceleration_noise: float = 175.0 * MICRO_G
-    """m/s^2/sqrt(Hz)."""
-    acceleration_bias: float = 3000.0 * MICRO_G
-    """m/s^2, standard deviation: it tilts the attitude. 20 mg in the data sheet, before calibration."""
-    alignment: float = 10.0
-    """Seconds that the robot has stood at rest before its time begins."""
+    gyro_noise: _Degrees = math.radians(0.014)
+    """Noise density of the rates, rad/s/sqrt(Hz)."""
+    gyro_bias: _Degrees = math.radians(0.5)
+    """Standard deviation of the rates' bias after switching on, rad/s; `alignment` seconds at rest measure it."""
+    gyro_bias_walk: _Degrees = math.radians(0.0003)
+    """Random walk of that bias, rad/s/sqrt(s): after ten minutes the stability in the data sheet over temperature."""
+    gyro_scale_error: Fraction = 0.002
+    """Standard deviation of the calibration, as a fraction of the rates."""
+    acceleration_noise: _MicroG = 175.0 * MICRO_G
+    """Noise density of the accelerations, m/s^2/sqrt(Hz)."""
+    acceleration_bias: _MicroG = 3000.0 * MICRO_G
+    """Standard deviation of the accelerations' bias, m/s^2: it tilts the attitude. 20 mg uncalibrated."""
+    alignment: Annotated[float, Interval(gt=0.0, le=3600.0)] = 10.0
+    """Seconds at rest in which the robot has measured the rates' bias before it is ready."""
 
 
 @dataclass(frozen=True, slots=True)
-class GnssSetup:
-    """A receiver of satellite navigation at the origin of the base; standard deviations along each horizontal axis.
+class GnssSetup(Table):
+    """A receiver of satellite navigation at the origin of the base, in a simulation.
 
     The defaults are those of a receiver without corrections, of the class of u-blox M9 and F9: half of its fixes are
-    within 1.5 m (CEP), and most of that error stays for minutes.
+    within 1.5 m (CEP), and most of that error stays for minutes. With `receiver = "rtk"` those of `RTK`.
     """
 
-    rate: float = 5.0
+    rate: Annotated[float, Interval(gt=0.0, le=250.0)] = 5.0
     """Fixes per second."""
-    noise: float = 0.3
-    """Metres, independent from fix to fix."""
-    drift: float = 1.2
-    """Metres of the error that changes slowly: satellites' orbits and clocks, ionosphere, multipath."""
-    drift_time: float = 120.0
+    noise: Deviation = 0.3
+    """Standard deviation from fix to fix, along each horizontal axis, in metres."""
+    drift: Deviation = 1.2
+    """Standard deviation along each horizontal axis of the error that changes slowly (orbits, clocks, ionosphere,
+    multipath), in metres."""
+    drift_time: Annotated[float, Interval(gt=0.0, le=1e5)] = 120.0
     """Correlation time of that error, in seconds."""
-    vertical: float = 1.5
+    vertical: Annotated[float, Interval(ge=0.0, le=10.0)] = 1.5
     """Errors of the height, as a multiple of the horizontal ones."""
-    heading_error: float = math.radians(2.0)
-    """Standard deviation of the heading at the start, in radians: that of a compass."""
+    heading_error: Annotated[float, Interval(ge=0.0, le=180.0), Converted(math.radians)] = math.radians(2.0)
+    """Standard deviation of the heading at the start, in radians (degrees in the file): that of a compass."""
+    receiver: Literal["standalone", "rtk"] = "standalone"
+    """Kind of receiver, which determines the defaults."""
 
 
-RTK: Final = GnssSetup(noise=0.006, drift=0.006, drift_time=60.0)
+RTK: Final = GnssSetup(noise=0.006, drift=0.006, drift_time=60.0, receiver="rtk")
 """A receiver with corrections by radio (RTK), of the class of u-blox ZED-F9P: half of its fixes are within 1 cm."""
 
 
-@dataclass(frozen=True, slots=True)
-class LocalizationSetup:
-    """How a robot measures its pose."""
+def _with_defaults(given: object) -> object:
+    """The table with the defaults of an RTK receiver, if it names one."""
+    if isinstance(given, dict) and given.get("receiver") == "rtk":
+        return {"noise": RTK.noise, "drift": RTK.drift, "drift_time": RTK.drift_time} | given
+    return given
 
-    exact: bool | None = None
-    """True: the pose is exact; None: the default of the backend."""
-    seed: int = 0
-    """Of all errors: the same seed, the same errors."""
+
+def _none(given: object) -> object:
+    return None if given == "none" else given
+
+
+@dataclass(frozen=True, slots=True)
+class LocalizationSetup(Table):
+    """How a robot measures its pose, by sensors with errors or exactly: the table `[localization]`."""
+
+    source: Literal["sensors", "exact"] | None = None
+    """None: `sensors` on the backend `sim`, `exact` on `kinematic`; on a bus of servo drives their encoders."""
+    seed: Seed = 0
+    """Seed of all errors: the same seed gives the same errors."""
     odometry: OdometrySetup = OdometrySetup()
-    imu: ImuSetup | None = ImuSetup()
-    """None: the heading is by odometry, and the ground is taken as level."""
-    gnss: GnssSetup | None = None
-    """None: the global pose is the local one, from a start that is known."""
+    imu: Annotated[ImuSetup | None, Prepared(_none)] = ImuSetup()
+    """None ("none" in the file): the heading is by odometry, and the ground is taken as level."""
+    gnss: Annotated[GnssSetup, Prepared(_with_defaults)] | Literal["none"] | None = None
+    """None: that of `GnssSetup` for a robot with an `[origin]`. "none": the global pose is the local one, from a start
+    that is known."""
 
     def is_exact(self, default: bool) -> bool:
         """Whether the pose is exact, on a backend that does so by default, or not."""
-        return default if self.exact is None else self.exact
+        return default if self.source is None else self.source == "exact"
+
+    def with_receiver(self, *, has_origin: bool) -> LocalizationSetup:
+        """The setup with its receiver determined: an instance of `GnssSetup`, or "none"."""
+        return replace(self, gnss=(self.gnss or GnssSetup()) if has_origin else "none")
 
 
-EXACT: Final = LocalizationSetup(exact=True)
+EXACT: Final = LocalizationSetup(source="exact")
 
 
 @final

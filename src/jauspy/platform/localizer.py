@@ -118,7 +118,9 @@ class Localizer(Localization):
         errors = (odometry.scale_error, aligned, self._imu_setup.gyro_scale_error)
         self._local = PoseFilter(pose.x, pose.y, pose.yaw, (0.0, 0.0, 0.0, *errors, 0.0, 0.0))
         self._height_rms = 0.0
-        self._globe = _Globe(setup.gnss, setup.seed, drive, pose.yaw, errors) if setup.gnss is not None else None
+        self._globe = (
+            _Globe(setup.gnss, setup.seed, drive, pose.yaw, errors) if isinstance(setup.gnss, GnssSetup) else None
+        )
         self._sampling.is_due(0.0)
         self._state: LocalizationState | None = None
         still: Vector = (0.0, 0.0, 0.0)

@@ -6,7 +6,11 @@ import math
 from array import array
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Final, Protocol, TypeAlias
+from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeAlias
+
+from annotated_types import Interval
+
+from jauspy.platform.tables import Converted, Seed, Table, UrdfName, check_order
 
 if TYPE_CHECKING:
     import numpy as np
@@ -37,26 +41,49 @@ class ScanSettings:
     active: bool = True
 
 
+_Inclination: TypeAlias = Annotated[float, Interval(ge=-89.0, le=89.0), Converted(math.radians)]
+
+MAX_RAYS: Final = 100_000
+"""Rays of one scan."""
+
+
 @dataclass(frozen=True, slots=True)
-class LidarSetup:
+class LidarSetup(Table):
     """A lidar that scans the x-y plane of its link, all around; with several layers also cones above and below it."""
 
-    name: str
-    link: str
-    rays: int = 360
+    name: UrdfName
+    link: UrdfName
+    rays: Annotated[int, Interval(ge=1, le=3600)] = 360
     """Of a layer."""
-    rate: float = 10.0
+    layers: Annotated[int, Interval(ge=1, le=128)] = 1
+    vertical: tuple[_Inclination, _Inclination] = (math.radians(-15.0), math.radians(15.0))
+    """Inclinations of the lowest and highest of several layers, in radians (degrees in the file), positive upwards."""
+    rate: Annotated[float, Interval(gt=0.0, le=100.0)] = 10.0
     """Scans per second, at most."""
-    min_range: float = 0.1
-    max_range: float = 30.0
-    """Metres."""
-    noise: float = 0.01
-    """Standard deviation of a distance, in metres."""
-    seed: int = 0
+    range: tuple[Annotated[float, Interval(ge=0.0)], Annotated[float, Interval(gt=0.0, le=1000.0)]] = (0.1, 30.0)
+    """Minimal and maximal measured distance, in metres."""
+    noise: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.01
+    """Standard deviation of a distance in a simulation, in metres."""
+    seed: Seed = 0
     """Seed of the noise: the same seed gives the same noise."""
-    layers: int = 1
-    vertical: tuple[float, float] = (0.0, 0.0)
-    """Inclinations of the lowest and the highest layer, if there are several: radians, positive upwards."""
+
+    def __post_init__(self) -> None:
+        check_order("range", self.range, "the minimal and then the maximal distance")
+        if self.vertical[0] >= self.vertical[1]:
+            low, high = (round(math.degrees(angle), 6) for angle in self.vertical)
+            raise ValueError(f"vertical: [{low:g}, {high:g}] is empty; give the lowest and then the highest angle")
+        if self.layers * self.rays > MAX_RAYS:
+            raise ValueError(f"layers: {self.layers} of {self.rays} rays are too many; a scan may have {MAX_RAYS}")
+
+    @property
+    def min_range(self) -> float:
+        """Minimal measured distance, in metres."""
+        return self.range[0]
+
+    @property
+    def max_range(self) -> float:
+        """Maximal measured distance, in metres."""
+        return self.range[1]
 
     def inclinations(self) -> tuple[float, ...]:
         """Those of the layers, ascending: radians, positive upwards."""

@@ -10,12 +10,15 @@ from abc import abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import Enum
-from typing import Final
+from typing import Annotated, Final
+
+from annotated_types import Interval, Len, MaxLen
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, collision_boxes
 from jauspy.platform.chassis import GroundDrive, clamp, mix
+from jauspy.platform.tables import Table, UrdfName, check_unique
 
 LEVEL: Final = 0.9
 """Least cosine between the axle of a wheel and the y axis."""
@@ -197,17 +200,21 @@ class WheelDrive(GroundDrive):
 
 
 @dataclass(frozen=True, slots=True)
-class WheelJoints:
-    """The joints of a wheeled chassis, by name."""
+class WheelJoints(Table):
+    """A chassis on wheels, the table `[wheels]`: the continuous joints of its driven wheels; others roll freely."""
 
-    kind: WheelKind
-    left: tuple[str, ...]
-    right: tuple[str, ...]
-    steered: tuple[str, ...]
-    radius: float | None
-    """Metres; None for those of the collision shapes."""
-    inertia: float
-    """kg m^2."""
+    type: WheelKind
+    left: Annotated[tuple[UrdfName, ...], Len(1, 8)]
+    right: Annotated[tuple[UrdfName, ...], Len(1, 8)]
+    steered: Annotated[tuple[UrdfName, ...], MaxLen(8)] = ()
+    """Of an ackermann chassis: the revolute joints that turn the wheels of one axle."""
+    radius: Annotated[float, Interval(gt=0.0, le=5.0)] | None = None
+    """Metres; None: that of the collision shape of each wheel."""
+    inertia: Annotated[float, Interval(gt=0.0, le=1000.0)] = 0.02
+    """Inertia of rotor and gear of each driven wheel, at the wheel, kg m^2."""
+
+    def __post_init__(self) -> None:
+        check_unique("left", (*self.left, *self.right, *self.steered))
 
 
 def wheel_setup(description: RobotDescription, joints: WheelJoints) -> WheelSetup:
@@ -247,8 +254,8 @@ def wheel_setup(description: RobotDescription, joints: WheelJoints) -> WheelSetu
                 raise ConfigError(f"wheels.{key}: {each.joint.name!r} is not on the {key} of the robot")
     wheels = (*sides["left"], *sides["right"])
     steered = tuple(map(steering, joints.steered))
-    axle = _fixed_axle(description, wheels, steered) if joints.kind is WheelKind.ACKERMANN else 0.0
-    setup = WheelSetup(joints.kind, wheels, joints.inertia, steered, axle)
+    axle = _fixed_axle(description, wheels, steered) if joints.type is WheelKind.ACKERMANN else 0.0
+    setup = WheelSetup(joints.type, wheels, joints.inertia, steered, axle)
     _check_layout(setup)
     return setup
 

@@ -82,7 +82,7 @@ def test_robot_that_did_not_get_over_the_kerb_fails() -> None:
 def test_true_pose_is_printed_where_the_robot_does_not_know_it(capsys: pytest.CaptureFixture[str]) -> None:
     model = described("inc1")[1]
     for exact, printed in ((True, 0), (False, 1)):
-        robot = KinematicRobot(replace(model, localization=LocalizationSetup(exact=exact)))
+        robot = KinematicRobot(replace(model, localization=LocalizationSetup(source="exact" if exact else "sensors")))
         print_truth("inc1", Snapshot.of(robot))
         output = RobotOutput()
         lines = capsys.readouterr().err.splitlines()

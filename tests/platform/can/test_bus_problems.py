@@ -12,11 +12,11 @@ from tests.platform.can.conftest import OpenCan
 from tests.platform.can.test_failing_drives import CYCLE, advance_until_fault, set_in_motion
 
 from jauspy.errors import ConfigError
-from jauspy.modules.can_config import identity_of
+from jauspy.modules.can_drives import identity_of
 from jauspy.platform.can import pdo
 from jauspy.platform.can.cia402 import DriveState
 from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import DriveFault, Identity
+from jauspy.platform.can.setup import DriveFault
 from jauspy.platform.can.simulated import fleet
 from jauspy.platform.can.simulated.axes import MotorAxis
 from jauspy.platform.can.simulated.drive import SimulatedDrive
@@ -107,7 +107,7 @@ def test_the_eds_file_of_another_drive_is_refused(open_can: OpenCan) -> None:
     with pytest.raises(
         ConfigError, match=r"'arm_1' \(node 4\) has the product code 402h, .* EDS file acme.eds is for 7h"
     ):
-        open_can(arm_1={"identity": Identity(0xA115, 7), "eds": "acme.eds"})
+        open_can(arm_1={"vendor": 0xA115, "product": 7, "eds": "acme.eds"})
 
 
 def test_swapped_drives_are_noticed_by_their_serial_numbers(open_can: OpenCan, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -121,7 +121,7 @@ def test_swapped_drives_are_noticed_by_their_serial_numbers(open_can: OpenCan, m
 
     monkeypatch.setattr(SimulatedDrive, "_read", swapped)
     with pytest.raises(ConfigError, match=r"'arm_1' \(node 4\) has the serial number 1005, .* node ids are swapped"):
-        open_can(arm_1={"identity": Identity(serial=1004)}, arm_2={"identity": Identity(serial=1005)})
+        open_can(arm_1={"serial": 1004}, arm_2={"serial": 1005})
 
 
 def test_a_joint_beyond_its_limits_does_not_start(open_can: OpenCan, monkeypatch: pytest.MonkeyPatch) -> None:

@@ -21,7 +21,7 @@ from jauspy.platform.can.simulated.fleet import Fleet
 from jauspy.platform.joints import ControlMode, Target
 
 WRIST = 4
-HOMING = {"arm_4": {"homing": Homing(17, 0.5, 10.0)}}
+HOMING = {"arm_4": {"homing": Homing(method=17, speed=0.5, timeout=10.0)}}
 
 
 @pytest.fixture
@@ -88,7 +88,7 @@ def test_homing_that_finds_nothing_ends(monkeypatch: pytest.MonkeyPatch) -> None
 
     monkeypatch.setattr(MotorAxis, "__init__", stuck)
     with pytest.raises(DriveFault, match=r"'arm_4' .* did not find its home position: it took more than 0.3 s"):
-        home({"arm_4": {"homing": Homing(17, 0.5, 0.3)}}, [])
+        home({"arm_4": {"homing": Homing(method=17, speed=0.5, timeout=0.3)}}, [])
 
 
 def test_simulated_drives_in_this_process_know_their_home_also_after_a_restart(open_can: OpenCan) -> None:

@@ -28,8 +28,7 @@ from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, Points, save_map, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
-from jauspy.modules.camera_config import CameraConfig
-from jauspy.modules.config import RobotConfig
+from jauspy.modules.config import CameraTable, RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
 from jauspy.ocu.robot import ComponentClient, Robot
@@ -96,7 +95,7 @@ class VideoRecording:
 
 @asynccontextmanager
 async def recorded(
-    ocu: OCU, camera: ComponentClient, setup: CameraConfig, file: Path, size: FrameSize
+    ocu: OCU, camera: ComponentClient, setup: CameraTable, file: Path, size: FrameSize
 ) -> AsyncIterator[VideoRecording]:
     """Record the camera's video in that size while this context is open."""
     await change_stream(camera, SENSOR, StreamSettings(size, setup.rate), authority=plan.AUTHORITY)

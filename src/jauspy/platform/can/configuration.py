@@ -173,17 +173,16 @@ def check_identity(sdo: Any, drive: Drive) -> None:
             else f"{drive.name} lacks cyclic synchronous velocity (6502h is {modes:08X}h), which a track needs: update "
             "its firmware"
         )
-    identity = setup.identity
-    for sub, what, wanted in ((1, "vendor", identity.vendor), (2, "product", identity.product)):
+    for sub, what, wanted in ((1, "vendor", setup.vendor), (2, "product", setup.product)):
         if wanted is not None and (found := _read(sdo, 0x1018, sub)) != wanted:
             source = f"the EDS file {setup.eds}" if setup.eds else "the robot's file"
             raise DriveFault(
                 f"{drive.name} has the {what} code {found:X}h, and {source} is for {wanted:X}h: wrong EDS file, "
                 "or another drive has this node id"
             )
-    if identity.serial is not None and (found := _read(sdo, 0x1018, 4)) != identity.serial:
+    if setup.serial is not None and (found := _read(sdo, 0x1018, 4)) != setup.serial:
         raise DriveFault(
-            f"{drive.name} has the serial number {found}, and the robot's file says {identity.serial}: "
+            f"{drive.name} has the serial number {found}, and the robot's file says {setup.serial}: "
             "node ids are swapped, or the drive was replaced"
         )
 

@@ -8,15 +8,30 @@ its frame where the connector's frame is. Metres, kilograms, radians, newton met
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Final
+from typing import Annotated, Any, Final, Literal, TypeAlias
+
+from annotated_types import Interval, Len, MaxLen, MinLen
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.poses import IDENTITY, ORIGIN, Pose, Transform
+from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
 from jauspy.geometry.vectors import Vector, add, difference, dot, product, scaled, transposed
 from jauspy.platform.description import Gains
+from jauspy.platform.tables import (
+    Converted,
+    Finite,
+    FrameOfTable,
+    NotNegative,
+    PoseOfTable,
+    Positive,
+    Prepared,
+    Seed,
+    Table,
+    check_unique,
+)
 
 
 class PartKind(Enum):
@@ -40,18 +55,22 @@ class Shape(Enum):
 
 
 @dataclass(frozen=True, slots=True)
-class Solid:
+class Solid(Table):
     """A homogeneous primitive of a part: for collisions, and for inertia.
 
     `size`: x, y, z of a cuboid; radius, radius, length along z of a cylinder.
     """
 
     shape: Shape
-    size: Vector
-    mass: float = 0.0
+    size: tuple[Positive, Positive, Positive]
+    mass: NotNegative = 0.0
     """Zero for what is fixed to the world."""
-    pose: Transform = IDENTITY
+    pose: FrameOfTable = IDENTITY
     """Its middle in the frame of the part, of the servo's output link, of the bin or of the fixture."""
+
+    def __post_init__(self) -> None:
+        if self.shape is Shape.CYLINDER and self.size[0] != self.size[1]:
+            raise ValueError(f"size: {list(self.size)}: a cylinder has its radius twice, and then its length")
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,27 +87,34 @@ POSITION_GAINS: Final = Gains(40.0, 30.0, 2.0, 5.0)
 VELOCITY_GAINS: Final = Gains(4.0, 30.0, 0.0, 5.0)
 
 
-@dataclass(frozen=True, slots=True)
-class ServoData:
+def _unit(axis: Vector) -> Vector:
+    length = math.hypot(*axis)
+    if not length:
+        raise ValueError("it must not be zero")
+    return axis[0] / length, axis[1] / length, axis[2] / length
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ServoData(Table):
     """The motor, gear and limits of a servo module, as in a data sheet."""
 
-    max_torque: float
+    max_torque: Positive
     """Newton metres."""
-    max_speed: float
+    max_speed: Positive
     """rad/s."""
-    friction: float
+    friction: NotNegative
     """Coulomb friction of the gear at the output, newton metres."""
-    damping: float
+    damping: NotNegative
     """Newton metres per rad/s at the output."""
-    stiffness: float
+    stiffness: Positive
     """Of the spring between gear and output, newton metres per radian."""
-    rotor_inertia: float
+    rotor_inertia: Positive
     """Of motor and gear, at the output, kg m^2."""
-    torque_constant: float
+    torque_constant: Positive
     """Newton metres at the output per ampere."""
-    axis: Vector = (0.0, 0.0, 1.0)
-    """Of the joint, in the frame of the part, through `joint`."""
-    joint: Transform = IDENTITY
+    axis: Annotated[tuple[Finite, Finite, Finite], Converted(_unit)] = (0.0, 0.0, 1.0)
+    """Unit vector of the joint's axis in the frame of the part, through `joint`; in the file of any length."""
+    joint: FrameOfTable = IDENTITY
     """Frame of the output link at position zero, in the frame of the part; solids and connectors of the output link are
     given in it."""
     output: tuple[Solid, ...] = ()
@@ -99,74 +125,97 @@ class ServoData:
     """Newton metres per rad/s."""
 
 
+def _check_name(name: str) -> str:
+    if not re.fullmatch(r"[A-Za-z0-9_.+-]+", name):
+        raise ValueError("a name has letters, digits and the characters _ . + -")
+    return name
+
+
+PartName: TypeAlias = Annotated[str, Len(1, 60), Converted(_check_name)]
+"""Name of a part, type or connector; names of connectors are joined with a slash, as in `servo_1/output`."""
+
+
 @dataclass(frozen=True, slots=True)
-class PartType:
+class PartType(Table):
     """One type of part. A servo's connectors are on its output link; those of other parts on the part itself."""
 
     name: str
     kind: PartKind
-    solids: tuple[Solid, ...]
-    connectors: Mapping[str, Transform] = field(default_factory=dict)
+    solids: Annotated[tuple[Solid, ...], MinLen(1)]
+    connectors: Mapping[PartName, FrameOfTable] = field(default_factory=dict)
     """Frames of the vacuum connectors, by name; of a servo in the frame of its output link."""
     servo: ServoData | None = None
-    grasp: Transform = IDENTITY
+    grasp: FrameOfTable = IDENTITY
     """Where the gripper's frame is when it holds the part, in the frame of the part; its z points into the part."""
+
+    def __post_init__(self) -> None:
+        if (self.kind is PartKind.SERVO) != (self.servo is not None):
+            raise ValueError("servo: parts of the kind servo need this table, and no others have it")
+        if self.kind is PartKind.BOX and self.connectors:
+            raise ValueError("connectors: a box has none")
+        if not sum(solid.mass for solid in self.solids):
+            raise ValueError("solids: they need a mass; only what is fixed to the world has none")
+
+    @property
+    def is_module(self) -> bool:
+        """True if it has a servo or a connector, which can be commanded."""
+        return self.servo is not None or bool(self.connectors)
 
 
 @dataclass(frozen=True, slots=True)
-class ConnectorLimits:
+class ConnectorLimits(Table):
     """When a vacuum connector attaches, and what it holds."""
 
-    max_distance: float = 0.004
+    max_distance: Positive = 0.004
     """Between the middles of the plates, in metres; on a box, which may be held anywhere, along its face's normal."""
-    max_angle: float = math.radians(4.0)
+    max_angle: Annotated[float, Interval(gt=0.0, le=math.pi)] = math.radians(4.0)
     """Between the plates' normals, in radians; the angle about the normal is free."""
-    max_force: float = 180.0
+    max_force: Positive = 180.0
     """Newtons, any direction."""
-    max_moment: float = 18.0
+    max_moment: Positive = 18.0
     """Newton metres about any axis."""
 
 
 @dataclass(frozen=True, slots=True)
-class PlacedPart:
+class PlacedPart(Table):
     """One part of a cell, and where it is at the start."""
 
-    name: str
-    type: str
-    pose: Pose
+    name: PartName
+    type: PartName
+    pose: PoseOfTable
     """Of its frame in the world."""
     fixed: bool = False
     """True for a base that is bolted to the world."""
 
 
 @dataclass(frozen=True, slots=True)
-class ConveyorSetup:
+class ConveyorSetup(Table):
     """A straight conveyor: the middle of its upper surface, whose x axis is the direction of travel."""
 
-    pose: Pose
-    length: float
-    width: float
-    max_speed: float
+    pose: PoseOfTable
+    length: Positive
+    width: Positive
+    max_speed: Positive
     """m/s."""
 
 
 @dataclass(frozen=True, slots=True)
-class BinSetup:
+class BinSetup(Table):
     """A bin with a slanted floor, whose parts slide to its lower edge and rest there.
 
     Its frame: the origin is in the middle of the floor's surface, x points along the lower edge, y up the slope, z away
     from the floor.
     """
 
-    name: str
-    pose: Pose
-    length: float
+    name: PartName
+    pose: PoseOfTable
+    length: Positive
     """Inside, along x."""
-    width: float
+    width: Positive
     """Inside, along y."""
-    wall: float = 0.05
+    wall: Positive = 0.05
     """Height of the walls above the floor."""
-    thickness: float = 0.008
+    thickness: Positive = 0.008
 
     def solids(self) -> tuple[Solid, ...]:
         """The floor and the walls: lower, upper, left, right; in the frame of the bin."""
@@ -188,56 +237,95 @@ def _cuboid(size: Vector, position: Vector) -> Solid:
 
 
 @dataclass(frozen=True, slots=True)
-class Fixture:
+class Fixture(Table):
     """Something that stands in the cell: a table, a ramp. Solids are given in its frame."""
 
-    name: str
-    solids: tuple[Solid, ...]
-    pose: Pose = ORIGIN
+    name: PartName
+    solids: Annotated[tuple[Solid, ...], MinLen(1)]
+    pose: PoseOfTable = ORIGIN
 
 
 @dataclass(frozen=True, slots=True)
-class TargetArea:
+class TargetArea(Table):
     """A rectangle marked on the ground, into which boxes are thrown: its middle, and its size along x and y."""
 
-    pose: Pose
-    length: float
-    width: float
+    pose: PoseOfTable
+    length: Positive
+    width: Positive
 
 
 @dataclass(frozen=True, slots=True)
-class PartSensorSetup:
+class PartSensorSetup(Table):
     """A sensor of part poses. Noise: standard deviations in metres and radians; `rate` in hertz."""
 
-    rate: float = 5.0
-    position_noise: float = 0.0
-    angle_noise: float = 0.0
-    seed: int = 0
+    rate: Annotated[float, Interval(gt=0.0, le=500.0)] = 5.0
+    position_noise: NotNegative = 0.0
+    angle_noise: NotNegative = 0.0
+    seed: Seed = 0
+
+
+MAX_PARTS: Final = 250
+"""Every part with a connector is a component of one node, which has 254 at most."""
+
+
+def _with_names(types: object) -> object:
+    """The tables of the types with their names in them."""
+    if not isinstance(types, Mapping):
+        return types
+    return {key: _with_name(key, given) for key, given in types.items()}
+
+
+def _with_name(name: str, given: Any) -> Any:
+    if not isinstance(given, Mapping):
+        return given
+    if "name" in given:
+        raise ValueError(f"{name}.name: there is no such key; the name of the table is the type's")
+    return {"name": name, **given}
 
 
 @dataclass(frozen=True, slots=True)
-class CellSetup:
-    """What is in a factory cell beside the robot that the URDF describes."""
+class CellSetup(Table):
+    """What is in a factory cell beside the robot that the URDF describes: the table `[cell]`.
 
-    types: Mapping[str, PartType]
-    parts: tuple[PlacedPart, ...]
+    Units are metres, kilograms, seconds and radians.
+    """
+
+    types: Annotated[Mapping[PartName, PartType], Prepared(_with_names)]
+    """The types of parts, by name: tables, or the path of a TOML file that has them."""
+    parts: Annotated[tuple[PlacedPart, ...], MaxLen(MAX_PARTS)]
+    node: Annotated[int, Interval(ge=1, le=254)] = 2
+    """The JAUS node of the modules, one for each part with a servo or connectors."""
     conveyor: ConveyorSetup | None = None
     bins: tuple[BinSetup, ...] = ()
     fixtures: tuple[Fixture, ...] = ()
     target: TargetArea | None = None
     sensor: PartSensorSetup = PartSensorSetup()
     limits: ConnectorLimits = ConnectorLimits()
-    gripper: str = ""
+    gripper: Annotated[str, MaxLen(80)] = ""
     """Link of the URDF with the vacuum gripper, whose z axis points out of it; empty without one."""
-    pose_error: tuple[float, float] = (0.0, 0.0)
+    pose_error: tuple[NotNegative, NotNegative] = (0.0, 0.0)
     """Largest error of the parts' poses at the start, metres and radians, drawn with `seed`."""
-    attach_failure: float = 0.0
+    attach_failure: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
-    seed: int = 0
-    arm: str = "arm"
+    seed: Seed = 0
+    arm: Literal[""] | PartName = "arm"
     """Name of the modular arm; empty without one."""
-    car: str = ""
+    car: Literal[""] | PartName = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
+
+    def __post_init__(self) -> None:
+        check_unique("parts", tuple(part.name for part in self.parts))
+        for number, part in enumerate(self.parts):
+            if part.type not in self.types:
+                known = ", ".join(sorted(self.types))
+                raise ValueError(f"parts[{number}].type = {part.type!r}: no such type; there are: {known}")
+            if part.fixed and self.types[part.type].kind is not PartKind.BASE:
+                raise ValueError(f"parts[{number}].fixed: {part.name!r} is no base; only those are bolted down")
+        if self.car:
+            bases = [part.name for part in self.parts if self.types[part.type].kind is PartKind.BASE and not part.fixed]
+            if self.car not in bases:
+                known = ", ".join(bases) or "none"
+                raise ValueError(f"car = {self.car!r}: must be a base that is not fixed; there are: {known}")
 
     def type_of(self, part: str) -> PartType:
         """The type of a part. Raises `ConfigError` for an unknown name."""

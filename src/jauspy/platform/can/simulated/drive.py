@@ -104,7 +104,7 @@ class SimulatedDrive:
         self._homing_way = 0.0
         self._brake_releases_at = 0.0
         self.silent = self.deaf = False
-        self.serial = 1000 + setup.node if setup.identity.serial is None else setup.identity.serial
+        self.serial = 1000 + setup.node if setup.serial is None else setup.serial
         self._units = units
         self._network = network
         self._now = 0.0
