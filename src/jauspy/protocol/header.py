@@ -172,6 +172,13 @@ _id: Final = lru_cache(maxsize=1024)(JausID.from_int)
 """The ids of a network are few, and are in every packet."""
 
 
+_FIELDS: Final = tuple(
+    (Priority(control & 3), Broadcast(control >> 2 & 3), Ack(control >> 4 & 3), DataFlag(control >> 6))
+    for control in range(256)
+)
+"""The fields of each control byte."""
+
+
 def parse(data: bytes | memoryview, start: int = 0) -> tuple[Packet, int]:
     """The packet at `start` and the offset behind it; raises `ProtocolError`."""
     raw = parse_header(data, start)
@@ -181,9 +188,6 @@ def parse(data: bytes | memoryview, start: int = 0) -> tuple[Packet, int]:
         _id(raw.destination),
         bytes(data[raw.payload_start : raw.end - 2]),
         sequence,
-        Priority(raw.priority),
-        Broadcast(raw.broadcast),
-        Ack(raw.ack),
-        DataFlag(raw.control >> 6),
+        *_FIELDS[raw.control],
     )
     return packet, raw.end
