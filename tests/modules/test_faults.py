@@ -12,7 +12,7 @@ import pytest
 from tests.helpers.robot import FakeJoints, FakeRobot
 
 from jauspy.errors import ConfigError
-from jauspy.geometry.poses import Pose
+from jauspy.geometry.poses import Pose, Twist
 from jauspy.messages.core import ReportStatus, Reset
 from jauspy.messages.manipulator import QueryJointPositions
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
@@ -22,6 +22,7 @@ from jauspy.modules.robot_files import load
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.service import ServiceClient
+from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.commands import CHASSIS
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointState
@@ -219,3 +220,20 @@ def test_a_robot_that_fails_once_works_again_after_a_retry(fragile_robot: FakeRo
         runner.retry(WHOLE_ROBOT)
         fragile_robot.wait_for_steps(3)
         assert not runner.faults
+
+
+async def test_an_incomplete_backend_is_told_what_it_lacks(
+    virtual_network: VirtualNetwork, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    class Drive(SkidSteerDrive):
+        def twist(self) -> Twist:
+            return Twist()
+
+    monkeypatch.setattr(KinematicBackend, "open", lambda self, robot, world: Drive())  # type: ignore[abstract]
+    runner = RobotRunner(load("inc1"), virtual_network.transport, backend="kinematic")
+    with pytest.raises(
+        ConfigError, match=r"^the backend 'kinematic' is incomplete: Drive lacks .*pose\(\).*, which must be there"
+    ) as caught:
+        await runner.open()
+    assert "set_track_efforts()" in str(caught.value)
+    assert "twist()" not in str(caught.value)

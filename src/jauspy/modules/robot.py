@@ -397,9 +397,8 @@ class RobotRunner:
         except JausError:
             raise
         except Exception as error:
-            raise ConfigError(
-                f"the backend {self.config.backend!r} cannot open the robot: {type(error).__name__}: {error}"
-            ) from error
+            problem = backends.missing_methods(error) or f"cannot open the robot: {type(error).__name__}: {error}"
+            raise ConfigError(f"the backend {self.config.backend!r} {problem}") from error
         if hasattr(robot, "close"):
             stack.callback(_close, robot)
         try:

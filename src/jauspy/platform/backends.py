@@ -6,6 +6,7 @@ Packages announce backends in the entry-point group `jauspy.backends`. Checked a
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Iterator, Mapping
 from dataclasses import fields
 from importlib.metadata import EntryPoint, entry_points
@@ -61,6 +62,21 @@ def check_robot(robot: Robot) -> None:
             raise ConfigError(f"{_named(group)}.state() returned {_type(state)}, not a JointState")
     if problem := state_problem(Snapshot.of(robot), robot):
         raise ConfigError(problem)
+
+
+_ABSTRACT: Final = re.compile(r"Can't instantiate abstract class (\w+) .*?abstract methods? (.+)")
+
+
+def missing_methods(error: Exception) -> str:
+    """The methods that an incomplete backend lacks, as in `is incomplete: TrackDrive lacks pose(), twist(), ...`.
+
+    Empty if `error` is another one than that of making an object of a class with abstract methods.
+    """
+    found = _ABSTRACT.match(str(error)) if isinstance(error, TypeError) else None
+    if found is None:
+        return ""
+    methods = ", ".join(f"{name}()" for name in re.findall(r"\w+", found[2]))
+    return f"is incomplete: {found[1]} lacks {methods}, which must be there (docs/own-backend.md)"
 
 
 def state_problem(state: Snapshot, robot: Robot) -> str:

@@ -7,6 +7,7 @@ This module needs no pydantic, so that clients and components run without it.
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, ClassVar, TypeAlias
@@ -68,6 +69,12 @@ def _finite(value: float) -> float:
     return value
 
 
+def _identifier(name: str) -> str:
+    if not re.fullmatch(r"[A-Za-z0-9_.+-]+", name):
+        raise ValueError("a name has letters, digits and the characters _ . + -")
+    return name
+
+
 def check_order(key: str, values: tuple[float, float], what: str) -> None:
     """Raise `ValueError` unless the first of two values of `key` is below the second; `what` they are."""
     if values[0] >= values[1]:
@@ -81,6 +88,8 @@ def check_unique(key: str, names: tuple[str, ...]) -> None:
 
 
 Name: TypeAlias = Annotated[str, Len(1, 64)]
+Identifier: TypeAlias = Annotated[str, Len(1, 60), Converted(_identifier)]
+"""Name of a part, type, connector or drive."""
 UrdfName: TypeAlias = Annotated[str, Len(1, 80)]
 """Of a link or joint."""
 Finite: TypeAlias = Annotated[float, Converted(_finite)]

@@ -12,7 +12,7 @@ from typing import Annotated, Literal, TypeAlias
 from annotated_types import Interval, Len, MinLen
 
 from jauspy.errors import JausError
-from jauspy.platform.tables import Converted, Positive, Table, UrdfName
+from jauspy.platform.tables import Converted, Identifier, Positive, Table, UrdfName
 
 
 class DriveFault(JausError):
@@ -116,15 +116,6 @@ def _check_bus(bus: str) -> str:
     return bus
 
 
-def _check_drive_name(name: str) -> str:
-    if not re.fullmatch(r"[A-Za-z0-9_.+-]+", name):
-        raise ValueError("a name has letters, digits and the characters _ . + -")
-    return name
-
-
-_DriveName: TypeAlias = Annotated[str, Len(1, 40), Converted(_check_drive_name)]
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class CanTable(Table):
     """The CAN bus of a robot and its drives, as in the file: the table `[can]`."""
@@ -145,7 +136,7 @@ class CanTable(Table):
     """Seconds without a PDO after which a drive counts as silent."""
     temperature: _TemperatureObject | None = None
     """The `temperature` of drives that have none of their own."""
-    drives: Annotated[Mapping[_DriveName, DriveTable], Len(1, 64)]
+    drives: Annotated[Mapping[Identifier, DriveTable], Len(1, 64)]
 
     def __post_init__(self) -> None:
         taken = Counter([self.node, *(drive.node for drive in self.drives.values())])

@@ -8,13 +8,12 @@ its frame where the connector's frame is. Metres, kilograms, radians, newton met
 from __future__ import annotations
 
 import math
-import re
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 from enum import Enum
-from typing import Annotated, Any, Final, Literal, TypeAlias
+from typing import Annotated, Any, Final, Literal
 
-from annotated_types import Interval, Len, MaxLen, MinLen
+from annotated_types import Interval, MaxLen, MinLen
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
@@ -24,6 +23,7 @@ from jauspy.platform.tables import (
     Converted,
     Finite,
     FrameOfTable,
+    Identifier,
     NotNegative,
     PoseOfTable,
     Positive,
@@ -125,16 +125,6 @@ class ServoData(Table):
     """Newton metres per rad/s."""
 
 
-def _check_name(name: str) -> str:
-    if not re.fullmatch(r"[A-Za-z0-9_.+-]+", name):
-        raise ValueError("a name has letters, digits and the characters _ . + -")
-    return name
-
-
-PartName: TypeAlias = Annotated[str, Len(1, 60), Converted(_check_name)]
-"""Name of a part, type or connector; names of connectors are joined with a slash, as in `servo_1/output`."""
-
-
 @dataclass(frozen=True, slots=True)
 class PartType(Table):
     """One type of part. A servo's connectors are on its output link; those of other parts on the part itself."""
@@ -142,8 +132,9 @@ class PartType(Table):
     name: str
     kind: PartKind
     solids: Annotated[tuple[Solid, ...], MinLen(1)]
-    connectors: Mapping[PartName, FrameOfTable] = field(default_factory=dict)
-    """Frames of the vacuum connectors, by name; of a servo in the frame of its output link."""
+    connectors: Mapping[Identifier, FrameOfTable] = field(default_factory=dict)
+    """Frames of the vacuum connectors, by name; of a servo in the frame of its output link. Elsewhere they are named with
+    the part and a slash, as in `servo_1/output`."""
     servo: ServoData | None = None
     grasp: FrameOfTable = IDENTITY
     """Where the gripper's frame is when it holds the part, in the frame of the part; its z points into the part."""
@@ -180,8 +171,8 @@ class ConnectorLimits(Table):
 class PlacedPart(Table):
     """One part of a cell, and where it is at the start."""
 
-    name: PartName
-    type: PartName
+    name: Identifier
+    type: Identifier
     pose: PoseOfTable
     """Of its frame in the world."""
     fixed: bool = False
@@ -207,7 +198,7 @@ class BinSetup(Table):
     from the floor.
     """
 
-    name: PartName
+    name: Identifier
     pose: PoseOfTable
     length: Positive
     """Inside, along x."""
@@ -240,7 +231,7 @@ def _cuboid(size: Vector, position: Vector) -> Solid:
 class Fixture(Table):
     """Something that stands in the cell: a table, a ramp. Solids are given in its frame."""
 
-    name: PartName
+    name: Identifier
     solids: Annotated[tuple[Solid, ...], MinLen(1)]
     pose: PoseOfTable = ORIGIN
 
@@ -290,7 +281,7 @@ class CellSetup(Table):
     Units are metres, kilograms, seconds and radians.
     """
 
-    types: Annotated[Mapping[PartName, PartType], Prepared(_with_names)]
+    types: Annotated[Mapping[Identifier, PartType], Prepared(_with_names)]
     """The types of parts, by name: tables, or the path of a TOML file that has them."""
     parts: Annotated[tuple[PlacedPart, ...], MaxLen(MAX_PARTS)]
     node: Annotated[int, Interval(ge=1, le=254)] = 2
@@ -308,9 +299,9 @@ class CellSetup(Table):
     attach_failure: Annotated[float, Interval(ge=0.0, le=1.0)] = 0.0
     """Fraction of the attempts of the gripper to attach that fail by themselves, drawn with `seed`."""
     seed: Seed = 0
-    arm: Literal[""] | PartName = "arm"
+    arm: Literal[""] | Identifier = "arm"
     """Name of the modular arm; empty without one."""
-    car: Literal[""] | PartName = ""
+    car: Literal[""] | Identifier = ""
     """Name of the base that is a car once wheels are attached to it; empty without one."""
 
     def __post_init__(self) -> None:
