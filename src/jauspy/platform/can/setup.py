@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import Annotated, Literal, TypeAlias
 
-from annotated_types import Interval, Len, MinLen
+from annotated_types import Interval, Len, MaxLen, MinLen
 
 from jauspy.errors import JausError
 from jauspy.platform.tables import Converted, Identifier, Positive, Table, UrdfName
@@ -136,7 +136,7 @@ class CanTable(Table):
     """Seconds without a PDO after which a drive counts as silent."""
     temperature: _TemperatureObject | None = None
     """The `temperature` of drives that have none of their own."""
-    drives: Annotated[Mapping[Identifier, DriveTable], Len(1, 64)]
+    drives: Annotated[Mapping[Annotated[Identifier, MaxLen(40)], DriveTable], Len(1, 64)]
 
     def __post_init__(self) -> None:
         taken = Counter([self.node, *(drive.node for drive in self.drives.values())])

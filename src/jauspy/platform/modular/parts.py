@@ -133,8 +133,8 @@ class PartType(Table):
     kind: PartKind
     solids: Annotated[tuple[Solid, ...], MinLen(1)]
     connectors: Mapping[Identifier, FrameOfTable] = field(default_factory=dict)
-    """Frames of the vacuum connectors, by name; of a servo in the frame of its output link. Elsewhere they are named with
-    the part and a slash, as in `servo_1/output`."""
+    """Frames of the vacuum connectors, by name; of a servo in the frame of its output link. Elsewhere they are named
+    with the part and a slash, as in `servo_1/output`."""
     servo: ServoData | None = None
     grasp: FrameOfTable = IDENTITY
     """Where the gripper's frame is when it holds the part, in the frame of the part; its z points into the part."""
