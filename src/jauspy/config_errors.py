@@ -13,7 +13,7 @@ from pydantic import BaseModel
 from pydantic_core import ErrorDetails
 
 _NAMES_KEY: Final = re.compile(r"[\w.\[\]-]+(:| = )")
-"""Errors of a table that begin with the key in it."""
+"""The beginning of an error of a table that names a key in it."""
 
 
 def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
@@ -27,8 +27,10 @@ def explain(problem: ErrorDetails, model: type[BaseModel]) -> str:
             return (
                 f"{key} = {problem['input']!r}: there is no such key; known here are: {', '.join(_keys(where, model))}"
             )
-        case "value_error" if not key or _NAMES_KEY.match(str(problem["ctx"]["error"])):
-            return f"{key}.{problem['ctx']['error']}".lstrip(".")
+        case "value_error" if not key:
+            return str(problem["ctx"]["error"])
+        case "value_error" if isinstance(problem["input"], Mapping) and _NAMES_KEY.match(str(problem["ctx"]["error"])):
+            return f"{key}.{problem['ctx']['error']}"
         case "tuple_type" | "model_type" | "dataclass_type" | "dict_type" | "mapping_type" as kind:
             return f"{key} = {problem['input']!r}: {_form(kind, where, model)}"
         case _:

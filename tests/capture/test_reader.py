@@ -56,6 +56,67 @@ def test_port_filter():
     assert [d.number for d in read(data, port=None)[0]] == [1, 2]
 
 
+def pcapng_block(order, kind, body):
+    length = 12 + len(body)
+    return struct.pack(order + "II", kind, length) + body + struct.pack(order + "I", length)
+
+
+def pcapng(order="<", options=b"", packets=()):
+    """A file of blocks that are packed here; `packets` are pairs of a block type and ticks."""
+    section = pcapng_block(order, 0x0A0D0D0A, struct.pack(order + "IHHq", 0x1A2B3C4D, 1, 0, -1))
+    interface = pcapng_block(order, 1, struct.pack(order + "HHI", 1, 0, 0) + options)
+    data = frame()
+    head = {kind: struct.pack(order + ("I" if kind == 6 else "HH"), *(0,) * (1 if kind == 6 else 2)) for kind in (2, 6)}
+    blocks = [
+        pcapng_block(
+            order,
+            kind,
+            head[kind] + struct.pack(order + "IIII", ticks >> 32, ticks & 0xFFFFFFFF, len(data), len(data)) + data,
+        )
+        for kind, ticks in packets
+    ]
+    return section + interface + b"".join(blocks)
+
+
+@pytest.mark.parametrize("order", ["<", ">"])
+@pytest.mark.parametrize(
+    ("code", "value", "ticks"),
+    [(9, b"\x09", 1e9), (9, b"\x8a", 1024.0), (9, b"\x06", 1e6), (14, 100, 1e6)],
+    ids=["nanoseconds", "1/1024 s", "microseconds", "offset"],
+)
+def test_times_of_pcapng_are_those_that_dpkt_finds(order, code, value, ticks):
+    value = struct.pack(order + "q", value) if code == 14 else value
+    options = struct.pack(order + "HH", code, len(value)) + value + bytes(-len(value) % 4) + bytes(4)
+    data = pcapng(order, options, [(6, 5_000_000_123), (2, 7)])
+    found, _ = read(data)
+    offset = 100 if code == 14 else 0
+    assert [datagram.time for datagram in found] == [offset + 5_000_000_123 / ticks, offset + 7 / ticks]
+    assert [datagram.time for datagram in found] == [time for time, _ in dpkt.pcapng.Reader(io.BytesIO(data))]
+    assert [datagram.payload for datagram in found] == [MESSAGE] * 2
+
+
+def test_blocks_without_packets_are_passed_over():
+    found, _ = read(pcapng() + pcapng_block("<", 5, bytes(8)) + pcapng(packets=[(6, 1)]).removeprefix(pcapng()))
+    assert [datagram.payload for datagram in found] == [MESSAGE]
+
+
+@pytest.mark.parametrize(
+    "damaged",
+    [
+        struct.pack("<II", 6, 8),
+        struct.pack("<II", 6, 30) + bytes(22),
+        struct.pack("<II", 6, 0xFFFFFFF0) + bytes(64),
+        struct.pack("<II", 5, 16) + bytes(4) + struct.pack("<I", 20),
+        pcapng_block("<", 6, struct.pack("<IIIII", 0, 0, 0, 1000, 1000) + bytes(16)),
+        pcapng_block("<", 6, bytes(8)),
+    ],
+    ids=["too short", "not aligned", "huge", "another length at the end", "packet longer than its block", "no header"],
+)
+def test_a_damaged_block_of_pcapng_is_an_error(damaged):
+    with pytest.raises(ConfigError, match=r"x\.pcap is damaged or cut off after frame 1"):
+        read(pcapng(packets=[(6, 1)]) + damaged)
+
+
 @pytest.mark.parametrize("writer", [dpkt.pcap.Writer, dpkt.pcapng.Writer])
 def test_truncated_file_raises_an_error(writer):
     whole = capture_file([frame(), frame()], writer)

@@ -118,3 +118,10 @@ def test_clouds_of_the_file_are_published_and_replaced_by_the_command(tmp_path: 
     }
     with pytest.raises(ConfigError, match=r"tcp://127\.0\.0\.1:5565 is there twice"):
         Clouds(robot_files.load(file), ["chassis=tcp://127.0.0.1:5565"])
+
+
+def test_a_wrong_address_in_the_file_is_named_with_its_key(tmp_path: Path) -> None:
+    file = tmp_path / "robot.toml"
+    file.write_text('extends = "inc1"\n[[clouds]]\nsource = "lidar"\naddress = "ipc:///b"\n')
+    with pytest.raises(ConfigError, match=r"line 4: clouds\[0\]\.address = 'ipc:///b': .* is not tcp://HOST:PORT"):
+        robot_files.load(file)

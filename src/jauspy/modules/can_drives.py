@@ -4,14 +4,13 @@ from __future__ import annotations
 
 import configparser
 from collections.abc import Mapping
-from dataclasses import fields
 from pathlib import Path
-from typing import Any
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind, RobotDescription
 from jauspy.platform.can.setup import CanSetup, CanTable, DriveSetup, DriveTable
 from jauspy.platform.description import GroupSetup, TrackSetup
+from jauspy.platform.tables import values_of
 from jauspy.user_files import read_file
 
 
@@ -37,7 +36,7 @@ def can_setup(
     wanted = [*(f"{side} track" for side in sides), *(f"joint {j!r}" for g in groups.values() for j in g.joints)]
     if missing := [what for what in wanted if what not in moved]:
         raise ConfigError(f"can.drives: no drive moves the {missing[0]}; add a table [can.drives.NAME]")
-    return CanSetup(**_values(table) | {"drives": drives})
+    return CanSetup(**values_of(table, CanTable) | {"drives": drives})
 
 
 def _moved_by(key: str, drive: DriveTable, tracks: TrackSetup | None, groups: Mapping[str, GroupSetup]) -> str:
@@ -60,11 +59,7 @@ def _drive(name: str, drive: DriveTable, moves: str, key: str, temperature: int 
             raise ConfigError(f"{key}.eds: {error}") from error
         vendor, product = vendor or found[0], product or found[1]
     known = {"vendor": vendor, "product": product, "temperature": drive.temperature or temperature}
-    return DriveSetup(**_values(drive) | known, name=name, moves=moves)
-
-
-def _values(table: CanTable | DriveTable) -> dict[str, Any]:
-    return {field.name: getattr(table, field.name) for field in fields(table)}
+    return DriveSetup(**values_of(drive, DriveTable) | known, name=name, moves=moves)
 
 
 def identity_of(path: Path) -> tuple[int | None, int | None]:

@@ -59,7 +59,7 @@ class Clouds:
             if [other for other, _ in pairs].count(name) > 1:
                 raise ConfigError(f"--cloud: {name or 'the lidars'} would be published twice; one address is enough")
         self._addresses = dict(pairs)
-        self._settings = {each.name: each.depth for each in config.cameras if each.depth is not None}
+        self._settings = {camera.name: camera.depth for camera in config.cameras if camera.depth is not None}
         self._lidars = frozenset(each.name for each in config.lidars)
         for name in self._addresses:
             if name and name not in self._settings and name not in self._lidars:

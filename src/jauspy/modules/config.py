@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Annotated, Final, Literal, Self, TypeAlias
 
 from pydantic import (
@@ -32,7 +32,7 @@ from jauspy.platform.lights import LampSetup, TimeOfDay
 from jauspy.platform.localization import GnssSetup, LocalizationSetup
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import LidarSetup
-from jauspy.platform.tables import Name, UrdfName
+from jauspy.platform.tables import Name, UrdfName, check_unique, values_of
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.platform.wheels import WheelJoints
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
@@ -113,9 +113,7 @@ class GroupConfig(StrictConfig):
 
     @model_validator(mode="after")
     def _check_unique_names(self) -> Self:
-        names = [joint.name for joint in self.joints]
-        if len(set(names)) < len(names):
-            raise ValueError(f"joints: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        check_unique("joints", [joint.name for joint in self.joints])
         return self
 
     def setup(self) -> GroupSetup:
@@ -146,7 +144,7 @@ class CameraTable(CameraSetup):
     """Whether the upper edge of each picture shows its number and the time it was taken, as black and white squares."""
 
     def __post_init__(self) -> None:
-        super(CameraTable, self).__post_init__()
+        super(CameraTable, self).__post_init__()  # with slots, super() would mean the class before it had them
         if self.outside is not None and self.depth is not None:
             raise ValueError("depth: a camera outside of the robot measures no depths; leave it out")
         try:
@@ -156,7 +154,7 @@ class CameraTable(CameraSetup):
 
     def setup(self) -> CameraSetup:
         """Return the camera without its stream, for the backend."""
-        return CameraSetup(**{field.name: getattr(self, field.name) for field in fields(CameraSetup)})
+        return CameraSetup(**values_of(self, CameraSetup))
 
     def settings(self) -> VideoSettings:
         """Return the settings for the encoder; raises `ConfigError` for what cannot be encoded."""
@@ -495,17 +493,14 @@ class RobotConfig(StrictConfig):
                 )
 
     def _check_sensors(self, key: str, sensors: Sequence[LidarSetup | ForceTorqueSetup], need: str) -> None:
-        names = [sensor.name for sensor in sensors]
-        if len(set(names)) < len(names):
-            raise ValueError(f"{key}: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        check_unique(key, [sensor.name for sensor in sensors])
         for module in self.modules:
             if not sensors and (offered := module.needs().get(need)):
                 raise ValueError(f"{key}: there is none, and {module.component} offers {offered[0]}; add [[{key}]]")
 
     def _check_cameras(self) -> None:
         names = [camera.name for camera in self.cameras]
-        if len(set(names)) < len(names):
-            raise ValueError(f"cameras: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        check_unique("cameras", names)
         taken = [module.camera for module in self.modules if module.camera is not None]
         for name in taken:
             if name not in names:
@@ -515,9 +510,7 @@ class RobotConfig(StrictConfig):
                 raise ValueError(f"modules: the camera {name!r} has two CM-VIS; one controls its stream")
 
     def _check_lights(self) -> None:
-        names = [light.name for light in self.lights]
-        if len(set(names)) < len(names):
-            raise ValueError(f"lights: {', '.join(sorted({n for n in names if names.count(n) > 1}))} is there twice")
+        check_unique("lights", [light.name for light in self.lights])
 
     @property
     def movers(self) -> Mapping[int, str]:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from enum import Enum
 from typing import TYPE_CHECKING, Annotated, Final, Protocol, TypeAlias
 
-from annotated_types import Interval, MaxLen
+from annotated_types import Interval
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import Vector, cross, difference, dot, scaled
@@ -54,7 +54,7 @@ class OutsideSetup(Table):
 
     view: Viewpoint
     position: tuple[_Length, _Length, _Length] = (-3.0, -3.0, 2.0)
-    """Of a fixed camera, in the world, in metres."""
+    """Position of a fixed camera in the world, in metres."""
     target: tuple[_Length, _Length, _Length] | None = None
     """Point of the world at which a fixed camera looks, in metres; None: the robot."""
     distance: Annotated[float, Interval(ge=0.5, le=100.0)] = 2.6
@@ -74,7 +74,7 @@ class CameraSetup(Table):
     """A camera of a robot: it looks along its link's x axis, z is up; or one outside of it."""
 
     name: UrdfName
-    link: Annotated[str, MaxLen(80)] = ""
+    link: UrdfName = ""
     """Empty for a camera outside of the robot."""
     fov: Annotated[float, Interval(ge=5.0, le=150.0), Converted(math.radians)] = math.radians(80.0)
     """Horizontal field of view, in radians (degrees in the file); the widest of a camera that zooms."""

@@ -1,6 +1,7 @@
 """Bounds and conversions of values in a robot's TOML file: annotations of the dataclasses of its tables.
 
-A table of the file is validated by pydantic against the dataclass itself; made in Python, the dataclass is not checked.
+A table of the file is validated by pydantic against the dataclass itself; bounds are not checked for
+objects made in Python.
 This module needs no pydantic, so that clients and components run without it.
 """
 
@@ -8,9 +9,9 @@ from __future__ import annotations
 
 import math
 import re
-from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import Annotated, Any, ClassVar, TypeAlias
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, fields
+from typing import Annotated, Any, ClassVar, TypeAlias, cast
 
 from annotated_types import Interval, Len
 
@@ -81,7 +82,12 @@ def check_order(key: str, values: tuple[float, float], what: str) -> None:
         raise ValueError(f"{key}: {list(values)} is empty; give {what}")
 
 
-def check_unique(key: str, names: tuple[str, ...]) -> None:
+def values_of(table: Table, kind: type[Table]) -> dict[str, Any]:
+    """The values of a table's fields that `kind`, its class or a base of it, has too."""
+    return {field.name: getattr(table, field.name) for field in fields(cast("Any", kind))}
+
+
+def check_unique(key: str, names: Sequence[str]) -> None:
     """Raise `ValueError` if a name is there twice."""
     if twice := sorted({name for name in names if names.count(name) > 1}):
         raise ValueError(f"{key}: {', '.join(twice)} is there twice")
@@ -91,7 +97,7 @@ Name: TypeAlias = Annotated[str, Len(1, 64)]
 Identifier: TypeAlias = Annotated[str, Len(1, 60), Converted(_identifier)]
 """Name of a part, type, connector or drive."""
 UrdfName: TypeAlias = Annotated[str, Len(1, 80)]
-"""Of a link or joint."""
+"""Name of a link or joint."""
 Finite: TypeAlias = Annotated[float, Converted(_finite)]
 Positive: TypeAlias = Annotated[float, Interval(gt=0.0), Converted(_finite)]
 NotNegative: TypeAlias = Annotated[float, Interval(ge=0.0), Converted(_finite)]

@@ -207,7 +207,7 @@ class WheelJoints(Table):
     left: Annotated[tuple[UrdfName, ...], Len(1, 8)]
     right: Annotated[tuple[UrdfName, ...], Len(1, 8)]
     steered: Annotated[tuple[UrdfName, ...], MaxLen(8)] = ()
-    """Of an ackermann chassis: the revolute joints that turn the wheels of one axle."""
+    """Revolute joints that turn the wheels of one axle, of an ackermann chassis."""
     radius: Annotated[float, Interval(gt=0.0, le=5.0)] | None = None
     """Metres; None: that of the collision shape of each wheel."""
     inertia: Annotated[float, Interval(gt=0.0, le=1000.0)] = 0.02

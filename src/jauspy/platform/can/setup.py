@@ -67,7 +67,7 @@ class DriveTable(Table):
     acceleration: Positive | None = None
     """The largest of a track that is commanded, m/s^2."""
     stop_deceleration: Positive | None = None
-    """Of a quick stop, rad/s^2 or m/s^2; by default it stops from full speed in `STOP_TIME`."""
+    """Deceleration of a quick stop, rad/s^2 or m/s^2; by default it stops from full speed in `STOP_TIME`."""
     following_error: Positive = 0.1
     """Radians or metres between command and joint that are a fault after `following_time` seconds."""
     following_time: Annotated[float, Interval(ge=0.0, le=10.0)] = 0.2

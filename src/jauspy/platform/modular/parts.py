@@ -21,11 +21,11 @@ from jauspy.geometry.vectors import Vector, add, difference, dot, product, scale
 from jauspy.platform.description import Gains
 from jauspy.platform.tables import (
     Converted,
-    Finite,
     FrameOfTable,
     Identifier,
     NotNegative,
     PoseOfTable,
+    Position,
     Positive,
     Prepared,
     Seed,
@@ -112,7 +112,7 @@ class ServoData(Table):
     """Of motor and gear, at the output, kg m^2."""
     torque_constant: Positive
     """Newton metres at the output per ampere."""
-    axis: Annotated[tuple[Finite, Finite, Finite], Converted(_unit)] = (0.0, 0.0, 1.0)
+    axis: Annotated[Position, Converted(_unit)] = (0.0, 0.0, 1.0)
     """Unit vector of the joint's axis in the frame of the part, through `joint`; in the file of any length."""
     joint: FrameOfTable = IDENTITY
     """Frame of the output link at position zero, in the frame of the part; solids and connectors of the output link are
