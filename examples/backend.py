@@ -13,10 +13,10 @@ from typing import Any
 
 from jauspy import ConfigError
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.platform.chassis import Chassis, SkidSteerDrive, chassis_of
 from jauspy.platform.description import RobotModel
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport.connect import transport_for
 
 NO_PARTS: Mapping[str, Any] = {}

@@ -17,8 +17,8 @@ from tests.helpers.ports import unused_port
 from tests.node.hosts.switch import Switch
 
 from jauspy.logs import LIMIT
-from jauspy.modules import robot_files
-from jauspy.modules.urdf_paths import PackagePaths
+from jauspy.robot import robot_files
+from jauspy.robot.urdf_paths import PackagePaths
 from jauspy.transport import age
 from jauspy.video import camera_process
 

@@ -12,8 +12,8 @@ import pytest
 from tests.helpers.documentation import DOCS, program
 
 from jauspy.messages.core import Standby
-from jauspy.modules import robot_files
 from jauspy.platform.backends import check_robot
+from jauspy.robot import robot_files
 from jauspy.testing import LocalNode, VirtualNetwork
 
 GATE = Path(__file__).parent / "vendor" / "Gate.xml"

@@ -14,7 +14,7 @@ import pytest
 from jauspy.geometry.poses import Pose
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.messages.ugv import QueryPlatformSpecifications
-from jauspy.modules.robot import RobotRunner
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import LocalNode, until
 
 EXAMPLES = Path(__file__).parents[1] / "examples"

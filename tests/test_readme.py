@@ -15,8 +15,8 @@ from typer.testing import CliRunner
 
 import jauspy
 from jauspy.cli.main import app
-from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
 
 README = Path(__file__).parents[1] / "README.md"

@@ -9,9 +9,9 @@ import pytest
 
 from jauspy import user_files
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
 from jauspy.node.address_books import load_address_book
 from jauspy.node.config import load_config, load_key
+from jauspy.robot import robot_files
 from jauspy.user_files import parse_toml
 
 NESTED = "networks = " + "[" * 20_000 + "]" * 20_000

@@ -15,10 +15,10 @@ from xml.sax.saxutils import escape
 
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import Pose, Transform
-from jauspy.modules import robot_files
-from jauspy.modules.config import RobotConfig
 from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, Shape, Solid
+from jauspy.robot import robot_files
+from jauspy.robot.config import RobotConfig
 
 TARGET: Final = Path(__file__).parents[1] / "docs" / "assets" / "cell.svg"
 

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 from PIL import Image
 
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import build, prefix
 
 TARGET: Final = Path(__file__).parents[1] / "docs" / "assets"

@@ -18,7 +18,7 @@ import mujoco
 import numpy as np
 from PIL import Image
 
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import build
 
 TARGET: Final = Path(__file__).parents[1] / "docs" / "assets"

@@ -23,10 +23,10 @@ from PIL import Image
 
 from jauspy.cli.new.robot import first_file
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
-from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, JointGroup, Target
+from jauspy.robot import robot_files
+from jauspy.robot.urdf_paths import PackagePaths
 from jauspy_sim.assembly import build
 from jauspy_sim.robot import SimulatedRobot
 

@@ -68,7 +68,7 @@ def main() -> None:
         without = subprocess.run([jauspy, "up", "inc1"], capture_output=True, text=True, check=False)
         expect("pip install 'jauspy[", without.stderr)
         run(*install, f"{wheel}[robot,conformance]")
-        expect("inc1", run(python, "-c", "from jauspy.modules.robot_files import known; print(known())", cwd=folder))
+        expect("inc1", run(python, "-c", "from jauspy.robot.robot_files import known; print(known())", cwd=folder))
         expect("--backend", run(jauspy, "up", "--help", cwd=folder))
         print(f"wheel-test: {wheel.name} ({wheel.stat().st_size / 1e3:.0f} kB) works alone")
 

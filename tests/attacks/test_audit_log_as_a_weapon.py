@@ -8,10 +8,10 @@ from pathlib import Path
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
-from jauspy.modules.audit import AuditLog, head_file, verify
-from jauspy.modules.config import RobotConfig
-from jauspy.modules.robot import RobotRunner
+from jauspy.robot import robot_files
+from jauspy.robot.audit import AuditLog, head_file, verify
+from jauspy.robot.config import RobotConfig
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
 from jauspy.virtual.environment import VirtualTime
 

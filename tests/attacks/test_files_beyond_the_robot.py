@@ -9,9 +9,9 @@ from typing import Final
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.robot_files import load, read_urdf, robot_model
-from jauspy.modules.urdf_paths import PackagePaths
-from jauspy.modules.xacro_files import expand
+from jauspy.robot.robot_files import load, read_urdf, robot_model
+from jauspy.robot.urdf_paths import PackagePaths
+from jauspy.robot.xacro_files import expand
 
 HEAD: Final = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 SECRET: Final = "s3cr3t"

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-from tests.modules.test_cell_services import ALL_FIELDS, CLIENT, OTHER, Bench
-from tests.modules.workcell import Workcell, outcomes
+from tests.robot.test_cell_services import ALL_FIELDS, CLIENT, OTHER, Bench
+from tests.robot.workcell import Workcell, outcomes
 
 from jauspy.ids import JausID
 from jauspy.messages import cell as m, manipulator

@@ -7,15 +7,15 @@ from pathlib import Path
 
 import pytest
 from tests.helpers.memory_cell import MemoryBackend
-from tests.modules.test_cell_modules import IDS, World, world
-from tests.modules.test_cell_services import OTHER, Bench
+from tests.robot.test_cell_modules import IDS, World, world
+from tests.robot.test_cell_services import OTHER, Bench
 
 from jauspy.errors import ConfigError
 from jauspy.messages import cell as m
 from jauspy.messages.core import CreateCommandEvent, QueryControl, ReportControl, RequestControl, Resume
 from jauspy.messages.operators import SealedCommand
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.services.cell import motion_command
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork

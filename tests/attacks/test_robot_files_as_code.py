@@ -10,7 +10,7 @@ from typer.testing import CliRunner
 
 from jauspy.cli.main import app
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files, xacro_files
+from jauspy.robot import robot_files, xacro_files
 
 run = CliRunner()
 

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 import pytest
-from tests.modules.cameras import FakeVideo, Module
+from tests.robot.cameras import FakeVideo, Module
 
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID

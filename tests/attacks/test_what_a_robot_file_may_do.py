@@ -10,12 +10,12 @@ from typing import Final
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules import config as tables, robot_files
-from jauspy.modules.audit import AuditLog
-from jauspy.modules.config import RobotConfig
-from jauspy.modules.operators import command_seals
 from jauspy.platform import backends
 from jauspy.platform.can.setup import CanTable
+from jauspy.robot import config as tables, robot_files
+from jauspy.robot.audit import AuditLog
+from jauspy.robot.config import RobotConfig
+from jauspy.robot.operators import command_seals
 
 DOCUMENT: Final = Path(__file__).parents[2] / "docs" / "security.md"
 SECRET: Final = "s3cr3t"

@@ -9,7 +9,7 @@ from typing import Final
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.xacro_files import expand
+from jauspy.robot.xacro_files import expand
 
 HEAD: Final = '<robot name="it" xmlns:xacro="http://www.ros.org/wiki/xacro">'
 

@@ -8,8 +8,8 @@ pytest.importorskip("pinocchio", reason="needs the extra 'cell' and libgomp1", e
 pytest.importorskip("coal", reason="needs the extra 'cell' and libgomp1", exc_type=ImportError)
 
 from jauspy.cell.scene import Layout
-from jauspy.modules import robot_files
 from jauspy.platform.description import RobotModel
+from jauspy.robot import robot_files
 
 
 @pytest.fixture(scope="session")

@@ -19,9 +19,9 @@ from jauspy.cell.scene import Layout
 from jauspy.cell.session import Disturbances, simulated
 from jauspy.cell.tasks import run_one
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Robot
+from jauspy.robot import robot_files
 from jauspy.virtual.environment import VirtualTime
 from jauspy_sim.cell.robot import SimulatedCell
 

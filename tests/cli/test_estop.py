@@ -11,7 +11,7 @@ from jauspy.cli import estop as verb
 from jauspy.errors import TransportError
 from jauspy.messages.core import QueryStatus
 from jauspy.messages.mobility import QueryVelocityState, SetWrenchEffort
-from jauspy.modules.robot_files import load
+from jauspy.robot.robot_files import load
 
 INC1 = load("inc1")
 

@@ -12,8 +12,8 @@ from tests.helpers.simulated import Simulation, simulated
 from typer.testing import CliRunner
 
 from jauspy.cli.main import app
-from jauspy.modules import robot_files
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot import robot_files
 from jauspy.testing import VirtualNetwork
 
 LINK = """<link name="{}"><inertial><mass value="{}"/>

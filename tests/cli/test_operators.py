@@ -12,8 +12,8 @@ from tests.helpers.command_line import JAUSPY
 
 from jauspy.cli import operators
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
-from jauspy.modules.operators import load
+from jauspy.robot import robot_files
+from jauspy.robot.operators import load
 
 pytest.importorskip("cryptography", reason="keys of operators need the extra 'operators'")
 

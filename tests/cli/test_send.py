@@ -6,7 +6,7 @@ import asyncio
 
 import pytest
 from tests.helpers.robot import FakeDrive
-from tests.modules.cameras import FakeVideo
+from tests.robot.cameras import FakeVideo
 
 from jauspy.cli.send import send_in_control, send_without_control
 from jauspy.component.component import loop_time

@@ -13,8 +13,8 @@ import psutil
 import pytest
 from tests.helpers.command_line import RunningRobot, assert_gone, jauspy, robot_in_thread, shared_robot, start, wait_for
 
-from jauspy.modules.robot_files import load
 from jauspy.protocol.junior import SOCKET_NAME
+from jauspy.robot.robot_files import load
 from jauspy.transport.local import is_alive
 
 INC1 = load("inc1")

@@ -14,9 +14,9 @@ from jauspy.cli import up
 from jauspy.cli.main import app
 from jauspy.cli.up import print_summary
 from jauspy.ids import JausID
-from jauspy.modules.config import AccessControlConfig
-from jauspy.modules.robot_files import load
 from jauspy.platform.kinematic import KinematicRobot
+from jauspy.robot.config import AccessControlConfig
+from jauspy.robot.robot_files import load
 
 
 @pytest.mark.parametrize(("services", "drives"), [(None, True), (("Discovery", "LocalPoseSensor"), False)])

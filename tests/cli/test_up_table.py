@@ -19,9 +19,9 @@ from jauspy.cli.up_table import StatusSampler, _is_loss, table
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, RequestControl, Resume
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load
 from jauspy.protocol.endpoint import Endpoint
+from jauspy.robot.robot_files import load
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LoopbackHub, LoopbackTransport
 
 ROBOT, CLIENT = JausID(101, 1, 102), JausID(42, 1, 1)

@@ -21,9 +21,9 @@ import numpy as np
 from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.stream import XYZ_RGB, Cloud, CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.testing import until
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))

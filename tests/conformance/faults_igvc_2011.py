@@ -33,7 +33,7 @@ from tests.conformance.mistakes import (
 from jauspy.codec.message import Message
 from jauspy.conformance import TargetComponent, VirtualTarget
 from jauspy.messages import core, mobility
-from jauspy.modules import hosts
+from jauspy.robot import hosts
 from jauspy.services import presence_vectors
 
 

@@ -11,13 +11,13 @@ from functools import cache
 
 from jauspy.conformance import Profile, Report, Settings, TargetComponent, VirtualTarget, find, run
 from jauspy.ids import JausID
-from jauspy.modules import robot_files
-from jauspy.modules.hosts import host_of
-from jauspy.modules.robot import announcement
-from jauspy.modules.robot_files import robot_model
 from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
 from jauspy.platform.video_settings import Still, StillSettings
+from jauspy.robot import robot_files
+from jauspy.robot.hosts import host_of
+from jauspy.robot.robot_files import robot_model
+from jauspy.robot.runner import announcement
 from jauspy.video.camera_process import CameraProcess, StillCallback
 
 START = datetime(2026, 3, 14, 15, 9, 26, 535000, tzinfo=UTC)

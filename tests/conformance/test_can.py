@@ -9,7 +9,7 @@ pytest.importorskip("canopen", reason="canopen is not installed")
 
 from jauspy.conformance import Verdict
 from jauspy.ids import JausID
-from jauspy.modules import robot_files
+from jauspy.robot import robot_files
 
 PROFILES = ("core-1.1", "mobility-1.1", "manipulator-2.0", "sensing-2.0", "ugv-1.0")
 

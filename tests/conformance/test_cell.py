@@ -13,8 +13,8 @@ from tests.helpers.sampling import sampled
 from jauspy.conformance import Report, TargetComponent, Verdict, VirtualTarget
 from jauspy.geometry.poses import Pose
 from jauspy.ids import JausID
-from jauspy.modules.hosts import host_of
 from jauspy.platform.modular.cell import CarState
+from jauspy.robot.hosts import host_of
 from jauspy.services.cell import (
     ConveyorService,
     ModularArmService,

@@ -7,7 +7,7 @@ from tests.conformance import simulated
 
 from jauspy.conformance import Report, Verdict
 from jauspy.ids import JausID
-from jauspy.modules import robot_files
+from jauspy.robot import robot_files
 from jauspy.schema.loader import load_builtin
 
 MODULES = [

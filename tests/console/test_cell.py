@@ -17,11 +17,11 @@ from jauspy.console.world_socket import Worlds
 from jauspy.geometry.poses import Pose
 from jauspy.ids import JausID
 from jauspy.messages.core import QueryControl
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.platform.modular.cell import CarState
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
 

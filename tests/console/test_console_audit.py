@@ -19,8 +19,8 @@ from tests.helpers.browser_sockets import BrowserSocket
 from jauspy.console.operation import Operation
 from jauspy.console.server import BY_ITSELF, MAX_EVENT, Console, make_app
 from jauspy.console.users import Session, User, current
-from jauspy.modules.audit import AuditLog
 from jauspy.ocu.robot import Robot
+from jauspy.robot.audit import AuditLog
 from jauspy.testing import VirtualNetwork
 
 ANNA, BEN, CARL = User("anna", "operator", 127), User("ben", "observer", 0), User("carl", "operator", 127)

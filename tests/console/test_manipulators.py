@@ -8,7 +8,7 @@ import math
 import pytest
 from nicegui import Client
 from nicegui.page import page
-from tests.modules.test_cell_modules import world
+from tests.robot.test_cell_modules import world
 
 from jauspy.console.arm_panel import _JointRow
 from jauspy.console.gripper_panel import connector_state, switch

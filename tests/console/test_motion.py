@@ -16,8 +16,8 @@ from jauspy.console.browser_messages import ToolVelocity, jog_message
 from jauspy.console.manipulators import StandardArm, manipulators
 from jauspy.console.motion import MAX_SPEED, STILL, Jogging, Motion, velocity
 from jauspy.console.operation import DEAD_MAN_TIME, Operation
-from jauspy.modules.robot import RobotRunner
 from jauspy.ocu.robot import Robot
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
 
 UP: ToolVelocity = (0.0, 0.0, 0.05, 0.0, 0.0, 0.0, "robot")

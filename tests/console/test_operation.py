@@ -15,8 +15,8 @@ from jauspy.console.watchdog import Watchdog
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import QueryControl
-from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
 
 STOP_TIME = 0.3

@@ -8,7 +8,7 @@ from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.geometry.vectors import Vector, rotation_about, scaled
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 
 
 def tool_point(chain: tuple[Joint, ...], positions: list[float]) -> Vector:

@@ -6,7 +6,7 @@ import pytest
 
 from jauspy.geometry.fingers import FingerWidth, finger_width
 from jauspy.geometry.urdf import RobotDescription, parse_urdf
-from jauspy.modules import robot_files
+from jauspy.robot import robot_files
 
 LEFT, RIGHT = "left_joint", "right_joint"
 

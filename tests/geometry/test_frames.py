@@ -11,9 +11,9 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree, joint_frame
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target, joint_positions
 from jauspy.platform.kinematic import KinematicBackend
+from jauspy.robot.robot_files import load, robot_model
 
 INC1 = robot_model(load("inc1"))
 

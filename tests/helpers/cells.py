@@ -6,8 +6,8 @@ from collections.abc import Sequence
 from dataclasses import replace
 from typing import Any
 
-from jauspy.modules import robot_files
 from jauspy.platform.description import RobotModel
+from jauspy.robot import robot_files
 from jauspy_sim.cell.robot import SimulatedCell
 from jauspy_sim.cell.start import GAP, put, put_on
 

@@ -9,13 +9,13 @@ from functools import cache
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.modules import robot_files
-from jauspy.modules.config import RobotConfig
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointGroup, JointState, Target
 from jauspy.platform.ranging import RangeFinder
+from jauspy.robot import robot_files
+from jauspy.robot.config import RobotConfig
 
 
 @cache

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.platform.description import RobotModel
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
 from jauspy.virtual.environment import VirtualTime
 

@@ -16,11 +16,11 @@ from jauspy.mapping.grid import OccupancyGrid
 from jauspy.mapping.live import LiveMapping, _StampedPose, interpolated
 from jauspy.mapping.mapper import Mapper
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
-from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.platform import kinematic
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.ranging import Scanner
+from jauspy.robot.runner import RobotRunner
 
 WALL = 3.025
 """Metres to the left of where the robot starts; it goes on for ever."""

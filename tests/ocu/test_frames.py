@@ -19,10 +19,10 @@ from jauspy.messages.manipulator import (
     SetPanTiltJointPositions,
 )
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.ocu import OCU, Robot
 from jauspy.ocu.frames import RobotFrames
+from jauspy.robot.robot_files import load, robot_model
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import until
 
 CONFIG = load("inc1")

@@ -8,7 +8,7 @@ import zlib
 from datetime import UTC, datetime, timedelta
 
 import pytest
-from tests.modules.cameras import FakeVideo
+from tests.robot.cameras import FakeVideo
 
 from jauspy.component import Component, ComponentOptions
 from jauspy.errors import ConfigError, ControlRejected, RequestError, ResponseTimeout

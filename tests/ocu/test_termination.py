@@ -12,9 +12,9 @@ import pytest
 
 from jauspy.ids import JausID
 from jauspy.messages.core import ReportStatus
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing.assertions import until
 
 DRIVER = JausID(101, 1, 102)

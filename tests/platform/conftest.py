@@ -5,9 +5,9 @@ from importlib.util import find_spec
 
 import pytest
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
+from jauspy.robot.robot_files import load, robot_model
 
 OpenRobot = Callable[[], Robot]
 MODELS = {name: robot_model(load(name)) for name in ("inc1", "rover")}

@@ -9,9 +9,9 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import RobotDescription, parse_urdf
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.chassis import chassis_of, clamp, measure, mix
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
+from jauspy.robot.robot_files import load, robot_model
 
 URDF = """
 <robot name="cart">

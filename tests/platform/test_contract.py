@@ -7,9 +7,9 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
+from jauspy.robot.robot_files import load, robot_model
 
 
 @pytest.fixture(params=["inc1", pytest.param("rover", marks=pytest.mark.slow)])

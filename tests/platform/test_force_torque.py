@@ -10,10 +10,10 @@ import pytest
 from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.urdf import parse_urdf
 from jauspy.geometry.vectors import Vector
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot.robot_files import load, robot_model
 
 SETUP = ForceTorqueSetup("wrist", "hand", rate=10.0, force=50.0, torque=5.0)
 

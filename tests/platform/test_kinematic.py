@@ -4,8 +4,8 @@ import math
 
 import pytest
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, track_speed_after
+from jauspy.robot.robot_files import load, robot_model
 
 INC1 = robot_model(load("inc1"))
 

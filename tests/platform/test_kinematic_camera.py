@@ -10,11 +10,11 @@ pytest.importorskip("numpy", reason="the extra 'video' is not installed")
 
 import numpy as np
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import kinematic_camera
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.kinematic import KinematicRobot
+from jauspy.robot.robot_files import load, robot_model
 
 SKY = (150, 190, 230)
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(90.0))

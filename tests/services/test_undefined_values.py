@@ -22,9 +22,9 @@ from jauspy.fuzz.messages import MessageMaker, Style, targets
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import RejectEventRequest, RequestControl, Resume
-from jauspy.modules.catalogue import BUILT_IN
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load
+from jauspy.robot.catalogue import BUILT_IN
+from jauspy.robot.robot_files import load
+from jauspy.robot.runner import RobotRunner
 from jauspy.schema import load_builtin
 from jauspy.services.core import AccessControl, Discovery, Events, Liveness, Management, Time
 from jauspy.services.host import Host

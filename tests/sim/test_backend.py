@@ -7,7 +7,7 @@ import sys
 import pytest
 
 from jauspy.errors import ConfigError
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim import backend
 
 MODEL = robot_model(load("inc1"))
@@ -43,7 +43,7 @@ def test_egl_needs_opengl_too(monkeypatch) -> None:
 def test_invalid_mujoco_gl_is_one_sentence() -> None:
     """In a process of its own: MuJoCo reads it once, when it is imported."""
     code = (
-        "from jauspy.modules.robot_files import load, robot_model; from jauspy_sim.backend import MujocoBackend;"
+        "from jauspy.robot.robot_files import load, robot_model; from jauspy_sim.backend import MujocoBackend;"
         "MujocoBackend().open(robot_model(load('inc1')), 'empty')"
     )
     environment = {**os.environ, "MUJOCO_GL": "bogus"}

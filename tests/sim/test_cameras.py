@@ -17,8 +17,8 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup, Quality
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim import cameras
 from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
 from jauspy_sim.rays import DEFAULT_SKY_COLOUR, MAX_RAYS, MAX_RAYS_OF_STILL, RayRenderer, SkyBox
@@ -141,7 +141,7 @@ def test_each_gl_library_renders(way):
     if not has_gl(way):
         pytest.skip(f"{GL_PACKAGES[way]} is not installed")
     code = (
-        "from jauspy.modules.robot_files import robot_model; from jauspy.modules.robot_files import load;"
+        "from jauspy.robot.robot_files import robot_model; from jauspy.robot.robot_files import load;"
         "from jauspy_sim.robot import SimulatedRobot;"
         "robot = SimulatedRobot.open(robot_model(load('inc1')), 'empty'); eye = robot.cameras['chassis'].open();"
         "print(eye.look(320, 240).image.std() > 10.0, eye.description)"
@@ -168,7 +168,7 @@ def test_rendering_does_not_change_the_trajectory():
 def test_images_are_not_rendered_in_the_robot_process():
     """Importing and running the backend loads neither GL nor the packages of the extra `video`."""
     code = (
-        "import sys; from jauspy.modules.robot_files import robot_model; from jauspy.modules.robot_files import load;"
+        "import sys; from jauspy.robot.robot_files import robot_model; from jauspy.robot.robot_files import load;"
         "from jauspy_sim.robot import SimulatedRobot; SimulatedRobot.open(robot_model(load('inc1')), 'yard');"
         "print(sorted({'OpenGL', 'av', 'cv2'} & set(sys.modules)))"
     )

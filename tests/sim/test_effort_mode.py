@@ -6,8 +6,8 @@ import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.robot import SimulatedRobot
 
 INC1 = robot_model(load("inc1"))

@@ -9,8 +9,8 @@ import pytest
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.ranging import RangeScan
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.robot import SimulatedRobot
 
 INC1 = robot_model(load("inc1"))

@@ -8,7 +8,7 @@ import mujoco
 import numpy as np
 import pytest
 
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim import rays
 from jauspy_sim.assembly import build
 from jauspy_sim.groups import VISUAL

@@ -11,9 +11,9 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 import numpy as np
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.lights import DAYLIGHT, LampSetup, Switch, TimeOfDay, lamps_of
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.robot import SimulatedRobot
 

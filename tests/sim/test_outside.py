@@ -11,8 +11,8 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 import numpy as np
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup, OutsideSetup, Viewpoint
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.robot import SimulatedRobot
 
 CAMERAS = {

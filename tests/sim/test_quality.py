@@ -12,8 +12,8 @@ from tests.helpers.sampling import sampled
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup, Quality
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.video.imaging import Imaging
 from jauspy_sim.backend import choose_gl
 from jauspy_sim.robot import SimulatedRobot

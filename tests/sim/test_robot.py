@@ -13,7 +13,7 @@ from jauspy_sim.backend import MujocoBackend
 
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
-from jauspy.modules.robot_files import known, load, robot_model
+from jauspy.robot.robot_files import known, load, robot_model
 from jauspy_sim.assembly import TIMESTEP, build, prefix
 from jauspy_sim.joints import roll_pitch_yaw
 from jauspy_sim.robot import SimulatedRobot

@@ -9,7 +9,7 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import build
 from jauspy_sim.groups import HEIGHT_FIELDS, RAY_MESHES
 from jauspy_sim.sensors import cast_rays

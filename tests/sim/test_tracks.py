@@ -14,8 +14,8 @@ import mujoco
 import numpy as np
 
 from jauspy.geometry.poses import Pose
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import build_in
 from jauspy_sim.robot import SimulatedRobot
 

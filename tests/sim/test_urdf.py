@@ -10,8 +10,8 @@ import pytest
 pytest.importorskip("mujoco")
 
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
 from jauspy.platform.description import RobotModel
+from jauspy.robot import robot_files
 from jauspy_sim.assembly import build
 
 CORNERS = ((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

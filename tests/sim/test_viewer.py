@@ -13,14 +13,14 @@ import pytest
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 from jauspy.errors import ConfigError
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LoopbackHub, LoopbackTransport
 from jauspy_sim.robot import SimulatedRobot
 
 SHOWN = """
 import sys, time
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.robot import SimulatedRobot
 robot = SimulatedRobot.open(robot_model(load("inc1")), "empty")
 robot.view()

@@ -14,7 +14,7 @@ import numpy as np
 from PIL import Image
 
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
+from jauspy.robot import robot_files
 from jauspy_sim.assembly import build
 from jauspy_sim.mesh_files import read_mesh
 from jauspy_sim.model_paths import ModelPaths

@@ -9,8 +9,8 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import build
 from jauspy_sim.robot import SimulatedRobot
 

@@ -16,8 +16,8 @@ from tests.ocu.test_lists import ROBOT, Driver, at, order, services, xs
 from jauspy.errors import ControlRejected, ElementRejected, ResponseTimeout, TransportError
 from jauspy.messages.core import QueryControl, QueryStatus, ReportStatus
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
-from jauspy.modules.robot_files import load
 from jauspy.ocu import Appeared, SubsystemInfo, Vanished
+from jauspy.robot.robot_files import load
 from jauspy.sync import OCU
 from jauspy.sync.portal import Portal
 from jauspy.testing import LocalNode

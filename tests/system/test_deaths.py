@@ -13,10 +13,10 @@ import pytest
 
 from jauspy.messages.core import QueryStatus
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load
 from jauspy.ocu import OCU
 from jauspy.ocu.subscription import Subscription
+from jauspy.robot.robot_files import load
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport
 
 

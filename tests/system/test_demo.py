@@ -28,14 +28,14 @@ from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
 from jauspy.cli.demo.report import DemoState
 from jauspy.cli.options import on_bus
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
 from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.contract import Command, DriveBase, PartId, Robot
 from jauspy.platform.localization import LocalizationSetup
+from jauspy.robot.robot_files import load, robot_model
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport
 
 INC1 = load("inc1")

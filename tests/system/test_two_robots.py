@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetWrenchEffort
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.service import ServiceClient
+from jauspy.robot.robot_files import load
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport
 
 EFFORTS = {101: 60.0, 102: -60.0}

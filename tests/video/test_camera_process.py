@@ -23,11 +23,11 @@ import psutil
 
 from jauspy import worker_process
 from jauspy.errors import ConfigError
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.kinematic_camera import SKY_INDEX
 from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.video import camera_process
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.h264 import H264Decoder
@@ -252,8 +252,8 @@ async def test_process_ends_with_the_robot_process(tmp_path):
     program.write_text(
         """
 import asyncio, dataclasses, math
-from jauspy.modules.robot_files import robot_model
-from jauspy.modules.robot_files import load
+from jauspy.robot.robot_files import robot_model
+from jauspy.robot.robot_files import load
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.video_settings import VideoSettings

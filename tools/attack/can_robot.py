@@ -16,10 +16,10 @@ from typing import Final
 
 from jauspy.cli.options import on_bus
 from jauspy.logs import LIMIT
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.can.setup import DriveFault
+from jauspy.robot.robot_files import load, robot_model
 
 STEP: Final = 0.01
 """Seconds."""

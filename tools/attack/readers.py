@@ -24,9 +24,9 @@ from jauspy.console.users import LOCAL, Users
 from jauspy.errors import CodecError, JausError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.mapper import Mapper
-from jauspy.modules import robot_files
 from jauspy.node.address_books import load_address_book
 from jauspy.node.config import load_config
+from jauspy.robot import robot_files
 from jauspy.schema.loader import load_own
 
 ROBOT: Final = Path(__file__).parents[2] / "examples/tracked.toml"

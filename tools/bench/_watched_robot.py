@@ -16,11 +16,11 @@ from typing import NamedTuple
 
 from jauspy.geometry.poses import Twist
 from jauspy.ids import JausID
-from jauspy.modules import robot_files
-from jauspy.modules.realtime import DriveProxy, RealTime
-from jauspy.modules.robot import RobotRunner
 from jauspy.platform.commands import DriveEffort
 from jauspy.platform.contract import Command, PartId, Robot
+from jauspy.robot import robot_files
+from jauspy.robot.realtime import DriveProxy, RealTime
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport
 
 

@@ -17,10 +17,10 @@ from contextlib import ExitStack
 from dataclasses import replace
 from tempfile import TemporaryDirectory
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.backends import find
 from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.can.setup import CanSetup
+from jauspy.robot.robot_files import load, robot_model
 
 
 def percentiles(values: list[float]) -> str:

@@ -24,12 +24,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.cell.modular_arm import FIVE_JOINTS
-from jauspy.modules import robot_files
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Snapshot
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.modular.arm import ModularArm
 from jauspy.platform.modular.cell import Conveyor
+from jauspy.robot import robot_files
 from jauspy.worker_process import lower_priority
 from jauspy_sim.assembly import TIMESTEP
 from jauspy_sim.cell.robot import SimulatedCell

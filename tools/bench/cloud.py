@@ -15,11 +15,11 @@ import time
 
 from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.stream import Cloud, CloudSubscriber
-from jauspy.modules.realtime import RealTime
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.contract import Robot
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot.realtime import RealTime
+from jauspy.robot.robot_files import load, robot_model
 
 ADDRESS = "ipc:///tmp/jauspy-bench-cloud", "tcp://127.0.0.1:5569"
 WARM_UP = 5.0

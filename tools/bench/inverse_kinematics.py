@@ -11,8 +11,8 @@ import time
 from statistics import mean
 
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.kinematic import KinematicJoints
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector import CONTROL_PERIOD, STEPS_PER_TURN
 from jauspy.services.manipulator.tool_motion import ToolMotion

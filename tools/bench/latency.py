@@ -42,8 +42,8 @@ from _processes import free_port, node_manager, ready
 from _watched_robot import Sample
 
 from jauspy.messages.mobility import QueryVelocityState, SetWrenchEffort
-from jauspy.modules.realtime import STEP
 from jauspy.ocu import OCU
+from jauspy.robot.realtime import STEP
 
 T = TypeVar("T")
 

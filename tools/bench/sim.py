@@ -16,8 +16,8 @@ import time
 
 import mujoco
 
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import TIMESTEP
 from jauspy_sim.robot import SimulatedRobot
 

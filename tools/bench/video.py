@@ -29,12 +29,12 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from jauspy.modules.config import RobotConfig
-from jauspy.modules.realtime import RealTime
-from jauspy.modules.robot_files import load, robot_model
 from jauspy.platform import backends
 from jauspy.platform.camera import Quality
 from jauspy.platform.video_settings import VideoSettings
+from jauspy.robot.config import RobotConfig
+from jauspy.robot.realtime import RealTime
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.video.camera_process import CameraProcess
 from jauspy.video.h264 import H264Decoder
 from jauspy.video.imaging import read_numbers

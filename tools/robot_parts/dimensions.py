@@ -9,7 +9,7 @@ from typing import TypeAlias
 from lxml import etree
 
 from jauspy.geometry.urdf import RobotDescription, parse_urdf
-from jauspy.modules.xacro_files import expand
+from jauspy.robot.xacro_files import expand
 from mesh_shapes import Mesh, Vector
 
 Look: TypeAlias = dict[str, Mesh]

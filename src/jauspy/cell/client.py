@@ -39,7 +39,6 @@ from jauspy.messages.cell.v1_0 import (
     SetModulePower,
 )
 from jauspy.messages.manipulator import QueryJointPositions, SetJointMotionProfile, SetJointPositions
-from jauspy.modules.config import RobotConfig
 from jauspy.ocu import OCU
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.service import ServiceClient
@@ -47,6 +46,7 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.arm import ArmController, ModularArmState
 from jauspy.platform.modular.cell import ConveyorState
 from jauspy.platform.modular.connector import ConnectorState
+from jauspy.robot.config import RobotConfig
 from jauspy.services.manipulator.joints import position_records
 
 AUTHORITY: Final = 100

@@ -17,13 +17,13 @@ from jauspy.cell.client import CellClient
 from jauspy.cell.judge import Judge, WatchedBackend
 from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
-from jauspy.modules.config import RobotConfig
-from jauspy.modules.robot import RobotRunner
 from jauspy.ocu import OCU
 from jauspy.platform import backends
 from jauspy.platform.camera import Camera, CameraSession
 from jauspy.platform.contract import Robot
+from jauspy.robot import robot_files
+from jauspy.robot.config import RobotConfig
+from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
 

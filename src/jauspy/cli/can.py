@@ -12,9 +12,9 @@ import typer
 from jauspy.cli import console
 from jauspy.cli.options import Bus, Json, World, on_bus
 from jauspy.errors import ConfigError
-from jauspy.modules import robot_files
 from jauspy.platform.can.cia402 import LIMIT_ACTIVE, error_text, register_text, state_of
 from jauspy.platform.can.setup import CanSetup, DriveFault
+from jauspy.robot import robot_files
 
 if TYPE_CHECKING:
     import canopen

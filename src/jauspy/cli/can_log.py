@@ -72,7 +72,7 @@ def can_frames(source: str, robot: str) -> Iterator[CanFrame]:
         raise ConfigError("CAN logs need python-can: pip install 'jauspy[can]'")
     import can
 
-    from jauspy.modules import robot_files
+    from jauspy.robot import robot_files
 
     model = robot_files.robot_model(robot_files.load(robot))
     if model.can is None or isinstance(model.can, str):

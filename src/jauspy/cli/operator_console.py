@@ -25,7 +25,7 @@ from jauspy.ocu import OCU
 from jauspy.user_files import read_file
 
 if TYPE_CHECKING:
-    from jauspy.modules.audit import AuditLog
+    from jauspy.robot.audit import AuditLog
 
 DEFAULT_PORT: Final = 8101
 NEEDS_EXTRA: Final = "the console needs the extra 'console': pip install 'jauspy[console]'"
@@ -197,7 +197,7 @@ def _browser_at(url: str) -> Iterator[None]:
 def _audit_log(path: Path | None) -> AbstractContextManager[AuditLog | None]:
     if path is None:
         return nullcontext()
-    from jauspy.modules.audit import AuditLog
+    from jauspy.robot.audit import AuditLog
 
     return AuditLog(path, "console", follow_links=True)
 

@@ -98,7 +98,7 @@ def audit(
     Example:
       jauspy audit robot.audit --operators operators.toml
     """
-    from jauspy.modules import audit as log, operators as file
+    from jauspy.robot import audit as log, operators as file
 
     anchors = [log.Head.parse(each) for each in head or ()]
     report = log.verify(path, anchors, file.load(operators) if operators is not None else (), heads)

@@ -12,7 +12,7 @@ import typer
 from jauspy.errors import ConfigError
 
 if TYPE_CHECKING:
-    from jauspy.modules.config import RobotConfig
+    from jauspy.robot.config import RobotConfig
 
 DEFAULT_PORT = 3794
 DEFAULT_ROOT = Path("/tmp")  # noqa: S108 # nosec B108 # where JuniorRTE of the JAUS Toolset has its sockets

@@ -14,10 +14,10 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.frames import Frames
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy.modules import robot_files
-from jauspy.modules.config import RobotConfig
-from jauspy.modules.robot_files import robot_model
 from jauspy.ocu.frames import RobotFrames
+from jauspy.robot import robot_files
+from jauspy.robot.config import RobotConfig
+from jauspy.robot.robot_files import robot_model
 
 
 def tf(

@@ -40,10 +40,6 @@ from jauspy.cli.options import (
 from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, remove_if_empty, run
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
-from jauspy.modules import robot_files
-from jauspy.modules.cloud import Clouds
-from jauspy.modules.config import MOTIONLESS, RobotConfig
-from jauspy.modules.robot import RobotRunner
 from jauspy.node.config import load_config
 from jauspy.platform import backends
 from jauspy.platform.camera import Quality
@@ -52,6 +48,10 @@ from jauspy.platform.lights import TimeOfDay
 from jauspy.platform.localization import Localization
 from jauspy.printable import printable
 from jauspy.protocol import junior
+from jauspy.robot import robot_files
+from jauspy.robot.cloud import Clouds
+from jauspy.robot.config import MOTIONLESS, RobotConfig
+from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport, local as local_socket
 
 Backend = Annotated[

@@ -21,12 +21,12 @@ from rich.text import Text
 from jauspy.cli import console
 from jauspy.component.component import Component
 from jauspy.errors import TransportError
-from jauspy.modules.config import ModuleConfig, RobotConfig
-from jauspy.modules.robot import RobotRunner
 from jauspy.node import status
 from jauspy.platform.contract import PartId, Snapshot
 from jauspy.platform.localization import Localization, LocalizationState
 from jauspy.printable import printable
+from jauspy.robot.config import ModuleConfig, RobotConfig
+from jauspy.robot.runner import RobotRunner
 from jauspy.services.core import AccessControl, Events
 from jauspy.services.core.subscriptions import Subscription
 from jauspy.video.camera_process import CameraProcess

@@ -40,13 +40,13 @@ from jauspy.errors import CodecError, ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.logs import adopt
 from jauspy.messages import registry
-from jauspy.modules.audit import MAX_PAYLOAD, AuditLog
 from jauspy.node.manager import raise_open_files_limit
 from jauspy.ocu import OCU
 from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.emergency import obeys, set_emergency
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable
+from jauspy.robot.audit import MAX_PAYLOAD, AuditLog
 from jauspy.services.core.command_seal import needs_seal
 
 MAX_EVENTS: Final = 500

@@ -446,7 +446,7 @@ class _Known:
 
 def _known(name: str, files: Sequence[str], joints: set[str]) -> _Known | None:
     """The robot of this name, if it has these joints; None for an unknown robot."""
-    from jauspy.modules import robot_files  # noqa: PLC0415 - it takes a second
+    from jauspy.robot import robot_files  # noqa: PLC0415 - it takes a second
 
     for each in (*files, *(known for known in robot_files.known() if known == name)):
         try:

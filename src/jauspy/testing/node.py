@@ -13,9 +13,9 @@ from types import TracebackType
 from typing import Any, Self, TypeVar
 
 from jauspy.ids import JausID
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.node import NodeConfig, NodeManager
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.sync.portal import Portal
 from jauspy.transport import LocalTransport
 from jauspy.virtual.environment import Environment

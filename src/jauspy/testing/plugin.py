@@ -12,8 +12,8 @@ from typing import TYPE_CHECKING, Any
 import pytest
 
 if TYPE_CHECKING:
-    from jauspy.modules.robot import RobotRunner
     from jauspy.ocu import OCU
+    from jauspy.robot.runner import RobotRunner
     from jauspy.testing import LocalNode, TestEnvironment, VirtualNetwork
 
 

@@ -13,14 +13,14 @@ from typing import TYPE_CHECKING, Any, Final
 from jauspy.component import Component, ComponentOptions
 from jauspy.component.component import loop_time
 from jauspy.ids import JausID
-from jauspy.modules.realtime import RealTime
 from jauspy.ocu import OCU
 from jauspy.platform.contract import Robot
+from jauspy.robot.realtime import RealTime
 from jauspy.services.service import Service
 from jauspy.transport import Transport
 
 if TYPE_CHECKING:
-    from jauspy.modules.robot import RobotRunner
+    from jauspy.robot.runner import RobotRunner
 
 
 class Environment(ABC):

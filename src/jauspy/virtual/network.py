@@ -23,7 +23,7 @@ from jauspy.virtual.clock import VirtualClock
 from jauspy.virtual.environment import Environment, VirtualTime
 
 if TYPE_CHECKING:
-    from jauspy.modules.robot import RobotRunner
+    from jauspy.robot.runner import RobotRunner
 
 REORDERING_DELAY: Final = 0.01
 """Seconds by which a datagram is delayed so that others overtake it."""
@@ -81,8 +81,8 @@ class VirtualNetwork(Environment):
 
     def robot(self, name: str = "inc1") -> RobotRunner:
         """A whole robot of this name on the `kinematic` backend, to be used with `async with`; on virtual time, too."""
-        from jauspy.modules import robot_files  # noqa: PLC0415 - needs the extra `robot`
-        from jauspy.modules.robot import RobotRunner  # noqa: PLC0415
+        from jauspy.robot import robot_files  # noqa: PLC0415 - needs the extra `robot`
+        from jauspy.robot.runner import RobotRunner  # noqa: PLC0415
 
         return RobotRunner(robot_files.load(name), self.transport, backend="kinematic", realtime=VirtualTime)
 

@@ -8,7 +8,7 @@ pytest.importorskip("cv2", reason="OpenCV is not installed")
 
 from jauspy.cli.demo import plan
 from jauspy.cli.demo.grasp import Grasp
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 
 
 class Arm:

@@ -20,9 +20,9 @@ from jauspy.cli.demo.grasp import ARM_CAMERA, Grasp
 from jauspy.cli.demo.report import Report, StageResult, View
 from jauspy.cli.demo.tour import Tour
 from jauspy.geometry.poses import PlanarPose
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load
 from jauspy.ocu.frames import RobotFrames
+from jauspy.robot.robot_files import load
+from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
 from jauspy_sim.robot import SimulatedRobot

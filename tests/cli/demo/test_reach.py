@@ -8,7 +8,7 @@ from jauspy.cli.demo import plan
 from jauspy.cli.demo.arm import ArmKinematics
 from jauspy.cli.demo.plan import Plan
 from jauspy.errors import RequestError
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 
 
 @pytest.fixture(scope="module")

@@ -11,9 +11,9 @@ from jauspy.cli.demo import plan
 from jauspy.cli.demo.report import Report, View
 from jauspy.cli.demo.tour import Tour
 from jauspy.errors import ControlRejected, RequestError
-from jauspy.modules.robot import RobotRunner
-from jauspy.modules.robot_files import load
 from jauspy.ocu import OCU
+from jauspy.robot.robot_files import load
+from jauspy.robot.runner import RobotRunner
 from jauspy.testing import TestEnvironment
 
 YARD = plan.PLANS["yard"]

@@ -13,13 +13,13 @@ import pytest
 from tests.platform.can.conftest import OpenCan, simulated
 from tests.platform.can.test_failing_drives import CYCLE, set_in_motion
 
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.platform.can import pdo
 from jauspy.platform.can.cia402 import STATUS_OF, DriveState
 from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.can.setup import DriveFault
 from jauspy.platform.joints import ControlMode, Target
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork
 

@@ -12,7 +12,6 @@ from tests.platform.can.conftest import OpenCan
 from tests.platform.can.test_failing_drives import CYCLE, advance_until_fault, set_in_motion
 
 from jauspy.errors import ConfigError
-from jauspy.modules.can_drives import identity_of
 from jauspy.platform.can import pdo
 from jauspy.platform.can.cia402 import DriveState
 from jauspy.platform.can.robot import CanRobot
@@ -21,6 +20,7 @@ from jauspy.platform.can.simulated import fleet
 from jauspy.platform.can.simulated.axes import MotorAxis
 from jauspy.platform.can.simulated.drive import SimulatedDrive
 from jauspy.platform.can.units import unwrapped
+from jauspy.robot.can_drives import identity_of
 
 
 def refuse_frames(robot: CanRobot, error: Exception) -> None:

@@ -29,7 +29,7 @@ ROBOT = """
 import sys, time
 from dataclasses import replace
 from jauspy.cli.options import on_bus
-from jauspy.modules.robot_files import load, robot_model
+from jauspy.robot.robot_files import load, robot_model
 from jauspy.platform.backends import find
 robot = find("can").open(robot_model(on_bus(load(sys.argv[1]), sys.argv[2])), "empty")
 robot.drive.set_effort(0.3, 0.0)

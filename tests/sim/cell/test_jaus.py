@@ -19,9 +19,9 @@ from jauspy import OCU
 from jauspy.messages import cell as m
 from jauspy.messages.manipulator import JointVelocityRec, SetJointVelocity
 from jauspy.messages.mobility import QueryLocalPose, ReportLocalPose, SetVelocityCommand
-from jauspy.modules import robot_files
-from jauspy.modules.robot import RobotRunner
 from jauspy.platform.modular.cell import CONVEYOR, Car, ConveyorState
+from jauspy.robot import robot_files
+from jauspy.robot.runner import RobotRunner
 from jauspy.services.cell import motion_command
 from jauspy.virtual.environment import VirtualTime
 from jauspy.virtual.network import VirtualNetwork

@@ -25,9 +25,9 @@ from jauspy.cli.options import DEFAULT_PORT, Port
 from jauspy.cli.processes import ChildFailed, ChildProcess, run
 from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
-from jauspy.modules import robot_files
 from jauspy.ocu import OCU
 from jauspy.platform.video_settings import SUPPORTED_FRAME_SIZES, FrameSize
+from jauspy.robot import robot_files
 
 DEFAULT_WORLD: Final = "yard"
 

@@ -28,11 +28,11 @@ from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, Points, save_map, transformed
 from jauspy.mapping.live import LiveMapping
 from jauspy.mapping.mapper import MAX_RANGE, Mapper
-from jauspy.modules.config import CameraTable, RobotConfig
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.frames import RobotFrames
 from jauspy.ocu.robot import ComponentClient, Robot
 from jauspy.platform.video_settings import FRAME_SIZES, FrameSize
+from jauspy.robot.config import CameraTable, RobotConfig
 from jauspy.video.receiver import RtpReceiver
 from jauspy.video.recorder import Recorder
 

@@ -20,12 +20,12 @@ from jauspy.messages.mobility import (
     SetTravelSpeed,
     SetWrenchEffort,
 )
-from jauspy.modules.config import RobotConfig
-from jauspy.modules.robot_files import robot_model
 from jauspy.ocu import OCU, Control
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.service import ServiceClient
 from jauspy.ocu.subscription import Subscription
+from jauspy.robot.config import RobotConfig
+from jauspy.robot.robot_files import robot_model
 
 POSE_RATE: Final = 10.0
 """Hz of the pose reports."""

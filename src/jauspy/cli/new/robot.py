@@ -23,11 +23,11 @@ from jauspy.cli.new.trial import try_wheels
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.urdf import UNGUIDED, Joint, JointKind, RobotDescription, inertials, parse_tree
-from jauspy.modules import robot_files
-from jauspy.modules.urdf_paths import PackagePaths
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy.platform.wheels import WheelJoints, WheelKind, WheelSetup, wheel_setup
+from jauspy.robot import robot_files
+from jauspy.robot.urdf_paths import PackagePaths
 
 BANDWIDTH: Final = 15.0
 """Rad/s, of the position controllers: about the speed at which real arms follow."""

@@ -1,0 +1,120 @@
+"""Monitors of each module, run ten times a second.
+
+A fault of the backend puts the modules that it concerns in Failure, which they leave by Reset. Loads that joints cannot
+carry are logged once, counted, and shown by `jauspy up`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Final
+
+from jauspy.geometry.urdf import Joint
+from jauspy.logs import get_logger
+from jauspy.platform.chassis import ParkingBrake
+from jauspy.platform.commands import CHASSIS
+from jauspy.platform.contract import PartId, Snapshot
+from jauspy.platform.joints import JointGroup
+from jauspy.platform.ranging import RangeFinder
+from jauspy.robot.config import ModuleConfig
+from jauspy.robot.realtime import WHOLE_ROBOT, RealTime, described
+from jauspy.services.core import FailureRecovery
+from jauspy.services.host import Host
+
+_LOG: Final = get_logger("jauspy.robot")
+
+MONITOR_PERIOD: Final = 0.1
+"""Seconds between two checks of the backend's faults and the loads of joints."""
+
+
+def uses(module: ModuleConfig, part: PartId) -> bool:
+    """True if commands to this part of the robot are those of the module."""
+    if module.moves is not None:
+        return part == PartId(JointGroup, module.moves)
+    if module.type == "CM-SEN":
+        return part.kind is RangeFinder
+    if module.part is not None:
+        return module.part in (part.name, part.kind.__name__.lower())
+    return module.type == "CM-MOB" and part in (CHASSIS, PartId(ParkingBrake))
+
+
+def faults_of(module: ModuleConfig, faults: Mapping[PartId, str]) -> dict[PartId, str]:
+    """The faults that concern the module."""
+    return {each: why for each, why in faults.items() if each == WHOLE_ROBOT or uses(module, each)}
+
+
+def reason(module: ModuleConfig, faults: Mapping[PartId, str]) -> str:
+    """A description of the failed parts that the module uses; empty if there are none."""
+    return "; ".join(f"{described(part)}: {why}" for part, why in faults_of(module, faults).items())
+
+
+class FaultMonitor:
+    """Puts a component in Failure while `robot` reports a fault that concerns its module.
+
+    After Reset the part is used again.
+    """
+
+    def __init__(self, host: Host, recovery: FailureRecovery, module: ModuleConfig, robot: RealTime) -> None:
+        self._host = host
+        self._module = module
+        self._robot = robot
+        self._reason = ""
+        recovery.recover_by = self._recover
+        self._check()
+
+    def _check(self) -> None:
+        self._host.set_timer("faults", self._host.now + MONITOR_PERIOD, self._check)
+        found = reason(self._module, self._robot.faults)
+        if found and found != self._reason:
+            _LOG.error("%s (%s) is in Failure: %s; Reset tries again", self._host.id, self._module.type, found)
+        self._reason = found
+        if found and "Failure" not in self._host.path and "Emergency" not in self._host.path:
+            self._host.fire("Failure")
+
+    def _recover(self) -> None:
+        for part in faults_of(self._module, self._robot.faults):
+            self._robot.retry(part)
+        self._reason = ""
+
+
+def overloads(module: ModuleConfig, joints: Mapping[str, tuple[Joint, ...]], snapshot: Snapshot) -> dict[str, str]:
+    """Descriptions of loads that the module's joints cannot carry now, by the name of the joint.
+
+    `joints`: states by group.
+    """
+    if module.moves is None or module.moves not in joints:
+        return {}
+    known = {joint.name: joint for joint in joints[module.moves]}
+    found = snapshot.joints[module.moves].overloads
+    return {name: overload_text(known[name], load) for name, load in found.items()}
+
+
+def overload_text(joint: Joint, load: float) -> str:
+    """A description of a joint's load."""
+    unit = "N m" if joint.turns else "N"
+    return (
+        f"joint {joint.name} cannot carry its load ({load:.0f} {unit} of {joint.effort:.0f} {unit}): its brake holds; "
+        "put the load down, or move the joint where the load pulls it"
+    )
+
+
+class LoadMonitor:
+    """Monitors the loads of a module's joints: the start and the end of each overload is logged and counted once."""
+
+    def __init__(self, host: Host, module: ModuleConfig, robot: RealTime) -> None:
+        self._host, self._module, self._robot = host, module, robot
+        self._joints = {name: group.joints for name, group in robot.groups.items()}
+        self._known: set[str] = set()
+        if module.moves is not None:
+            self._check()
+
+    def _check(self) -> None:
+        self._host.set_timer("loads", self._host.now + MONITOR_PERIOD, self._check)
+        found = overloads(self._module, self._joints, self._robot.snapshot)
+        for name, text in found.items():
+            if name not in self._known:
+                _LOG.warning("%s (%s): %s", self._host.id, self._module.type, text)
+                self._host.count("overload", text)
+        for name in self._known - set(found):
+            _LOG.info("%s (%s): joint %s carries its load again", self._host.id, self._module.type, name)
+        self._known = set(found)

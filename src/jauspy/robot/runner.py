@@ -1,0 +1,467 @@
+"""A whole robot: a backend that runs in real time, and its capability modules as JAUS components."""
+
+from __future__ import annotations
+
+import asyncio
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextlib import AsyncExitStack, suppress
+from datetime import UTC, datetime
+from functools import partial
+from pathlib import Path
+from types import TracebackType
+from typing import Final, Self
+
+from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time, until_signalled
+from jauspy.errors import ConfigError, JausError, TransportError
+from jauspy.ids import JausID
+from jauspy.logs import get_logger
+from jauspy.platform import backends
+from jauspy.platform.backends import check_robot
+from jauspy.platform.camera import Camera
+from jauspy.platform.contract import Backend, Counting, Robot, Snapshot, Viewable
+from jauspy.platform.description import RobotModel
+from jauspy.platform.ranging import RangeFinder
+from jauspy.platform.video_settings import MAX_IMAGE_REPORT
+from jauspy.protocol.delivery import Delivery
+from jauspy.robot.audit import AuditLog
+from jauspy.robot.audit_heads import HeadSender
+from jauspy.robot.config import ModuleConfig, RobotConfig
+from jauspy.robot.hosts import Announcement, check_parts, host_of, is_present
+from jauspy.robot.monitors import FaultMonitor, LoadMonitor, overloads, reason
+from jauspy.robot.operators import command_seals
+from jauspy.robot.realtime import RealTime
+from jauspy.robot.robot_files import robot_model, with_place
+from jauspy.services.core import Discovery, FailureRecovery, Identity
+from jauspy.services.core.discovery import COMPONENT, NODE, SUBSYSTEM, SYSTEM
+from jauspy.services.environment_sensing import DigitalResourceDiscovery
+from jauspy.services.host import Host
+from jauspy.services.service import Service
+from jauspy.transport import Transport
+from jauspy.video.camera_process import CameraProcess
+
+_LOG: Final = get_logger("jauspy.robot")
+
+CHECK_PERIOD: Final = 0.05
+"""Seconds between two checks of the modules' power."""
+
+RETRY_DELAY: Final = 1.0
+"""Seconds until a component that could not be opened is tried again."""
+
+
+class RunningModules:
+    """Opens the components of the modules that are present, and closes those of modules that are not.
+
+    The Discovery of each reports the services of all that are open. `make` makes the component of a module;
+    `is_present` says whether a module is there now.
+    """
+
+    def __init__(
+        self,
+        modules: Iterable[ModuleConfig],
+        make: Callable[[ModuleConfig], Component],
+        is_present: Callable[[ModuleConfig], bool],
+    ) -> None:
+        self._modules = tuple(modules)
+        self._make = make
+        self._is_present = is_present
+        self._components: dict[int, Component] = {}
+        self._tried: dict[int, float] = {}
+
+    @property
+    def open(self) -> tuple[tuple[Component, ModuleConfig], ...]:
+        """The components that are open, with their modules, in the order of the configuration."""
+        return tuple((self._components[at], self._modules[at]) for at in sorted(self._components))
+
+    def hosts(self) -> list[Host]:
+        """The hosts of the components that are open."""
+        return [component.host for component, _ in self.open]
+
+    async def start(self) -> None:
+        """Open the components of the modules that are present. Raises `TransportError` if one cannot be opened."""
+        for at, module in enumerate(self._modules):
+            if self._is_present(module):
+                await self._open(at)
+
+    async def follow(self) -> None:
+        """Open and close components as modules appear and disappear, until cancelled."""
+        while True:
+            await asyncio.sleep(CHECK_PERIOD)
+            await self.update()
+
+    async def update(self) -> None:
+        """Open and close components once; one that cannot be opened is logged, and tried again later."""
+        now = asyncio.get_running_loop().time()
+        for at, module in enumerate(self._modules):
+            present, component = self._is_present(module), self._components.get(at)
+            if component is not None and not present:
+                await self._close(at)
+            elif component is None and present and now - self._tried.get(at, -RETRY_DELAY) >= RETRY_DELAY:
+                await asyncio.sleep(0)  # making one takes 20 ms, and others may wait for the event loop
+                try:
+                    await self._open(at)
+                except TransportError as error:
+                    self._tried[at] = now
+                    _LOG.warning("%s %s cannot be opened: %s", module.type, module.part or "", error)
+
+    async def close(self) -> None:
+        """Close all components, the last one first. May be called twice."""
+        for at in sorted(self._components, reverse=True):
+            await self._close(at)
+
+    async def _open(self, at: int) -> None:
+        component = self._make(self._modules[at])
+        others = self.hosts()
+        await component.open()
+        self._components[at] = component
+        self._tried.pop(at, None)
+        _list_each_other(component.host, others)
+
+    async def _close(self, at: int) -> None:
+        component = self._components[at]
+        for host in self.hosts():
+            if host is not component.host and (discovery := host.service(Discovery)) is not None:
+                discovery.remove_local(component.id)
+        await component.close()
+        del self._components[at]
+
+
+def _list_each_other(new: Host, others: Iterable[Host]) -> None:
+    """Have the Discovery of each report the services of the other."""
+    others = list(others)
+    if (discovery := new.service(Discovery)) is not None:
+        discovery.add_local(others)
+    for other in others:
+        if (discovery := other.service(Discovery)) is not None:
+            discovery.add_local([new])
+
+
+HEARTBEAT_TIMEOUT: Final = 1.0
+"""Seconds without a heartbeat of the event loop after which the robot is stopped."""
+
+_VEHICLE, _NODE, _COMPONENT = 10001, 40001, 60001  # the types that Discovery reports (AS5710)
+
+
+def _in_real_time(robot: Robot) -> RealTime:
+    return RealTime(robot, heartbeat_timeout=HEARTBEAT_TIMEOUT)
+
+
+class RobotRunner:
+    """Runs the robot that `config` describes: `async with RobotRunner(...)`, or `await runner.run()`.
+
+    `transports` makes the transport of each component, by its id. `backend`, the name of an installed one or a
+    `Backend`, and `world` override `config`; `realtime` makes the object that advances the robot's time; `view` opens
+    the window of the backend's simulator. `audit_log` is a file of the user's choice in place of the configured one,
+    and `audit_heads_to` the URL of a machine that gets its heads.
+    Opening raises `ConfigError` for an unknown backend, model or world, and `TransportError` for a transport that
+    cannot be opened. Closing ends the components first, and then the robot, which then stands still.
+    """
+
+    def __init__(
+        self,
+        config: RobotConfig,
+        transports: Callable[[JausID], Transport],
+        *,
+        backend: str | Backend | None = None,
+        world: str | None = None,
+        realtime: Callable[[Robot], RealTime] = _in_real_time,
+        view: bool = False,
+        audit_log: Path | None = None,
+        audit_heads_to: str | None = None,
+    ) -> None:
+        self._backend = None if isinstance(backend, str) else backend
+        self._backend_file = config.file if backend is None else ""
+        name = backend if isinstance(backend, str) or backend is None else backend.name
+        self.config = config.model_copy(update={"backend": name or config.backend, "world": world or config.world})
+        self._transports = transports
+        self._make_realtime, self._view = realtime, view
+        self._realtime: RealTime | None = None
+        self._modules: RunningModules | None = None
+        self._following: asyncio.Task[None] | None = None
+        self._videos: Mapping[str, CameraProcess] = {}
+        self._audit: AuditLog | None = None
+        self._audit_log, self._audit_heads_to = audit_log, audit_heads_to
+        self._heads: HeadSender | None = None
+        self._counting: Counting | None = None
+        self._stack = AsyncExitStack()
+
+    @property
+    def audit(self) -> AuditLog | None:
+        """The audit log, if the robot has one and was opened."""
+        return self._audit
+
+    @property
+    def running(self) -> tuple[tuple[Component, ModuleConfig], ...]:
+        """The components and their modules, in the order of the configuration; empty when not open.
+
+        A component of a factory cell's part exists while the part has power.
+        """
+        return self._modules.open if self._modules else ()
+
+    @property
+    def components(self) -> tuple[Component, ...]:
+        """The components of `running`."""
+        return tuple(component for component, _ in self.running)
+
+    @property
+    def lidars(self) -> Mapping[str, RangeFinder]:
+        """Its lidars; empty when not open."""
+        return self._realtime.lidars if self._modules and self._realtime else {}
+
+    @property
+    def videos(self) -> Mapping[str, CameraProcess]:
+        """Its cameras that a module streams, by name; empty when not open."""
+        return self._videos if self._modules else {}
+
+    @property
+    def cameras(self) -> Mapping[str, Camera]:
+        """Its cameras, for other processes; empty when not open."""
+        return self._realtime.cameras if self._modules and self._realtime else {}
+
+    @property
+    def snapshot(self) -> Snapshot | None:
+        """The robot's state after its last step; None before it was opened."""
+        return self._realtime.snapshot if self._realtime else None
+
+    @property
+    def faults(self) -> Mapping[str, str]:
+        """Descriptions of faults, by the id of the component that is in Failure because of it."""
+        if self._realtime is None or not self._realtime.faults:
+            return {}
+        found = {str(each.id): reason(module, self._realtime.faults) for each, module in self.running}
+        return {id: why for id, why in found.items() if why}
+
+    @property
+    def overloads(self) -> Mapping[str, str]:
+        """Descriptions of loads that joints cannot carry, by the id of the component and the joint's name."""
+        if self._realtime is None:
+            return {}
+        joints = {name: group.joints for name, group in self._realtime.groups.items()}
+        snapshot = self._realtime.snapshot
+        return {
+            f"{each.id} {name}": text
+            for each, module in self.running
+            for name, text in overloads(module, joints, snapshot).items()
+        }
+
+    @property
+    def counters(self) -> Mapping[str, int]:
+        """Counters of `RealTime`, those of the backend's robot, and those of the components by id."""
+        counts = {f"realtime.{name}": n for name, n in self._realtime.counters.items()} if self._realtime else {}
+        if self._counting is not None:
+            counts |= {f"robot.{name}": n for name, n in self._counting.counters.items()}
+        for component in self.components:
+            counts |= {f"{component.id}.{name}": n for name, n in component.counters.items()}
+        for camera, video in self._videos.items():
+            counts |= {f"camera.{camera}.{name}": n for name, n in video.counters.items()}
+        if self._audit is not None:
+            counts |= {f"audit.{name}": n for name, n in dict(self._audit.counters).items()}
+        if self._heads is not None:
+            counts |= {f"audit.{name}": n for name, n in dict(self._heads.counters).items()}
+        return counts
+
+    async def open(self) -> None:
+        """Start everything; if a part cannot start, the others are stopped again."""
+        if self._modules is not None:
+            return
+        async with AsyncExitStack() as stack:
+            model = robot_model(self.config)
+            realtime = self._start_robot(stack, model)
+            stack.push_async_callback(_cancel, asyncio.create_task(self._send_heartbeats(realtime)))
+            videos = await self._open_cameras(stack, realtime)
+            audit = self._open_audit_log(stack)
+            make = partial(
+                self._make_component,
+                model,
+                realtime,
+                videos,
+                command_seals(self.config, audit.record if audit else None),
+            )
+            for module in self.config.modules:
+                if not is_present(module, model.cell, realtime.snapshot):
+                    check_parts(self.config, module, model, realtime)
+            modules = RunningModules(
+                self.config.modules, make, lambda module: is_present(module, model.cell, realtime.snapshot)
+            )
+            stack.push_async_callback(modules.close)
+            self._modules = modules
+            stack.callback(self._forget_modules)
+            await modules.start()
+            self._realtime, self._videos, self._audit = realtime, videos, audit
+            if model.cell is not None:
+                self._following = asyncio.create_task(modules.follow(), name="modules of the cell")
+                stack.push_async_callback(_cancel, self._following)
+            self._stack = stack.pop_all()
+
+    def _open_audit_log(self, stack: AsyncExitStack) -> AuditLog | None:
+        path = self._audit_log or (Path(self.config.audit_log) if self.config.audit_log is not None else None)
+        if self._audit_log is not None and self.config.operators is None:
+            raise ConfigError(
+                "an audit log needs operators: name the file of those who may command in the robot's file"
+            )
+        if path is None and self._audit_heads_to is not None:
+            raise ConfigError("the heads of an audit log are to be sent, and the robot has none: give one")
+        if path is None:
+            return None
+        if self._audit_heads_to is not None:
+            self._heads = stack.enter_context(HeadSender(self._audit_heads_to))
+        is_chosen = self._audit_log is not None
+        return stack.enter_context(AuditLog(path, self.config.name, follow_links=is_chosen, heads=self._heads))
+
+    def _forget_modules(self) -> None:
+        self._modules = None
+
+    def _make_component(
+        self,
+        model: RobotModel,
+        realtime: RealTime,
+        videos: Mapping[str, CameraProcess],
+        seals: Callable[[], Sequence[Service]],
+        module: ModuleConfig,
+    ) -> Component:
+        host = _host(self.config, module, model, realtime, videos, more=seals())
+        if (video := host.service(DigitalResourceDiscovery)) is not None:  # whoever controls a module comes first
+            video.operators = lambda: [each.controller for each in self._modules.hosts()] if self._modules else []
+        delivery = Delivery(max_message=MAX_IMAGE_REPORT) if module.camera else None
+        return Component.of_host(
+            host,
+            self._transports(host.id),
+            intercept=announcement(host, module),
+            options=ComponentOptions(delivery=delivery, max_message_age=self.config.max_message_age),
+        )
+
+    async def close(self) -> None:
+        """Stop everything, in order. May be called twice."""
+        await self._stack.aclose()
+
+    async def run(self) -> None:
+        """Open, run until Ctrl-C or SIGTERM, close (the robot stops). Raises the robot's exception if it fails."""
+        await until_signalled(asyncio.ensure_future(self._run()))
+
+    async def _run(self) -> None:
+        async with self:
+            await self.wait()
+
+    async def wait(self) -> None:
+        """Wait until cancelled. Raises the robot's exception if it fails."""
+        if self._realtime is None:
+            return
+        ended = asyncio.wrap_future(self._realtime.ended)
+        following = self._following
+        try:
+            await asyncio.wait([ended, following] if following else [ended], return_when=asyncio.FIRST_COMPLETED)
+            if following is not None and following.done() and not following.cancelled():
+                following.result()
+            await ended
+        finally:
+            ended.cancel()
+
+    async def __aenter__(self) -> Self:
+        await self.open()
+        return self
+
+    async def __aexit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        await self.close()
+
+    async def _open_cameras(self, stack: AsyncExitStack, realtime: RealTime) -> dict[str, CameraProcess]:
+        streamed = {module.camera for module in self.config.modules}
+        videos = {}
+        for camera in (each for each in self.config.cameras if each.name in streamed):
+            source = realtime.cameras.get(camera.name)
+            if source is None:
+                raise ConfigError(f"cameras: the backend {self.config.backend!r} has no camera {camera.name!r}")
+            video = CameraProcess(source, camera.settings(), stamped=camera.stamped)
+            videos[camera.name] = await stack.enter_async_context(video)
+        return videos
+
+    async def _send_heartbeats(self, realtime: RealTime) -> None:
+        clock = asyncio.get_running_loop().time
+        while True:
+            sent_at = clock()
+            realtime.alive()
+            await asyncio.sleep(HEARTBEAT_TIMEOUT / 4.0)
+            if self._realtime is not None and clock() - sent_at > HEARTBEAT_TIMEOUT:
+                _LOG.warning("the event loop has not run for %.1f s: the robot was stopped", clock() - sent_at)
+
+    def _find_backend(self) -> Backend:
+        try:
+            return backends.find(self.config.backend)
+        except ConfigError as error:
+            raise with_place(ConfigError(f"backend: {error}"), self._backend_file) from error
+
+    def _start_robot(self, stack: AsyncExitStack, model: RobotModel) -> RealTime:
+        backend = self._backend or self._find_backend()
+        try:
+            robot = backend.open(model, self.config.world)
+        except JausError:
+            raise
+        except Exception as error:
+            problem = backends.missing_methods(error) or f"cannot open the robot: {type(error).__name__}: {error}"
+            raise ConfigError(f"the backend {self.config.backend!r} {problem}") from error
+        if hasattr(robot, "close"):
+            stack.callback(_close, robot)
+        try:
+            check_robot(robot)
+        except ConfigError as error:
+            raise ConfigError(f"the backend {self.config.backend!r}: {error}") from error
+        except Exception as error:
+            raise ConfigError(
+                f"the backend {self.config.backend!r} cannot read the robot: {type(error).__name__}: {error}"
+            ) from error
+        if self._view:
+            if not isinstance(robot, Viewable):
+                raise ConfigError(f"the backend {self.config.backend!r} has no window to view; 'sim' has one")
+            robot.view()
+        self._counting = robot if isinstance(robot, Counting) else None
+        return stack.enter_context(self._make_realtime(robot))
+
+
+def _host(
+    config: RobotConfig,
+    module: ModuleConfig,
+    model: RobotModel,
+    robot: RealTime,
+    videos: Mapping[str, CameraProcess],
+    *,
+    more: Sequence[Service],
+) -> Host:
+    identities = {
+        SYSTEM: Identity(config.name, _VEHICLE),
+        SUBSYSTEM: Identity(config.name, _VEHICLE),
+        NODE: Identity(f"{config.name} node {module.node or config.node}", _NODE),
+        COMPONENT: Identity(f"{module.type} {module.part}" if module.part else module.type, _COMPONENT),
+    }
+    recovery = FailureRecovery()
+    host = host_of(
+        config,
+        module,
+        model,
+        robot,
+        identities,
+        videos=videos,
+        utc_now=lambda: datetime.now(UTC),
+        now=loop_time(),
+        more=(*more, recovery),
+    )
+    FaultMonitor(host, recovery, module, robot)
+    LoadMonitor(host, module, robot)
+    return host
+
+
+def announcement(host: Host, module: ModuleConfig) -> Intercept | None:
+    """Announce the component to the configured console; returns the intercept for its answer."""
+    return Announcement(host, JausID.parse(module.announce_to)).intercept if module.announce_to else None
+
+
+def _close(robot: Robot) -> None:
+    try:
+        robot.close()
+    except Exception:  # noqa: BLE001 - whatever a backend raises
+        _LOG.exception("the backend could not close the robot")
+
+
+async def _cancel(task: asyncio.Task[None]) -> None:
+    task.cancel()
+    with suppress(asyncio.CancelledError):
+        await task
