@@ -60,6 +60,11 @@ def test_explain_covers_every_byte(models: dict[str, m.Message]) -> None:
             "000bff00010200",
             (7, 0, "service_list[1].major_version_number", "needs 1 byte (u8), 0 left"),
         ),
+        (
+            "ReportJointPositions",
+            "024601",
+            (3, 0, "joint_position_list[0].joint_position.choice", "needs 1 byte, 0 left"),
+        ),
         ("SetTravelSpeedExt", "2f0c0900000000", (2, 1, "speed.choice", "type 9 is not defined, only 0, 1, 2, 3")),
     ],
 )

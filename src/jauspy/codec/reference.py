@@ -326,10 +326,11 @@ class Explainer:
         names = members([(c.index, c.name or c.units) for c in node.choices])
         by_index = {index: name for name, index in names.items()}
         self._known(tree.index, by_index, f"{path}.choice", "type")
-        self._row(tree.index, f"{path}.choice", by_index[tree.index.value])
+        name = by_index.get(tree.index.value)  # unknown only behind the end of the message
+        self._row(tree.index, f"{path}.choice", name)
         choice = next(c for c in node.choices if c.index == tree.index.value)
         value = self._number(choice, tree.number, f"{path}.value", choice.name)
-        return {"choice": by_index[tree.index.value], "value": value}
+        return {"choice": name, "value": value}
 
     def _bytes(self, count: m.Count, tree: Container, path: str) -> dict[str, str]:
         self._counted(count, tree.count, path)
