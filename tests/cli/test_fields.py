@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import shlex
+from random import Random
 
 import pytest
 import yaml
@@ -151,6 +152,39 @@ def test_values_have_the_decimals_of_their_resolution():
     message = registry.by_name("ReportLocalPose")(x=2.0, yaw=math.pi / 2)
     message = type(message).decode(message.encode())
     assert [line.plain for line in field_lines(message)] == ["x: 2 m", "yaw: 1.5708 rad"]
+
+
+def test_text_and_json_show_the_same_values():
+    random = Random(1)
+    for cls in registry:
+        for size in (0, 3, 20, 150):
+            data = bytes(random.choice((0, 1, 2, 3, random.randrange(256))) for _ in range(size))
+            incomplete, _ = cls.decode(cls.CODE.to_bytes(2, "little") + data, strict=False)
+            message, _ = cls.decode(incomplete.encode(strict=False), strict=False)
+            text = "\n".join(line.plain for line in field_lines(message, yaml=True))
+            assert is_same(yaml.load(text, yaml.BaseLoader) or {}, message.to_dict()), (cls.NAME, data.hex())
+
+
+def is_same(shown, expected):
+    """True if values of YAML are those of JSON: numbers in the decimals of their resolution, messages by their name."""
+    if isinstance(expected, dict):
+        names = expected.keys() - ({"service", "version"} if "message" in expected else set())
+        return shown.keys() == names and all(is_same(shown[name], expected[name]) for name in names)
+    if isinstance(expected, list):
+        return len(shown) == len(expected) and all(map(is_same, shown, expected))
+    if isinstance(expected, str):
+        is_float = shown in {".nan", ".inf", "-.inf"}
+        return (shown.replace(".", "") if is_float else shown) == (expected.partition(":")[0] if is_float else expected)
+    number = int(shown, 16) if shown.startswith("0x") else float(shown)
+    return math.isclose(number, expected, rel_tol=1e-6, abs_tol=0.5)
+
+
+@pytest.mark.parametrize("data", ["2304000100", "23040001000200"])
+def test_lists_that_contain_nothing_are_shown(data):
+    message, _ = registry.decode(bytes.fromhex(data), strict=False)
+    text = "\n".join(line.plain for line in field_lines(message, yaml=True))
+    assert "- []" in text
+    assert list(yaml.safe_load(text)) == list(message.to_dict())
 
 
 INPUTS = [

@@ -2,17 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
-from functools import cached_property
-from typing import Final
+from typing import Final, NamedTuple
 
 from jauspy.codec.message import Message, too_short
 from jauspy.codec.registry import NO_HINTS, Collision, Hints, MessageEntry, Registry
-from jauspy.errors import DecodeError, EncodeError, ProtocolError
-from jauspy.protocol import judp, junior
+from jauspy.errors import EncodeError, ProtocolError
+from jauspy.protocol import header, judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 
-V1_MARK: Final = 0x01
+V1_MARK: Final = b"\x01"
 OPC_MARK: Final = b"JAUS01.0"  # OpenJAUS 2.75 and similar stacks wrote this before an AS5669 v1 header
 # A JAUS Toolset component that sends with priority 0 sets all bits of the control byte.
 PRIORITY_ZERO: Final = "control byte FF, as a faulty sender of priority 0 sets it; taken for a single packet"
@@ -20,12 +18,12 @@ STANDARD: Final = "urn:jaus:jss:"
 OLD_HEADER: Final = "AS5669 v1/OPC header, not decoded"
 
 
-@dataclass(frozen=True)
-class Content:
+class Content(NamedTuple):
     """The message of a packet or of bare bytes, as far as it can be decoded.
 
     `message` is None if there is none (an acknowledgement, a later fragment), if its code is unknown, or if its bytes
     are invalid; `problem` then says which. `others` are further meanings of the id, unless hints were given.
+    `reencodes` is true if `reencoded` gives exactly the original bytes.
     """
 
     payload: bytes
@@ -34,6 +32,7 @@ class Content:
     problem: str = ""
     broken: bool = False
     others: tuple[MessageEntry, ...] = ()
+    reencodes: bool = True
 
     @property
     def code(self) -> int | None:
@@ -42,39 +41,22 @@ class Content:
 
     def reencoded(self) -> bytes | None:
         """The encoded message; the payload itself if nothing was decoded; None if the message cannot be encoded."""
-        if self.message is None:
-            return self.payload
-        try:
-            if not self.deviations:
-                return self.message.encode()
-        except EncodeError:
-            pass
-        try:
-            return self.message.encode(strict=False)
-        except EncodeError:
-            return None
+        return self.payload if self.message is None else _encoded(self.message, strict=not self.deviations)
 
     @property
     def exact(self) -> bool:
         """True when the bytes are exactly one known message, without deviations."""
         return self.message is not None and not self.deviations and self.reencodes
 
-    @cached_property
-    def reencodes(self) -> bool:
-        """True when the decoded message encodes to exactly the original bytes."""
-        return self.reencoded() == self.payload
 
-
-@dataclass(frozen=True, slots=True)
-class Part:
+class Part(NamedTuple):
     """One packet of a datagram and its content."""
 
     packet: Packet
     content: Content
 
 
-@dataclass(frozen=True, slots=True)
-class Dissection:
+class Dissection(NamedTuple):
     """A dissected datagram; `errors` are sentences about what could not be read.
 
     `note` describes datagrams of another known format than AS5669A.
@@ -90,8 +72,8 @@ class Dissection:
         """True when headers and messages encode to exactly the original bytes."""
         if not self.parts:
             return False
-        again = b"".join(judp.pack(part.packet)[1:] for part in self.parts)
-        return all(part.content.reencodes for part in self.parts) and self.data[:1] + again == self.data
+        again = [header.pack(part.packet) for part in self.parts]
+        return b"".join([self.data[:1], *again]) == self.data and all(part.content.reencodes for part in self.parts)
 
 
 def dissect(data: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Dissection:
@@ -99,7 +81,7 @@ def dissect(data: bytes, registry: Registry, wanted: Hints = NO_HINTS) -> Dissec
     if is_old_header(data):
         return Dissection(data, note=OLD_HEADER)
     packets, problems = judp.unpack_all(data)
-    parts = tuple(Part(packet, _content_of(packet, registry, wanted)) for packet in packets)
+    parts = tuple([Part(packet, _content_of(packet, registry, wanted)) for packet in packets])
     errors = [_sentence(problem) for problem in problems]
     errors += [part.content.problem for part in parts if part.content.broken]
     return Dissection(data, parts, tuple(errors))
@@ -122,16 +104,29 @@ def read_message(payload: bytes, registry: Registry, wanted: Hints = NO_HINTS) -
     """
     if len(payload) < 2:
         return Content(payload, problem=too_short(payload).reason, broken=True)
-    code = int.from_bytes(payload[:2], "little")
+    code = payload[0] | payload[1] << 8
     hints = registry.narrowed(code, wanted) if wanted != NO_HINTS else NO_HINTS
-    try:
-        message, deviations = registry.decode(
-            payload, service=hints.service, version=hints.version, message=hints.message, strict=False
-        )
-    except DecodeError:
+    kind = registry.class_of(payload, hints)
+    if kind is None:
         return Content(payload, problem=_undecided(code, registry.collision(code, hints)))
-    others = registry.others(type(message)) if hints == NO_HINTS else ()
-    return Content(payload, message, tuple(map(str, deviations)), others=others)
+    message, found = registry.decode_as(kind, payload, strict=False)
+    deviations = tuple(map(str, found)) if found else ()
+    others = registry.others(kind) if hints == NO_HINTS else ()
+    reencodes = _encoded(message, strict=not found) == payload
+    return Content(payload, message, deviations, others=others, reencodes=reencodes)
+
+
+def _encoded(message: Message, *, strict: bool) -> bytes | None:
+    """The bytes of a message, with values outside their sets if need be; None if they cannot be encoded."""
+    try:
+        if strict:
+            return message.encode()
+    except EncodeError:
+        pass
+    try:
+        return message.encode(strict=False)
+    except EncodeError:
+        return None
 
 
 def _undecided(code: int, collision: Collision | None) -> str:
@@ -143,21 +138,21 @@ def _undecided(code: int, collision: Collision | None) -> str:
 
 def is_old_header(data: bytes) -> bool:
     """True for packet formats older than AS5669A."""
-    return data.startswith(OPC_MARK) or (data[:1] == bytes([V1_MARK]) and len(data) >= 21)
+    return data.startswith(OPC_MARK) or (data[:1] == V1_MARK and len(data) >= 21)
 
 
 def _content_of(packet: Packet, registry: Registry, wanted: Hints) -> Content:
     payload = bytes(packet.payload)
     if not payload:
         return Content(payload)
+    if packet.data_flag is DataFlag.SINGLE and packet.ack is not Ack.ACK:
+        return read_message(payload, registry, wanted)
     if packet.broadcast == Broadcast.RESERVED and packet.ack == Ack.ACK and packet.data_flag == DataFlag.LAST:
         content = read_message(payload, registry, wanted)
-        return replace(content, deviations=(PRIORITY_ZERO, *content.deviations))
+        return content._replace(deviations=(PRIORITY_ZERO, *content.deviations))
     if packet.ack == Ack.ACK:
         return Content(payload, problem="an acknowledgement with a payload, not decoded")
-    if packet.data_flag != DataFlag.SINGLE:
-        return Content(payload, problem=f"{packet.data_flag.name.lower()} fragment, {len(payload)} bytes")
-    return read_message(payload, registry, wanted)
+    return Content(payload, problem=f"{packet.data_flag.name.lower()} fragment, {len(payload)} bytes")
 
 
 def _sentence(problem: ProtocolError) -> str:

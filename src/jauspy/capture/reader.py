@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import lru_cache
 from io import BufferedReader
-from typing import Final
+from typing import Final, NamedTuple
 
 import dpkt
 
@@ -55,8 +55,7 @@ _VLAN_TYPES: Final = (0x8100, 0x88A8, 0x9100)
 _AF_INET: Final = (2).to_bytes(4, "big"), (2).to_bytes(4, "little")
 
 
-@dataclass(frozen=True, slots=True)
-class Datagram:
+class Datagram(NamedTuple):
     """One captured UDP datagram.
 
     `number` is the frame's in the file, from 1, as Wireshark counts; `time` is in seconds since 1970, UTC.
@@ -196,8 +195,7 @@ def _pcapng_frames(
             yield offset + (high << 32 | low) / ticks, body[20 : 20 + size]
 
 
-@dataclass(frozen=True, slots=True)
-class Udp:
+class Udp(NamedTuple):
     """One UDP datagram: `source` and `destination` are (address, port)."""
 
     source: tuple[str, int]

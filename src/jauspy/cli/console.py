@@ -60,19 +60,20 @@ def print_lines(*lines: str, file: TextIO | None = None) -> None:
     print(*map(printable, lines), sep="\n", file=file, flush=True)
 
 
-_UNESCAPED: Final = json.JSONEncoder(ensure_ascii=False)
+_UNESCAPED: Final = json.JSONEncoder(ensure_ascii=False, check_circular=False)
 
 
 def print_json(value: Any, *, flush: bool = True) -> None:
     """Print one JSON object in a line on stdout."""
     text = _UNESCAPED.encode(value)
-    sys.stdout.write((text if text.isprintable() else json.dumps(value)) + "\n")
+    is_safe = text.isascii() or text.isprintable()  # JSON of ASCII text is the same with and without escapes
+    sys.stdout.write((text if is_safe else json.dumps(value)) + "\n")
     if flush:
         sys.stdout.flush()
 
 
-def styled_printer() -> Callable[[Iterable[tuple[str, str]]], None]:
-    """A function that prints a line of texts and their styles on stdout, without flushing; terminals show the styles.
+def styled_printer() -> Callable[[Iterable[Iterable[tuple[str, str]]]], None]:
+    """A function that prints lines of texts and their styles on stdout, without flushing; terminals show the styles.
 
     Whether stdout is a terminal is asked once: asking takes longer than printing.
     """
@@ -81,12 +82,15 @@ def styled_printer() -> Callable[[Iterable[tuple[str, str]]], None]:
         return _print_plain
     from rich.text import Text
 
-    return lambda parts: out.print(Text.assemble(*parts))
+    def print_styled(lines: Iterable[Iterable[tuple[str, str]]]) -> None:
+        for parts in lines:
+            out.print(Text.assemble(*parts))
+
+    return print_styled
 
 
-def _print_plain(parts: Iterable[tuple[str, str]]) -> None:
-    line = "".join([text for text, _ in parts])
-    sys.stdout.write((line if line.isprintable() else printable_lines(line)) + "\n")
+def _print_plain(lines: Iterable[Iterable[tuple[str, str]]]) -> None:
+    sys.stdout.write("".join([printable_lines("".join([text for text, _ in parts])) + "\n" for parts in lines]))
 
 
 def error(message: str) -> None:

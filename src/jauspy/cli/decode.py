@@ -10,7 +10,7 @@ from enum import StrEnum
 from functools import cache, lru_cache
 from io import BufferedReader
 from pathlib import Path
-from typing import Annotated, Any, Final, Literal, Protocol, cast
+from typing import TYPE_CHECKING, Annotated, Any, Final, Literal, NamedTuple, Protocol, cast
 
 import typer
 
@@ -29,7 +29,6 @@ from jauspy.cli import console
 from jauspy.cli.can_log import CanFrame, can_frames, changes, is_can_log
 from jauspy.cli.definitions import Definitions, SchemasOption, ServiceName, ServiceVersion, definitions
 from jauspy.cli.render import Styled, styled_fields
-from jauspy.codec import reference
 from jauspy.codec.message import Message
 from jauspy.codec.registry import NO_HINTS, Hints, MessageEntry, Registry
 from jauspy.errors import ConfigError
@@ -37,6 +36,9 @@ from jauspy.messages import registry
 from jauspy.printable import printable
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.schema import model
+
+if TYPE_CHECKING:
+    from jauspy.codec import reference
 
 
 class HexKind(StrEnum):
@@ -182,6 +184,8 @@ def rows_of(content: Content, model_of: Callable[[type[Message]], model.Message]
     """The fields of a message, up to the damage; none if the message is unknown."""
     if content.message is None:
         return []
+    from jauspy.codec import reference  # loads construct, which only explanations need
+
     return reference.explain(model_of(type(content.message)), content.payload)
 
 
@@ -209,8 +213,7 @@ def _explained_value(value: Any) -> str:
     return "" if value is None else printable(str(value))
 
 
-@dataclass(frozen=True, slots=True)
-class Item:
+class Item(NamedTuple):
     """One thing to show: a datagram (captured or pasted) or a bare message. `number` is 0 when there is only one."""
 
     number: int
@@ -285,7 +288,7 @@ def as_json(item: Item) -> dict[str, Any]:
     else:
         messages = [_part_json(part) for part in dissection.parts]
         errors = list(dissection.errors)
-    return {
+    shown = {
         "n": item.number,
         "time": captured.time if captured else None,
         "source": _address(captured.source) if captured else None,
@@ -294,7 +297,10 @@ def as_json(item: Item) -> dict[str, Any]:
         "messages": messages,
         "errors": errors,
         "reencodes": dissection.reencodes if dissection else bool(bare and bare.reencodes),
-    } | ({"note": dissection.note} if dissection and dissection.note else {})
+    }
+    if dissection and dissection.note:
+        shown["note"] = dissection.note
+    return shown
 
 
 def _part_json(part: Part) -> dict[str, Any]:
@@ -323,13 +329,13 @@ def _header_names(priority: Priority, broadcast: Broadcast, ack: Ack, data_flag:
 
 
 def _content_json(content: Content) -> dict[str, Any]:
-    message = content.message
+    message, code, others = content.message, content.code, content.others
     return {
-        "code": None if content.code is None else f"{content.code:04X}",
+        "code": None if code is None else f"{code:04X}",
         "message": message.NAME if message else None,
         "service": message.SERVICE if message else None,
         "version": message.VERSION if message else None,
-        "also": [{"message": each.name, "service": each.service, "version": each.version} for each in content.others],
+        "also": [{"message": each.name, "service": each.service, "version": each.version} for each in others],
         "fields": message.to_dict() if message else None,
         "deviations": list(content.deviations),
         "problem": content.problem or None,
@@ -359,77 +365,74 @@ class HumanPrinter:
     def show(self, item: Item) -> None:
         """Print one item."""
         self.failed |= item.failed
-        if item.dissection is None:
-            if item.bare is not None:
-                self._heading(item, _title(item.bare))
-                self._content(item.bare)
-            return
-        self._datagram(item, item.dissection)
+        if item.dissection is not None:
+            self._print(self._datagram(item, item.dissection))
+        elif item.bare is not None:
+            self._print(self._heading(item, _title(item.bare)) + self._content(item.bare))
 
     def show_frame(self, frame: CanFrame) -> None:
         """Print one CAN frame in a line."""
         head = f"      {self._elapsed(frame.time)}  {frame.channel or 'CAN'} {frame.identifier:03X}  "
-        self._print([(head, ""), (frame.text, "magenta")])
+        self._print([[(head, ""), (frame.text, "magenta")]])
 
     def _elapsed(self, time: float) -> str:
         if self._start is None:
             self._start = time
         return f"{time - self._start:+12.6f} s"
 
-    def _datagram(self, item: Item, dissection: Dissection) -> None:
+    def _datagram(self, item: Item, dissection: Dissection) -> list[Styled]:
+        lines: list[Styled] = []
         if dissection.note:
-            self._heading(item, [(f"{dissection.note} ({len(dissection.data)} bytes)", "yellow")])
-        for index, part in enumerate(dissection.parts):
-            line = [_route(part.packet), ("  ", ""), *_title(part.content), _flags(part.packet)]
-            if index == 0:
-                self._heading(item, line)
-            else:
-                self._print([("   + ", ""), *line])
-            self._content(part.content)
-        if not dissection.parts and not dissection.note:
-            self._heading(item, [(f"{len(dissection.data)} bytes", "red")])
-        for error in dissection.errors:
-            self._print([(f"     {error}", "red")])
+            lines += self._heading(item, [(f"{dissection.note} ({len(dissection.data)} bytes)", "yellow")])
+        for part in dissection.parts:
+            title = [_route(part.packet), ("  ", ""), *_title(part.content), _flags(part.packet)]
+            lines += [[("   + ", ""), *title]] if lines else self._heading(item, title)
+            lines += self._content(part.content)
+        if not lines:
+            lines += self._heading(item, [(f"{len(dissection.data)} bytes", "red")])
+        lines += [_remark(error, "red") for error in dissection.errors]
+        return lines
 
-    def _heading(self, item: Item, line: Styled) -> None:
+    def _heading(self, item: Item, title: Styled) -> list[Styled]:
         head = f"{item.number:>4}" if item.number else ""
         if item.captured is not None:
-            head += f"  {self._elapsed(item.captured.time)}"
-            head += f"  {_short(item.captured.source)} → {_short(item.captured.destination)}"
-        if self._width and len(head) + 2 + sum(len(text) for text, _ in line) > self._width:
-            self._print([(head, "dim")])
-            self._print([("     ", ""), *line])
-        else:
-            self._print([(head, "dim"), ("  ", ""), *line] if head else line)
+            _, time, source, destination, _ = item.captured
+            head += f"  {self._elapsed(time)}  {_short(source)} → {_short(destination)}"
+        if self._width and len(head) + 2 + sum(len(text) for text, _ in title) > self._width:
+            return [[(head, "dim")], [("     ", ""), *title]]
+        return [[(head, "dim"), ("  ", ""), *title] if head else title]
 
-    def _content(self, content: Content) -> None:
-        if content.problem and not content.broken:
-            self._print([(f"     {content.problem}", "yellow")])
-        self._note_others(content)
-        if content.message is None and content.payload:
-            self._print([(f"     {_hex(content.payload)}", "dim")])
-        if self._explain:
-            for row in explanation(content, self._explain.model_of):
-                self._print([("     ", ""), *row])
-        elif content.message is not None:
-            for line in styled_fields(content.message):
-                self._print([("     ", ""), *line])
-        for deviation in content.deviations:
-            self._print([(f"     {deviation}", "yellow")])
-        if content.message is not None and not content.reencodes:
-            again = content.reencoded()
-            text = f"encodes to {_hex(again)}" if again is not None else "does not encode again"
-            self._print([(f"     {text}", "yellow")])
-
-    def _note_others(self, content: Content) -> None:
-        """Print the other definitions of a message id, the first time that it occurs."""
+    def _content(self, content: Content) -> list[Styled]:
         message = content.message
-        if message is None or message.CODE in self._noted or not content.others:
-            return
+        lines: list[Styled] = []
+        if content.problem and not content.broken:
+            lines.append(_remark(content.problem))
+        lines += self._others(content)
+        if message is None and content.payload:
+            lines.append(_remark(_hex(content.payload), "dim"))
+        if self._explain:
+            lines += [[("     ", ""), *row] for row in explanation(content, self._explain.model_of)]
+        elif message is not None:
+            lines += styled_fields(message, margin="     ")
+        lines += [_remark(deviation) for deviation in content.deviations]
+        if not content.reencodes:
+            again = content.reencoded()
+            lines.append(_remark(f"encodes to {_hex(again)}" if again is not None else "does not encode again"))
+        return lines
+
+    def _others(self, content: Content) -> list[Styled]:
+        """The other definitions of a message id, the first time that it occurs."""
+        message = content.message
+        if message is None or not content.others or message.CODE in self._noted:
+            return []
         self._noted.add(message.CODE)
         others = ", ".join(f"{each.name} in {_place(each)} ({_option(each, message)})" for each in content.others)
         here = f"{_service(message.SERVICE)} {message.VERSION}"
-        self._print([(f"     decoded as in {here}; also {others}", "dim")])
+        return [_remark(f"decoded as in {here}; also {others}", "dim")]
+
+
+def _remark(text: str, style: str = "yellow") -> Styled:
+    return [(f"     {text}", style)]
 
 
 def _option(entry: MessageEntry, shown: Message) -> str:
@@ -461,17 +464,22 @@ def _route(packet: Packet) -> tuple[str, str]:
 
 def _flags(packet: Packet) -> tuple[str, str]:
     """Header fields that are not standard priority, unicast, unacknowledged, unfragmented; and the sequence number."""
+    words = _unusual(packet.priority, packet.broadcast, packet.ack, packet.data_flag)
+    return f"  {words}seq {packet.sequence}", "dim"
+
+
+@cache
+def _unusual(priority: Priority, broadcast: Broadcast, ack: Ack, data_flag: DataFlag) -> str:
     words = []
-    if packet.priority != Priority.STANDARD:
-        words.append(packet.priority.name.lower().replace("_", " ") + " priority")
-    if packet.broadcast != Broadcast.NONE:
-        words.append(f"{packet.broadcast.name.lower()} broadcast")
-    if packet.ack != Ack.NONE:
-        words.append({Ack.REQUIRED: "ack required", Ack.ACK: "ACK", Ack.NAK: "NAK"}[packet.ack])
-    if packet.data_flag != DataFlag.SINGLE:
-        words.append(f"{packet.data_flag.name.lower()} fragment")
-    words.append(f"seq {packet.sequence}")
-    return "  " + ", ".join(words), "dim"
+    if priority != Priority.STANDARD:
+        words.append(priority.name.lower().replace("_", " ") + " priority")
+    if broadcast != Broadcast.NONE:
+        words.append(f"{broadcast.name.lower()} broadcast")
+    if ack != Ack.NONE:
+        words.append({Ack.REQUIRED: "ack required", Ack.ACK: "ACK", Ack.NAK: "NAK"}[ack])
+    if data_flag != DataFlag.SINGLE:
+        words.append(f"{data_flag.name.lower()} fragment")
+    return "".join(f"{word}, " for word in words)
 
 
 def _short(address: tuple[str, int]) -> str:

@@ -5,9 +5,8 @@ from __future__ import annotations
 import json
 import math
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from enum import IntEnum
-from functools import cache
 from typing import Any, Final, NamedTuple, TypeAlias
 
 from rich.text import Text
@@ -30,32 +29,26 @@ class Leaf(NamedTuple):
     note: str = ""
 
 
+_NOTHING: Final = Leaf("")
+
 Tree: TypeAlias = "Leaf | dict[str, Tree] | list[Tree]"
 
-
-class _Line(NamedTuple):
-    indent: str
-    name: str
-    leaf: Leaf
-
+_Line: TypeAlias = tuple[str, str, Leaf]
+"""Indentation, name, and value."""
 
 Styled: TypeAlias = "list[tuple[str, str]]"
 """A line: texts, and their styles on terminals."""
 
 
-def styled_fields(message: Message, *, yaml: bool = False) -> Iterator[Styled]:
-    """The fields of a message, one line each; with `yaml` the lines together are valid YAML."""
-    tree = tree_of(message.layout(), message)
-    assert isinstance(tree, dict)
+def styled_fields(message: Message, *, yaml: bool = False, margin: str = "") -> Iterator[Styled]:
+    """The fields of a message, one line each, behind `margin`; with `yaml` the lines together are valid YAML."""
     mark = "  # " if yaml else " "
-    for line in _entries(tree, ""):
-        leaf = line.leaf
-        name = f"{line.name}: " if leaf.text else f"{line.name}:"
+    for indent, name, (text, note) in _entries(_fields_of(message), margin):
         yield [
-            (line.indent, ""),
-            (name if line.name else "", "cyan"),
-            (leaf.text, ""),
-            (f"{mark}{leaf.note}" if leaf.note else "", "dim"),
+            (indent, ""),
+            ((f"{name}: " if text else f"{name}:") if name else "", "cyan"),
+            (text, ""),
+            (mark + note if note else "", "dim"),
         ]
 
 
@@ -67,80 +60,112 @@ def field_lines(message: Message, *, yaml: bool = False) -> Iterator[Text]:
 
 # --- from a value to a tree -----------------------------------------------------------------------------------------
 
+_Render: TypeAlias = "Callable[[Any], Tree]"
+"""Makes names, texts and units of the values of one layout."""
 
-def tree_of(item: Item, value: Any) -> Tree:
-    """Names, texts and units of a value with the layout `item`."""
-    return _renderer(type(item))(item, value)
-
-
-@cache
-def _renderer(kind: type[Item]) -> Callable[[Any, Any], Tree]:
-    """How values of a kind of layout become trees; asked once for each, since a message has many fields."""
-    return next((render for base, render in _RENDERERS.items() if issubclass(kind, base)), _leaf)
+_FIELDS: Final[dict[type[Message], Callable[[Message], dict[str, Tree]]]] = {}
 
 
-def _composite(item: Composite, value: Any) -> Tree:
-    found: dict[str, Tree] = {}
-    for slot in item.slots:
-        part = getattr(value, slot.name)
-        if part is not None:
-            found[slot.name] = tree_of(slot.item, part)
-    return found | _reserved_bits(value)
+def _fields_of(message: Message) -> dict[str, Tree]:
+    """The fields of a message. The layout of each class is inspected once, since a capture has many messages."""
+    kind = type(message)
+    if kind not in _FIELDS:
+        layout = kind.layout()
+        assert isinstance(layout, Composite)
+        _FIELDS[kind] = _composite(layout)
+    return _FIELDS[kind](message)
 
 
-def _bits(item: Bits, value: Any) -> Tree:
-    return {bit.name: _integer(getattr(value, bit.name)) for bit in item.bits} | _reserved_bits(value)
+def _renderer(item: Item) -> _Render:
+    match item:
+        case Composite():
+            return _composite(item)
+        case Bits():
+            return _bits(item)
+        case Union():
+            return _union(item)
+        case Repeat():
+            return _list(_renderer(item.item))
+        case Grid():
+            return _list(_renderer(Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item))
+        case Choice():
+            return _choice(item)
+        case Formatted():
+            return lambda value: {"format": _integer(value.format), "data": _blob(value.data)}
+        case Blob():
+            return _blob
+        case Real():
+            return _real_number(item)
+        case Number():
+            return _float_number(item) if item.code in FLOATS else _integer_number(item)
+        case _:
+            return lambda value: Leaf(_quoted(value) if isinstance(value, str) else str(value))
 
 
-def _union(item: Union, value: Any) -> Tree:
-    return {name: tree_of(arm, value) for name, arm in item.arms.items() if arm.cls is type(value)}
+def _composite(item: Composite) -> Callable[[Any], dict[str, Tree]]:
+    parts = [(slot.name, _renderer(slot.item)) for slot in item.slots]
+
+    def render(value: Any) -> dict[str, Tree]:
+        found: dict[str, Tree] = {}
+        for name, render_part in parts:
+            part = getattr(value, name)
+            if part is not None:
+                found[name] = render_part(part)
+        if item.undefined and value.reserved_presence:
+            found["reserved_presence"] = Leaf(f"0x{value.reserved_presence:X}")
+        return found
+
+    return render
 
 
-def _repeat(item: Repeat, value: Any) -> Tree:
-    return [tree_of(item.item, part) for part in value]
+def _bits(item: Bits) -> _Render:
+    def render(value: Any) -> Tree:
+        found: dict[str, Tree] = {bit.name: _integer(getattr(value, bit.name)) for bit in item.bits}
+        if item.reserved and value.reserved_bits:
+            found["reserved_bits"] = Leaf(f"0x{value.reserved_bits:X}")
+        return found
+
+    return render
 
 
-def _grid(item: Grid, value: Any) -> Tree:
-    inner = Grid(item.item, item.sizes[1:]) if len(item.sizes) > 1 else item.item
-    return [tree_of(inner, part) for part in value]
+def _union(item: Union) -> _Render:
+    arms = {arm.cls: (name, _composite(arm)) for name, arm in item.arms.items()}
+
+    def render(value: Any) -> Tree:
+        name, render_arm = arms[type(value)]
+        return {name: render_arm(value)}
+
+    return render
 
 
-def _choice(item: Choice, value: Any) -> Tree:
-    chosen = item.items.get(value.choice)
-    return {"choice": _integer(value.choice), "value": _number(chosen, value.value)}
+def _list(render_part: _Render) -> _Render:
+    return lambda value: [render_part(part) for part in value]
 
 
-def _formatted(_item: Formatted, value: Any) -> Tree:
-    return {"format": _integer(value.format), "data": _blob(value.data)}
+def _choice(item: Choice) -> _Render:
+    numbers = {index: _renderer(number) for index, number in item.items.items()}
+    return lambda value: {"choice": _integer(value.choice), "value": numbers[value.choice](value.value)}
 
 
-def _leaf(item: Item, value: Any) -> Tree:
-    return Leaf(_quoted(value)) if isinstance(value, str) else _number(item, value)
+def _real_number(item: Real) -> _Render:
+    decimals, symbol = _decimals(item.scaling.factor), unit_symbol(item.units)
+    return lambda value: Leaf(_real(value, decimals), symbol)
 
 
-_RESERVED: Final = ("reserved_bits", "reserved_presence")
+def _float_number(item: Number) -> _Render:
+    digits, symbol = 7 if item.code == "f" else 15, unit_symbol(item.units)
+    return lambda value: Leaf(_float(value, digits), symbol)
 
 
-def _reserved_bits(value: Any) -> dict[str, Tree]:
-    """Reserved bits, if they are set."""
-    return {name: Leaf(f"0x{getattr(value, name):X}") for name in _RESERVED if getattr(value, name, 0)}
+def _integer_number(item: Number) -> _Render:
+    symbol = unit_symbol(item.units)
+
+    def render(value: Any) -> Leaf:
+        return _integer(value) if isinstance(value, IntEnum) else Leaf(str(value), symbol)
+
+    return render
 
 
-def _number(item: Item | None, value: float) -> Leaf:
-    if isinstance(item, Real):
-        return Leaf(_real(value, _decimals(item.scaling.factor)), _symbol(item.units))
-    if isinstance(item, Number) and item.code in FLOATS:
-        return Leaf(_float(value, 7 if item.code == "f" else 15), _symbol(item.units))
-    if isinstance(item, Number):
-        named = _integer(value)
-        return named if named.note else Leaf(named.text, _symbol(item.units))
-    return Leaf(str(value))
-
-
-_symbol: Final = cache(unit_symbol)
-
-
-@cache
 def _decimals(steps_per_unit: float) -> int:
     """Decimals that the encoding resolves."""
     return min(12, max(0, math.floor(math.log10(steps_per_unit))))
@@ -165,8 +190,7 @@ def _integer(value: Any) -> Leaf:
 
 def _blob(value: Message | bytes) -> Tree:
     if isinstance(value, Message):
-        fields = tree_of(value.layout(), value)
-        return {"message": Leaf(value.NAME, f"{value.CODE:04X}h"), "fields": fields}
+        return {"message": Leaf(value.NAME, f"{value.CODE:04X}h"), "fields": _fields_of(value)}
     return {"hex": Leaf(f'"{value.hex()}"', f"{len(value)} bytes")}
 
 
@@ -175,53 +199,46 @@ def _quoted(text: str) -> str:
     return text if plain else json.dumps(text)
 
 
-_RENDERERS: Final[Mapping[type[Item], Callable[[Any, Any], Tree]]] = {
-    Composite: _composite,
-    Bits: _bits,
-    Union: _union,
-    Repeat: _repeat,
-    Grid: _grid,
-    Choice: _choice,
-    Formatted: _formatted,
-    Blob: lambda _, value: _blob(value),
-}
-
-
 # --- from a tree to lines -------------------------------------------------------------------------------------------
 
 
-def _entries(tree: dict[str, Tree], indent: str) -> Iterator[_Line]:
+def _entries(tree: dict[str, Tree], indent: str) -> list[_Line]:
+    lines: list[_Line] = []
     for name, part in tree.items():
         if isinstance(part, Leaf):
-            yield _Line(indent, name, part)
-        elif not part:
-            yield _Line(indent, name, Leaf("[]" if isinstance(part, list) else "{}"))
-        elif isinstance(part, dict):
-            yield _Line(indent, name, Leaf(""))
-            yield from _entries(part, indent + _INDENT)
+            lines.append((indent, name, part))
         elif (inline := _inline(part)) is not None:
-            yield _Line(indent, name, inline)
+            lines.append((indent, name, inline))
         else:
-            yield _Line(indent, name, Leaf(""))
-            yield from _elements(part, indent + _INDENT)
+            lines.append((indent, name, _NOTHING))
+            deeper = indent + _INDENT
+            lines += _entries(part, deeper) if isinstance(part, dict) else _elements(part, deeper)
+    return lines
 
 
-def _inline(parts: list[Tree]) -> Leaf | None:
-    """Numbers that fit on one line, such as a covariance row."""
-    leaves = [part for part in parts if isinstance(part, Leaf)]
-    if len(leaves) < len(parts) or len({leaf.note for leaf in leaves}) > 1:
+def _inline(part: dict[str, Tree] | list[Tree]) -> Leaf | None:
+    """What fits on one line: nothing, or numbers such as a covariance row."""
+    if not part:
+        return Leaf("[]" if isinstance(part, list) else "{}")
+    if isinstance(part, dict):
+        return None
+    leaves = [element for element in part if isinstance(element, Leaf)]
+    if len(leaves) < len(part) or len({leaf.note for leaf in leaves}) > 1:
         return None
     return Leaf(f"[{', '.join(leaf.text for leaf in leaves)}]", leaves[0].note)
 
 
-def _elements(parts: list[Tree], indent: str) -> Iterator[_Line]:
+def _elements(parts: list[Tree], indent: str) -> list[_Line]:
+    lines: list[_Line] = []
     for part in parts:
         if isinstance(part, Leaf):
-            yield _Line(f"{indent}- ", "", part)
-        elif (inline := _inline(part) if isinstance(part, list) else None if part else Leaf("{}")) is not None:
-            yield _Line(f"{indent}- ", "", inline)
+            lines.append((f"{indent}- ", "", part))
+        elif (inline := _inline(part)) is not None:
+            lines.append((f"{indent}- ", "", inline))
         else:
             deeper = indent + _INDENT
-            first, *rest = _entries(part, deeper) if isinstance(part, dict) else _elements(part, deeper)
-            yield first._replace(indent=f"{indent}- {first.indent.removeprefix(deeper)}")
-            yield from rest
+            inner = _entries(part, deeper) if isinstance(part, dict) else _elements(part, deeper)
+            first, name, leaf = inner[0]
+            inner[0] = (f"{indent}- {first.removeprefix(deeper)}", name, leaf)
+            lines += inner
+    return lines

@@ -90,8 +90,11 @@ class Composite(Item):
         return mask
 
     def to_json(self, value: Any) -> Any:
-        parts = ((slot, getattr(value, slot.name)) for slot in self.slots)
-        data = {slot.name: slot.item.to_json(part) for slot, part in parts if part is not None}
+        data = {}
+        for slot in self.slots:
+            part = getattr(value, slot.name)
+            if part is not None:
+                data[slot.name] = slot.item.to_json(part)
         if self.undefined and value.reserved_presence:
             data["reserved_presence"] = value.reserved_presence
         return data

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from difflib import get_close_matches
 from functools import cached_property
 from importlib import import_module
-from typing import TYPE_CHECKING, Any, Final, Literal, TypeVar, overload
+from typing import TYPE_CHECKING, Any, Final, Literal, NamedTuple, TypeVar, overload
 
 from jauspy.codec import slow_path
 from jauspy.codec.items import join, shown
@@ -60,8 +60,7 @@ def entries(module: str, service: str, version: str, *messages: tuple[Any, ...])
         yield MessageEntry(code, name, service, version, module, cls[0] if cls else name, wire)
 
 
-@dataclass(frozen=True, slots=True)
-class Hints:
+class Hints(NamedTuple):
     """Narrows a search: the end of a service's URN, a version, a message's name; case does not matter."""
 
     service: str | None = None
@@ -219,7 +218,7 @@ class Registry:
         entries = self.entries_of(code)
         kept = NO_HINTS
         for key in ("message", "service", "version"):
-            hints = replace(kept, **{key: getattr(wanted, key)})
+            hints = kept._replace(**{key: getattr(wanted, key)})
             kept = hints if any(map(hints.fit, entries)) else kept
         return kept
 
