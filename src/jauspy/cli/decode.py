@@ -335,7 +335,7 @@ def _content_json(content: Content) -> dict[str, Any]:
         "message": message.NAME if message else None,
         "service": message.SERVICE if message else None,
         "version": message.VERSION if message else None,
-        "also": [{"message": each.name, "service": each.service, "version": each.version} for each in others],
+        "also": [{"message": entry.name, "service": entry.service, "version": entry.version} for entry in others],
         "fields": message.to_dict() if message else None,
         "deviations": list(content.deviations),
         "problem": content.problem or None,
