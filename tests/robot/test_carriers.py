@@ -13,14 +13,20 @@ from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import JAUS_FROM_REP_103, Transform, jaus_frame
 from jauspy.geometry.vectors import X, Z, rotation_about
-from jauspy.robot.hosts import joint_of
+from jauspy.ids import JausID
+from jauspy.robot.config import ModuleConfig, RobotConfig
+from jauspy.robot.kinds.mounting import joint_of
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.environment_sensing import JointMount
 
 
+def ids(config: RobotConfig) -> dict[JausID, ModuleConfig]:
+    return {config.id_of(module): module for module in config.modules}
+
+
 def carrier(robot: str, link: str) -> JointMount:
     config = load(robot)
-    found = joint_of(config, robot_model(config), link)
+    found = joint_of(ids(config), robot_model(config), link)
     assert found is not None
     return found
 
@@ -51,7 +57,7 @@ def test_mounting_refers_to_the_last_joint_before_the_sensor(robot: str, link: s
 @pytest.mark.parametrize("link", ["lidar_link", "base_link", "left_finger", "left_track"])
 def test_sensor_without_moving_joint_has_no_joint_mount(link: str) -> None:
     config = load("inc1")
-    assert joint_of(config, robot_model(config), link) is None
+    assert joint_of(ids(config), robot_model(config), link) is None
 
 
 @pytest.mark.parametrize("robot", ["inc1", "inc1_pprm"])
@@ -85,4 +91,4 @@ def test_pan_tilt_camera_pose_follows_from_reported_values() -> None:
 def test_unknown_link_is_an_error() -> None:
     config = load("inc1")
     with pytest.raises(ConfigError, match="no joints lead from link 'base_link' to link 'nose'"):
-        joint_of(config, robot_model(config), "nose")
+        joint_of(ids(config), robot_model(config), "nose")

@@ -22,7 +22,7 @@ from jauspy.messages.mobility import (
 )
 from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.localization import RTK, GnssSetup, Localization, LocalizationSetup
-from jauspy.robot.hosts import vehicle_of
+from jauspy.robot.kinds.mobility import vehicle_of
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.mobility.reference_frames import GlobalFrame
 
@@ -30,7 +30,7 @@ from jauspy.services.mobility.reference_frames import GlobalFrame
 def world_with(setup: LocalizationSetup) -> World:
     config, model = described("inc1")
     robot = KinematicRobot(replace(model, localization=setup))
-    vehicle = vehicle_of(config.model_copy(update={"origin": None}), model, robot)
+    vehicle = vehicle_of(config.name, None, model, robot)
     world = World("kinematic", robot=robot, localization=vehicle.localization)
     world.take_control()
     return world

@@ -23,9 +23,9 @@ from jauspy.messages.core import (
     Standby,
 )
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.robot.catalogue import MobilityContext
 from jauspy.robot.config import ModuleConfig
 from jauspy.robot.hosts import WATCHDOG_PERIOD, may_move, module_host
+from jauspy.robot.kinds import MobilityContext
 from jauspy.services.core import Identity
 from jauspy.services.mobility import GlobalPose, Vehicle
 

@@ -19,9 +19,9 @@ from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import cell as m, registry
 from jauspy.messages.core import RequestControl, Resume, Standby
-from jauspy.robot import catalogue
 from jauspy.robot.config import AccessControlConfig, ModuleConfig
 from jauspy.robot.hosts import module_host
+from jauspy.robot.kinds.cell import ModularArmContext
 from jauspy.services.cell import ArmMotionControl, motion_command
 
 CLIENT = JausID(42, 1, 1)
@@ -44,7 +44,7 @@ class Bench:
         self.host = module_host(
             JausID(201, 3, 1),
             module,
-            catalogue.ModularArmContext(robot, ArmMotionControl(self.arm), self.plant.cell),
+            ModularArmContext(robot, ArmMotionControl(self.arm), self.plant.cell),
             identities={},
             utc_now=lambda: START + timedelta(seconds=self.now),
             now=0.0,

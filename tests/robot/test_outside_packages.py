@@ -11,6 +11,7 @@ from jauspy.cli.main import app
 from jauspy.errors import ConfigError
 from jauspy.messages.ugv import QueryOdometry
 from jauspy.robot import catalogue, robot_files
+from jauspy.robot.kinds import MobilityContext
 from jauspy.robot.runner import RobotRunner
 from jauspy.testing import VirtualNetwork
 from jauspy.virtual.environment import VirtualTime
@@ -18,7 +19,7 @@ from jauspy.virtual.environment import VirtualTime
 MODULE = """
 import jauspy
 from jauspy.messages.ugv import ReportOdometry
-from jauspy.robot.catalogue import MobilityContext, ServiceEntry
+from jauspy.robot.kinds import MobilityContext, ServiceEntry
 from jauspy.platform.kinematic import KinematicBackend
 
 
@@ -88,7 +89,7 @@ async def test_installed_packages_add_services_and_backends(write, backend: str)
 @pytest.mark.usefixtures("installed")
 def test_services_of_other_packages_are_not_offered_by_default() -> None:
     assert "Odometer" not in catalogue.defaults("CM-MOB")
-    assert catalogue.find("CM-MOB", "Odometer").context is catalogue.MobilityContext
+    assert catalogue.find("CM-MOB", "Odometer").context is MobilityContext
 
 
 @pytest.mark.usefixtures("installed")

@@ -24,9 +24,9 @@ from jauspy.platform.backends import find
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import Robot
 from jauspy.platform.localization import EXACT, Localization, LocalizedDrive
-from jauspy.robot.catalogue import MobilityContext
 from jauspy.robot.config import ModuleConfig
 from jauspy.robot.hosts import module_host
+from jauspy.robot.kinds import MobilityContext
 from jauspy.services.mobility import GlobalPose, Vehicle
 
 ME, CLIENT, OTHER = JausID(101, 1, 102), JausID(42, 1, 1), JausID(42, 2, 1)

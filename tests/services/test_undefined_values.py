@@ -22,7 +22,7 @@ from jauspy.fuzz.messages import MessageMaker, Style, targets
 from jauspy.ids import JausID
 from jauspy.messages import registry
 from jauspy.messages.core import RejectEventRequest, RequestControl, Resume
-from jauspy.robot.catalogue import BUILT_IN
+from jauspy.robot.kinds import KINDS
 from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner
 from jauspy.schema import load_builtin
@@ -193,7 +193,7 @@ async def test_every_service_of_a_robot() -> None:
                 Sender(component.host, network.now).try_all()
                 assert component.host.counters["unencodable"] == 0
                 running |= {each.name for each in component.host.definitions.values()}
-    others = {name for services in BUILT_IN.values() for name in services} - running
+    others = {name for kind in KINDS.values() for name in kind.services} - running
     inputs = {(each.name, *own.key) for own in load_builtin().services if own.name in others for each in own.inputs}
     kinds = [kind for kind in registry if (kind.NAME, kind.SERVICE, kind.VERSION) in inputs]
     assert kinds, "services that this robot does not have"

@@ -50,7 +50,7 @@ from jauspy.printable import printable
 from jauspy.protocol import junior
 from jauspy.robot import robot_files
 from jauspy.robot.cloud import Clouds
-from jauspy.robot.config import MOTIONLESS, RobotConfig
+from jauspy.robot.config import RobotConfig
 from jauspy.robot.runner import RobotRunner
 from jauspy.transport import LocalTransport, local as local_socket
 
@@ -288,7 +288,7 @@ def _warnings(config: RobotConfig) -> list[str]:
         found.append("warning:   commands without the seal of an operator are taken: require_operator = false")
     for module in config.modules:
         timeout = module.access_control.timeout
-        if module.type not in MOTIONLESS and not 0 < timeout <= LONG_CONTROL_TIMEOUT:
+        if module.kind.moved(module) is not None and not 0 < timeout <= LONG_CONTROL_TIMEOUT:
             how_long = f"for {timeout} s" if timeout else "without limit"
             found.append(
                 f"warning:   {config.id_of(module)} keeps moving {how_long} after its client died: "

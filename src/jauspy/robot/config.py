@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections import Counter
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Annotated, Final, Literal, Self, TypeAlias
+from typing import Annotated, Any, Literal, Self, TypeAlias
 
 from pydantic import (
     AfterValidator,
@@ -35,39 +36,15 @@ from jauspy.platform.tables import Name, UrdfName, check_unique, values_of
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.platform.wheels import WheelJoints
 from jauspy.robot import catalogue
+from jauspy.robot.kinds import KINDS, Kind
+from jauspy.robot.kinds.cell import Connector, Servo
+from jauspy.robot.kinds.mobility import ORIGIN, Mobility
+from jauspy.robot.kinds.sensing import FORCE_TORQUE, LIDARS
 from jauspy.services.command_timeout import DEFAULT_TIMEOUT
 from jauspy.services.core.discovery import Registrants
 from jauspy.services.environment_sensing.digital_resource_discovery import Network
+from jauspy.services.mobility import GlobalPose
 from jauspy.transport.age import MAX_AGE
-
-DEFAULT_GROUPS: Final[Mapping[str, str]] = {"CM-MAN": "arm", "CM-EEF": "gripper"}
-"""The group of joints that a type moves, unless its module names another."""
-
-MOTIONLESS: Final = frozenset({"CM-SEN", "CM-VIS", "CM-PRT"})
-"""Types that move nothing, except a CM-VIS with the group of a pan-tilt unit."""
-
-SERVO: Final = "CM-SRV"
-"""A servo module, with the connectors of its output."""
-CONNECTOR: Final = "CM-CON"
-"""The vacuum connectors of one part."""
-CONVEYOR: Final = "CM-CNV"
-PART_SENSOR: Final = "CM-PRT"
-"""The sensor of parts, and the switches of the modules' power."""
-MODULAR_ARM: Final = "CM-ARM"
-
-IN_CELLS: Final = frozenset({SERVO, CONNECTOR, CONVEYOR, PART_SENSOR, MODULAR_ARM})
-"""Types that only a robot with a `[cell]` has."""
-
-OF_PARTS: Final = frozenset({SERVO, CONNECTOR, MODULAR_ARM})
-"""Types that name their `part`."""
-
-_PARTS: Final = {SERVO: "servo", CONNECTOR: "connectors of", MODULAR_ARM: "modular arm"}
-
-GRIPPER: Final = "gripper"
-"""The `part` of the CM-CON that is the robot's vacuum gripper."""
-
-CAR: Final = "car"
-"""The `part` of the CM-MOB that drives the car of the cell."""
 
 
 class StrictConfig(BaseModel):
@@ -209,10 +186,17 @@ def _check_command_timeout(value: object) -> object:
     return value
 
 
+def _check_kind(type: str) -> str:
+    if type not in KINDS:
+        raise ValueError(f"there is no such kind of module; the kinds are: {', '.join(map(repr, KINDS))}")
+    return type
+
+
 class ModuleConfig(StrictConfig):
     """One capability module: a JAUS component."""
 
-    type: Literal["CM-MOB", "CM-MAN", "CM-EEF", "CM-SEN", "CM-VIS", "CM-SRV", "CM-CON", "CM-CNV", "CM-PRT", "CM-ARM"]
+    type: Annotated[str, AfterValidator(_check_kind)]
+    """Its kind, as in CM-MOB: one of `KINDS`."""
     component: Annotated[int, Field(ge=1, le=254)]
     node: Annotated[int, Field(ge=1, le=254)] | None = None
     """The JAUS node; that of the robot when left out."""
@@ -248,16 +232,7 @@ class ModuleConfig(StrictConfig):
             known = catalogue.defaults(self.type) if self.services is None else self.services
             if unknown := sorted(set(self.command_timeout) - set(known)):
                 raise ValueError(f"command_timeout: this module does not offer {', '.join(unknown)}")
-        if self.group is not None and self.type not in (*DEFAULT_GROUPS, "CM-VIS"):
-            raise ValueError(f"group: a {self.type} moves no group of joints; leave it out")
-        if self.type in OF_PARTS and self.part is None:
-            raise ValueError(f"part: is missing; a {self.type} needs the name of its part")
-        if self.type not in (*OF_PARTS, "CM-MOB") and self.part is not None:
-            raise ValueError(f"part: a {self.type} has none; leave it out")
-        if catalogue.PAN_TILT in needs and self.group is None:
-            raise ValueError(f"group: is missing; {needs[catalogue.PAN_TILT][0]} needs {catalogue.PAN_TILT}")
-        if (self.type == "CM-VIS") != (self.camera is not None):
-            raise ValueError("camera: a CM-VIS needs the name of one of [[cameras]], and no other type has one")
+        self.kind.check(self, needs)
         return self
 
     def needs(self) -> dict[str, list[str]]:
@@ -269,9 +244,14 @@ class ModuleConfig(StrictConfig):
         return found
 
     @property
+    def kind(self) -> Kind[Any]:
+        """The kind of module, with its services and its parts."""
+        return KINDS[self.type]
+
+    @property
     def moves(self) -> str | None:
         """The group of joints that the module moves."""
-        return self.group or DEFAULT_GROUPS.get(self.type)
+        return self.group or self.kind.group
 
     def command_timeout_of(self, service: str) -> float | None:
         """Seconds after which the service stops unless a further command arrives; None is never."""
@@ -294,6 +274,10 @@ class OriginConfig(StrictConfig):
     """Metres above the ellipsoid."""
     heading: Annotated[float, Field(ge=-360.0, le=360.0)] = 0.0
     """Heading of the world's x axis, in degrees clockwise from true north: the robot's heading at the start."""
+
+    def pose(self) -> GlobalPose:
+        """Return it with the heading in radians."""
+        return GlobalPose(self.latitude, self.longitude, self.altitude, math.radians(self.heading))
 
 
 def _check_latin1(name: str) -> str:
@@ -392,7 +376,7 @@ class RobotConfig(StrictConfig):
         if self.cell is None:
             return ()
         node, types = self.cell.node, self.cell.types
-        named = {module.part for module in self.modules if module.type in (SERVO, CONNECTOR)}
+        named = {module.part for module in self.modules if module.type in (Servo.type, Connector.type)}
         taken = {module.component for module in self.modules if (module.node or self.node) == node}
         free = [number for number in range(1, 255) if number not in taken]
         parts = [part for part in self.cell.parts if types[part.type].is_module and part.name not in named]
@@ -400,7 +384,10 @@ class RobotConfig(StrictConfig):
             raise ValueError(f"cell.parts: {len(parts)} need a component of node {node}, which has {len(free)} left")
         return tuple(
             ModuleConfig(
-                type=SERVO if types[part.type].servo else CONNECTOR, component=number, node=node, part=part.name
+                type=Servo.type if types[part.type].servo else Connector.type,
+                component=number,
+                node=node,
+                part=part.name,
             )
             for number, part in zip(free, parts, strict=False)
         )
@@ -422,33 +409,31 @@ class RobotConfig(StrictConfig):
             raise ValueError("wheels: the robot has tracks, too; give one of them")
         self._check_cell()
         self._check_movers()
-        self._check_sensors("lidars", self.lidars, catalogue.LIDARS)
-        self._check_sensors("force_torque", self.force_torque, catalogue.FORCE_TORQUE)
+        self._check_sensors("lidars", self.lidars, LIDARS)
+        self._check_sensors("force_torque", self.force_torque, FORCE_TORQUE)
         self._check_cameras()
         if self.origin is None and isinstance(self.localization.gnss, GnssSetup):
-            raise ValueError(f"localization.gnss: needs {catalogue.ORIGIN}, from which its positions are counted")
+            raise ValueError(f"localization.gnss: needs {ORIGIN}, from which its positions are counted")
         self._check_lights()
         if not any(module.offers("Discovery") for module in self.modules):
             raise ValueError(
                 "modules: none has the service Discovery; without it the robot cannot be discovered; add it to services"
             )
         for module in self.modules:
-            if self.origin is None and (globe := module.needs().get(catalogue.ORIGIN)):
-                raise ValueError(
-                    f"origin: is missing; {', '.join(sorted(globe))} cannot be offered without {catalogue.ORIGIN}"
-                )
+            if self.origin is None and (globe := module.needs().get(ORIGIN)):
+                raise ValueError(f"origin: is missing; {', '.join(sorted(globe))} cannot be offered without {ORIGIN}")
         return self
 
     def _check_movers(self) -> None:
         """Check that no part is moved by two modules: each has its own access control, and so its own client."""
         moved: dict[str, int] = {}
         for module in self.modules:
-            if module.type in MOTIONLESS and module.moves is None:
+            what = module.kind.moved(module)
+            if what is None:
                 continue
             stands = self.tracks is None and self.wheels is None
-            if module.part is None and module.moves is None and module.type == "CM-MOB" and stands:
+            if module.type == Mobility.type and module.part is None and stands:
                 raise ValueError(f"tracks: is missing, and so is wheels; the CM-MOB {module.component} drives on one")
-            what = self._moved_by(module)
             if what in moved:
                 raise ValueError(
                     f"modules: {moved[what]} and {module.component} both move the {what}; one module may, "
@@ -461,36 +446,15 @@ class RobotConfig(StrictConfig):
                     f"modules: {module.component} moves the {what}, which is not there; there are: {known}"
                 )
 
-    @staticmethod
-    def _moved_by(module: ModuleConfig) -> str:
-        if module.moves is not None:
-            return f"group {module.moves!r}"
-        if module.part is not None:
-            return f"{_PARTS.get(module.type, 'car')} {module.part!r}"
-        return "conveyor" if module.type == CONVEYOR else "chassis"
-
     def _check_cell(self) -> None:
         """Check that the modules of a factory cell name what is there."""
         if (cell := self.cell) is None:
             for module in self.modules:
-                if module.type in IN_CELLS or module.part is not None:
+                if module.kind.in_cell or module.part is not None:
                     raise ValueError(f"cell: is missing; {module.component} is a {module.type} of a factory cell")
             return
-        types = {part.name: cell.types[part.type] for part in cell.parts}
-        has = {
-            SERVO: [name for name, each in types.items() if each.servo],
-            CONNECTOR: [name for name, each in types.items() if each.connectors] + [GRIPPER] * bool(cell.gripper),
-            MODULAR_ARM: [cell.arm] * bool(cell.arm),
-            "CM-MOB": [CAR] * bool(cell.car),
-        }
         for module in self.modules:
-            if module.type == CONVEYOR and cell.conveyor is None:
-                raise ValueError(f"cell.conveyor: is missing; {module.component} is a {CONVEYOR}")
-            if module.part is not None and module.part not in (known := has.get(module.type, [])):
-                raise ValueError(
-                    f"modules: {module.component}, a {module.type}, names the part {module.part!r}, which it cannot "
-                    f"have; it can have: {', '.join(known) or 'none'}"
-                )
+            module.kind.check_cell(module, cell)
 
     def _check_sensors(self, key: str, sensors: Sequence[LidarSetup | ForceTorqueSetup], need: str) -> None:
         check_unique(key, [sensor.name for sensor in sensors])

@@ -11,11 +11,7 @@ from typing import Final
 
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
-from jauspy.platform.chassis import ParkingBrake
-from jauspy.platform.commands import CHASSIS
 from jauspy.platform.contract import PartId, Snapshot
-from jauspy.platform.joints import JointGroup
-from jauspy.platform.ranging import RangeFinder
 from jauspy.robot.config import ModuleConfig
 from jauspy.robot.realtime import WHOLE_ROBOT, RealTime, described
 from jauspy.services.core import FailureRecovery
@@ -27,20 +23,9 @@ MONITOR_PERIOD: Final = 0.1
 """Seconds between two checks of the backend's faults and the loads of joints."""
 
 
-def uses(module: ModuleConfig, part: PartId) -> bool:
-    """True if commands to this part of the robot are those of the module."""
-    if module.moves is not None:
-        return part == PartId(JointGroup, module.moves)
-    if module.type == "CM-SEN":
-        return part.kind is RangeFinder
-    if module.part is not None:
-        return module.part in (part.name, part.kind.__name__.lower())
-    return module.type == "CM-MOB" and part in (CHASSIS, PartId(ParkingBrake))
-
-
 def faults_of(module: ModuleConfig, faults: Mapping[PartId, str]) -> dict[PartId, str]:
     """The faults that concern the module."""
-    return {each: why for each, why in faults.items() if each == WHOLE_ROBOT or uses(module, each)}
+    return {part: why for part, why in faults.items() if part == WHOLE_ROBOT or module.kind.uses(module, part)}
 
 
 def reason(module: ModuleConfig, faults: Mapping[PartId, str]) -> str:

@@ -26,7 +26,7 @@ from jauspy.protocol.delivery import Delivery
 from jauspy.robot.audit import AuditLog
 from jauspy.robot.audit_heads import HeadSender
 from jauspy.robot.config import ModuleConfig, RobotConfig
-from jauspy.robot.hosts import Announcement, check_parts, host_of, is_present
+from jauspy.robot.hosts import Announcement, check_parts, host_of
 from jauspy.robot.monitors import FaultMonitor, LoadMonitor, overloads, reason
 from jauspy.robot.operators import command_seals
 from jauspy.robot.realtime import RealTime
@@ -277,10 +277,10 @@ class RobotRunner:
                 command_seals(self.config, audit.record if audit else None),
             )
             for module in self.config.modules:
-                if not is_present(module, model.cell, realtime.snapshot):
+                if not module.kind.is_present(module, model.cell, realtime.snapshot):
                     check_parts(self.config, module, model, realtime)
             modules = RunningModules(
-                self.config.modules, make, lambda module: is_present(module, model.cell, realtime.snapshot)
+                self.config.modules, make, lambda module: module.kind.is_present(module, model.cell, realtime.snapshot)
             )
             stack.push_async_callback(modules.close)
             self._modules = modules

@@ -1,0 +1,45 @@
+"""The kinds of capability modules, one file for each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, Final
+
+from .cell import Connector, ConveyorBelt, ModularArm, PartSensors, Servo
+from .end_effector import EndEffector, EndEffectorContext
+from .kind import Context, Kind, Module, ModuleBuild, ServiceEntry, Stoppable
+from .manipulator import Manipulator, ManipulatorContext
+from .mobility import Mobility, MobilityContext
+from .sensing import Sensing, SensorContext
+from .vision import Vision, VisionContext
+
+__all__ = [
+    "KINDS",
+    "Context",
+    "EndEffectorContext",
+    "Kind",
+    "ManipulatorContext",
+    "MobilityContext",
+    "Module",
+    "ModuleBuild",
+    "SensorContext",
+    "ServiceEntry",
+    "Stoppable",
+    "VisionContext",
+]
+
+_KINDS: Final[tuple[Kind[Any], ...]] = (
+    Mobility(),
+    Manipulator(),
+    EndEffector(),
+    Sensing(),
+    Vision(),
+    Servo(),
+    Connector(),
+    ConveyorBelt(),
+    PartSensors(),
+    ModularArm(),
+)
+
+KINDS: Final[Mapping[str, Kind[Any]]] = {kind.type: kind for kind in _KINDS}
+"""By the `type` of a module."""

@@ -1,0 +1,190 @@
+"""A kind of capability module: the keys of its table, the parts that it needs, its services, and when it exists."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar, Final, Generic, Protocol, TypeVar
+
+from jauspy.errors import ConfigError
+from jauspy.ids import JausID
+from jauspy.platform.contract import PartId, RobotParts, Snapshot
+from jauspy.platform.description import RobotModel
+from jauspy.platform.joints import JointGroup
+from jauspy.platform.modular.parts import CellSetup
+from jauspy.services.environment_sensing import VideoSource
+from jauspy.services.environment_sensing.digital_resource_discovery import Network
+from jauspy.services.mobility import GlobalPose
+from jauspy.services.service import Service
+
+
+class Stoppable(Protocol):
+    """A part of the robot that can be stopped."""
+
+    def stop(self) -> None:
+        """Stop immediately. May be called twice."""
+        ...
+
+
+class Context(Protocol):
+    """Parts from which the services of a module are made."""
+
+    @property
+    def robot(self) -> RobotParts:
+        """The robot's parts, for optional ones such as `ParkingBrake.of(robot)`."""
+        ...
+
+    @property
+    def moving(self) -> Stoppable | None:
+        """What the module moves; a watchdog stops it unless a client is in control and has resumed the module."""
+        ...
+
+
+class Module(Protocol):
+    """The keys of a table `[[modules]]` that kinds read."""
+
+    @property
+    def type(self) -> str:
+        """The kind, as in CM-MOB."""
+        ...
+
+    @property
+    def component(self) -> int:
+        """The number of its component."""
+        ...
+
+    @property
+    def part(self) -> str | None:
+        """The part of the factory cell."""
+        ...
+
+    @property
+    def group(self) -> str | None:
+        """The joints that it moves, as its table names them."""
+        ...
+
+    @property
+    def moves(self) -> str | None:
+        """The joints that it moves: its `group`, or that of its kind."""
+        ...
+
+    @property
+    def camera(self) -> str | None:
+        """The camera that it streams."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class ModuleBuild:
+    """A module whose services are to be made, and the robot that it belongs to."""
+
+    id: JausID
+    module: Module
+    modules: Mapping[JausID, Module]
+    """All modules of the robot."""
+    name: str
+    """Of the robot."""
+    origin: GlobalPose | None
+    """Position of the world's origin on the globe; None if it is not known."""
+    model: RobotModel
+    robot: RobotParts
+    videos: Mapping[str, VideoSource]
+    """Cameras, by name."""
+    video_targets: tuple[Network, ...]
+    """Networks into which any client may have video sent."""
+
+    @property
+    def joints(self) -> JointGroup:
+        """The joints that the module moves. Raises `ConfigError` if the backend does not have them."""
+        found = self.robot.groups.get(self.module.moves or "")
+        if found is None:
+            raise ConfigError(f"{self.id} moves the group {self.module.moves!r}, and the backend has no such joints")
+        return found
+
+
+C = TypeVar("C")
+
+
+@dataclass(frozen=True, slots=True)
+class ServiceEntry(Generic[C]):
+    """A service of one kind of module."""
+
+    context: type[C]
+    """The context of a kind of module: `MobilityContext` for a CM-MOB."""
+    make: Callable[[C], Service | None]
+    """Makes the service of one module; returns None if the robot lacks a part that the service needs."""
+    needs: str = ""
+    """The part that the robot must have, as the error text names it."""
+    by_default: bool = True
+    """True if modules offer it that list no services. Services of other packages are offered only when listed."""
+
+
+_REFUSALS: Final = {
+    "group": "group: a {type} moves no group of joints; leave it out",
+    "part": "part: a {type} has none; leave it out",
+    "camera": "camera: a CM-VIS needs the name of one of [[cameras]], and no other type has one",
+}
+"""Errors for a key of a table that is only for other kinds."""
+
+
+class Kind(ABC, Generic[C]):
+    """One kind of capability module. Each is a file of this package, and an item of `KINDS`."""
+
+    type: ClassVar[str]
+    """Its name in robots' files, as in CM-MOB."""
+    services: ClassVar[Mapping[str, ServiceEntry[Any]]]
+    """Its services, by the names that robots' files use, in the order in which hosts have them."""
+    keys: ClassVar[frozenset[str]] = frozenset()
+    """The keys of its table, of `group`, `part` and `camera`."""
+    group: ClassVar[str | None] = None
+    """The joints that it moves unless its table names others."""
+    in_cell: ClassVar[bool] = False
+    """True if only a robot with a `[cell]` has it."""
+
+    @abstractmethod
+    def context(self, build: ModuleBuild) -> C:
+        """The parts from which its services are made. Raises `ConfigError` if the backend does not have them."""
+
+    def check(self, module: Module, needs: Mapping[str, Sequence[str]]) -> None:
+        """Check its table. Raises `ValueError` that begins with the key.
+
+        `needs`: the parts that the listed services need, each with those services.
+        """
+        for key, text in _REFUSALS.items():
+            if key not in self.keys and getattr(module, key) is not None:
+                raise ValueError(text.format(type=self.type))
+
+    def check_cell(self, module: Module, cell: CellSetup) -> None:
+        """Check that the cell has what the table names. Raises `ValueError`."""
+        if module.part is not None and module.part not in (known := self.parts_in(cell)):
+            raise ValueError(
+                f"modules: {module.component}, a {self.type}, names the part {module.part!r}, which it cannot "
+                f"have; it can have: {', '.join(known) or 'none'}"
+            )
+
+    def parts_in(self, cell: CellSetup) -> Sequence[str]:
+        """The parts of a cell that a module of this kind can have."""
+        return ()
+
+    def moved(self, module: Module) -> str | None:
+        """What the module moves, as error texts name it: one module may move it. None if it moves nothing."""
+        return None if module.moves is None else f"group {module.moves!r}"
+
+    def uses(self, module: Module, part: PartId) -> bool:
+        """True if commands to this part of the robot are those of the module, and its faults, too."""
+        if module.moves is not None:
+            return part == PartId(JointGroup, module.moves)
+        return module.part is not None and module.part in (part.name, part.kind.__name__.lower())
+
+    def is_present(self, module: Module, cell: CellSetup | None, snapshot: Snapshot) -> bool:
+        """True if the module has a component now."""
+        return True
+
+    def companions(self, context: C, services: Sequence[Service]) -> Iterable[Service]:
+        """Services that those of a module need beside them."""
+        return ()
+
+    def older_versions(self, context: C, services: Sequence[Service]) -> Iterable[Service]:
+        """Services for the messages of version 1.0 that the newer versions of these services lack."""
+        return ()
