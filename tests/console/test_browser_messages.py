@@ -25,8 +25,9 @@ from jauspy.console.browser_messages import (
     stop_request,
     video_request,
 )
+from jauspy.console.console import Console
 from jauspy.console.operation import MAX_SPEED, MAX_TURN_RATE
-from jauspy.console.server import Console, make_app
+from jauspy.console.server import make_app
 from jauspy.console.users import Session, User, current
 from jauspy.ocu.robot import Robot
 from jauspy.testing import VirtualNetwork

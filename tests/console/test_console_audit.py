@@ -16,8 +16,9 @@ pytest.importorskip("nicegui", reason="needs the extra 'console'")
 
 from tests.helpers.browser_sockets import BrowserSocket
 
+from jauspy.console.console import BY_ITSELF, MAX_EVENT, Console
 from jauspy.console.operation import Operation
-from jauspy.console.server import BY_ITSELF, MAX_EVENT, Console, make_app
+from jauspy.console.server import make_app
 from jauspy.console.users import Session, User, current
 from jauspy.ocu.robot import Robot
 from jauspy.robot.audit import AuditLog

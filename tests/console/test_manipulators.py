@@ -10,8 +10,6 @@ from nicegui import Client
 from nicegui.page import page
 from tests.robot.test_cell_modules import world
 
-from jauspy.console.arm_panel import _JointRow
-from jauspy.console.gripper_panel import connector_state, switch
 from jauspy.console.manipulators import (
     CONNECTOR,
     JointInfo,
@@ -21,6 +19,8 @@ from jauspy.console.manipulators import (
     manipulators,
     operated,
 )
+from jauspy.console.panels.arm import _JointRow
+from jauspy.console.panels.gripper import connector_state, switch
 from jauspy.errors import ConfigError
 from jauspy.ocu.joints import MotionLimits
 

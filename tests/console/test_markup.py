@@ -15,8 +15,8 @@ from nicegui.page import page
 from tools.attack.hostile_robot import IN_FILES
 
 from jauspy.console import markup
-from jauspy.console.arm_panel import _JointRow
 from jauspy.console.manipulators import JointInfo
+from jauspy.console.panels.arm import _JointRow
 from jauspy.ocu.joints import MotionLimits
 from jauspy.printable import printable
 

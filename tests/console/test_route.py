@@ -7,8 +7,8 @@ import math
 
 import pytest
 
+from jauspy.console.panels.world import progress_of, state_of
 from jauspy.console.route import MAX_WAYPOINTS, Route, Waypoint, waypoint_of
-from jauspy.console.world_panel import progress_of, state_of
 from jauspy.errors import ConfigError, JausError
 from jauspy.messages.mobility import SetGlobalWaypoint, SetLocalWaypoint
 from jauspy.ocu.robot import Robot

@@ -112,8 +112,9 @@ def console_page(
     if context.invoked_subcommand is not None:
         return
     try:
+        from jauspy.console.console import RECORDINGS
         from jauspy.console.saved_files import read_poses
-        from jauspy.console.server import RECORDINGS, Access, serving
+        from jauspy.console.server import Access, serving
         from jauspy.console.watchdog import Watchdog
     except ImportError as error:
         raise ConfigError(f"{NEEDS_EXTRA} ({error})") from error

@@ -18,7 +18,7 @@ from jauspy.geometry.vectors import Vector
 from jauspy.ids import JausID
 
 if TYPE_CHECKING:
-    from jauspy.console.server import Console
+    from jauspy.console.console import Console
 
 MAX_SPEED: Final = 0.25
 """m/s; greatest speed from a browser: the limit for robots near people (ISO 10218-1)."""

@@ -8,22 +8,22 @@ from typing import Final
 from fastapi import FastAPI
 from nicegui import core, ui
 
-from jauspy.console.arm_panel import ArmPanel
 from jauspy.console.camera_settings import VIDEO
 from jauspy.console.choice import Choice
-from jauspy.console.control_panel import ControlPanel
-from jauspy.console.drive_panel import DRIVERS, DrivePanel
-from jauspy.console.fleet_panel import FleetPanel
-from jauspy.console.log_panel import LogPanel
+from jauspy.console.console import Console
 from jauspy.console.manipulators import MODULAR_ARM
 from jauspy.console.markup import attributes, call, page_files, plain_text
 from jauspy.console.page_events import FrameCheck, PageEvents
+from jauspy.console.panels.arm import ArmPanel
+from jauspy.console.panels.control import ControlPanel
+from jauspy.console.panels.drive import DRIVERS, DrivePanel
+from jauspy.console.panels.fleet import FleetPanel
+from jauspy.console.panels.log import LogPanel
+from jauspy.console.panels.trajectory import TrajectoryPanel
+from jauspy.console.panels.video import VideoPanel
+from jauspy.console.panels.world import WorldPanel
 from jauspy.console.plots import PlotsPanel
-from jauspy.console.server import Console
-from jauspy.console.trajectory_panel import TrajectoryPanel
 from jauspy.console.users import LOCAL, User
-from jauspy.console.video_panel import VideoPanel
-from jauspy.console.world_panel import WorldPanel
 from jauspy.ids import JausID
 from jauspy.ocu.arm import POSITION_DRIVER
 from jauspy.ocu.joints import PAN_TILT_SENSOR, POSITION_SENSOR

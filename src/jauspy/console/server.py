@@ -5,11 +5,9 @@ from __future__ import annotations
 import asyncio
 import secrets
 import socket
-from collections import Counter, deque
-from collections.abc import AsyncIterator, Callable, Mapping
+from collections.abc import AsyncIterator
 from contextlib import asynccontextmanager, nullcontext, suppress
 from dataclasses import dataclass
-from datetime import datetime
 from functools import partial
 from importlib.resources import files
 from pathlib import Path
@@ -25,248 +23,27 @@ from jauspy.console.body_limit import BodyLimit
 from jauspy.console.browser_messages import drive_message, jog_message, messages, stop_request
 from jauspy.console.certificates import check_certificate
 from jauspy.console.connections import Connections
-from jauspy.console.fleet import NOTHING, Fleet
+from jauspy.console.console import RECORDINGS, Console
 from jauspy.console.login import LOCAL_HOSTS, LoginMiddleware
-from jauspy.console.motion import Jogging
-from jauspy.console.open_pages import OpenPages
-from jauspy.console.operation import Operation
-from jauspy.console.saved_files import RobotPoses, SavedFiles
-from jauspy.console.traffic import Traffic
-from jauspy.console.users import LOCAL, User, Users, current, current_user
-from jauspy.console.video import AttitudeFeed, SharedCamera, camera_state
+from jauspy.console.saved_files import RobotPoses
+from jauspy.console.users import Users, current_user
 from jauspy.console.watchdog import Watchdog
-from jauspy.console.world_socket import Worlds, add_world
-from jauspy.errors import CodecError, ConfigError, JausError
+from jauspy.console.world_socket import add_world
+from jauspy.errors import ConfigError, JausError
 from jauspy.ids import JausID
 from jauspy.logs import adopt
-from jauspy.messages import registry
 from jauspy.node.manager import raise_open_files_limit
 from jauspy.ocu import OCU
-from jauspy.ocu.arm import POSITION_DRIVER
-from jauspy.ocu.emergency import obeys, set_emergency
-from jauspy.ocu.robot import Robot
-from jauspy.printable import printable
-from jauspy.robot.audit import MAX_PAYLOAD, AuditLog
-from jauspy.services.core.command_seal import needs_seal
+from jauspy.robot.audit import AuditLog
 
-MAX_EVENTS: Final = 500
-"""Lines of the log that are kept."""
-MAX_EVENT: Final = 500
-"""Characters of a line of the log."""
 MAX_FRAME: Final = 1 << 16
 """Bytes of a message of a browser."""
-BY_ITSELF: Final = "(console)"
-"""The operator of commands without a user, in the audit log; no user has this name."""
 BACKLOG: Final = 512
 """Connections that the kernel keeps until they are accepted."""
 GRACE: Final = 2
 """Seconds that browsers have to leave when the console ends."""
 LOGGERS: Final = ("nicegui", "engineio.server", "socketio.server", "uvicorn", "uvicorn.error", "uvicorn.access")
 """Loggers of the packages that serve the page; browsers can cause lines of all of them."""
-RECORDINGS: Final = Path.home() / "jauspy-recordings"
-STOP_TIME: Final = 1.0
-"""Seconds in which an emergency stop is repeated until all obey."""
-
-
-@dataclass(frozen=True, slots=True)
-class Event:
-    """A line of the log."""
-
-    time: datetime
-    text: str
-    user: str = ""
-    """Who has caused it, by the session; empty for what the console does by itself."""
-
-    @property
-    def line(self) -> str:
-        """The line in the log; only that of a user begins with a bracket."""
-        return f"{self.time:%H:%M:%S}  [{self.user}] {self.text}" if self.user else f"{self.time:%H:%M:%S}  {self.text}"
-
-
-class Console:
-    """The state that all browsers share: the fleet, operations, cameras and the log."""
-
-    def __init__(
-        self,
-        ocu: OCU,
-        emergency_ocu: OCU,
-        audit: AuditLog | None = None,
-        recordings: Path = RECORDINGS,
-        watchdog: Watchdog | None = None,
-    ) -> None:
-        self.ocu = ocu
-        self._watchdog = watchdog
-        self.recordings = recordings
-        """The folder of recorded video."""
-        self.poses: RobotPoses = {}
-        """Named poses from the file given at start."""
-        self.first_robot: int | None = None
-        """The robot that each page shows first, if one was given at start."""
-        self.fleet = Fleet(ocu)
-        self.fleet.on_event = self.note
-        self.fleet.on_robots = self._follow
-        self.events: deque[Event] = deque(maxlen=MAX_EVENTS)
-        self.total_events = 0
-        self.counters: Counter[str] = Counter()
-        """Messages of browsers that were refused, by socket and reason."""
-        self.traffic = Traffic(registry)
-        for each in (ocu, emergency_ocu):
-            each.trace(self._trace)
-        self._audit = audit
-        self._emergency_ocu = emergency_ocu
-        self._operations: dict[int, Operation] = {}
-        self._jogging: dict[JausID, Jogging] = {}
-        self._cameras: dict[JausID, SharedCamera] = {}
-        self.worlds = Worlds(ocu, lambda: self.fleet.robots)
-        self._attitudes: dict[int, AttitudeFeed] = {}
-        self.pages = OpenPages()
-        """By tokens; sockets without the token of a page are refused."""
-        self._leaving: set[asyncio.Task[None]] = set()
-
-    def note(self, text: str) -> None:
-        """Add a line to the log about what the console itself has done or found."""
-        self._add_event(text, None)
-
-    def act(self, text: str) -> None:
-        """Add a line to the log, and to the audit log, about what the user of the present task has done."""
-        user = current_user()
-        self._add_event(text, user)
-        if self._audit is not None and user is not None:
-            self._audit.note({"operator": user.name, "role": user.role, "event": printable(text)[:MAX_EVENT]})
-
-    def _add_event(self, text: str, user: User | None) -> None:
-        text, name = printable(text), "" if user is None else user.name
-        text = text if len(text) <= MAX_EVENT else f"{text[: MAX_EVENT - 1]}\u2026"
-        self.events.append(Event(datetime.now().astimezone(), text, name))
-        self.traffic.event(text, name)
-        self.total_events += 1
-
-    def new_browser(self, remove: Callable[[], object]) -> tuple[str, User] | None:
-        """A token for one page, and its user; None when there are too many pages. For `remove` see `OpenPages.add`."""
-        user = current_user() or LOCAL
-        token = self.pages.add(user, current.get(), remove)
-        return None if token is None else (token, user)
-
-    def refused(self, name: str, reason: str) -> None:
-        """Count a message that the browser of this task has sent on the socket of this name, and that was refused."""
-        key = f"{name}, {reason}"
-        self.counters[key] += 1
-        if (count := self.counters[key]).bit_count() == 1:  # the 1st, 2nd, 4th, 8th ...
-            user = current_user() or LOCAL
-            self.note(f"messages on {name} that were refused: {count}, {reason}; the last one of {user.name}")
-
-    def files(self, robot: Robot) -> SavedFiles:
-        """The saved poses and trajectories of a robot, for the user of the present task."""
-        return SavedFiles(robot.id, robot.name, current_user(), self.act)
-
-    def is_of(self, token: str, user: User | None) -> bool:
-        """True for the token of a page of this user that is open."""
-        return user is not None and self.pages.user(token) == user
-
-    def forget(self, token: str) -> None:
-        """Handle the end of a page: robots that it operated are released soon."""
-        self.pages.forget(token)
-        task = asyncio.create_task(self._release_all_of(token), name="console: a browser has left")
-        self._leaving.add(task)
-        task.add_done_callback(self._leaving.discard)
-
-    async def _release_all_of(self, token: str) -> None:
-        for operation in self._operations.values():
-            if operation.operator == token:
-                self.note(f"robot {operation.robot.id}: the browser of {operation.user.name} has left")
-                await operation.release(token)
-        await self.worlds.forget(token)
-
-    def _trace(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool) -> None:
-        """Record a message for the log; a sent command also goes into the audit log, with its user."""
-        if not sent or not _is_command(payload):
-            self.traffic.note(source, destination, payload, sent=sent)
-            return
-        operation = self._operations.get(destination.subsystem)
-        user = current_user() or (operation.user if operation is not None and operation.operator else None)
-        self.traffic.note(source, destination, payload, sent=sent, user=user.name if user else BY_ITSELF)
-        if self._audit is None:
-            return
-        self._audit.note(
-            {
-                "component": str(destination),
-                "source": str(source),
-                "operator": user.name if user else BY_ITSELF,
-                "role": user.role if user else None,
-                "message": self.traffic.name(payload),
-                "outcome": "sent",
-                "payload": payload[:MAX_PAYLOAD].hex(),
-            }
-        )
-
-    def _follow(self, robots: Mapping[int, Robot]) -> None:
-        """Apply a new discovery to the operations."""
-        for id, operation in self._operations.items():
-            if id in robots:
-                operation.follow(robots[id])
-
-    def operation(self, subsystem: int) -> Operation | None:
-        """The operation of a robot; None when there is no such robot."""
-        robot = self.fleet.robots.get(subsystem)
-        if robot is None:
-            return self._operations.get(subsystem)
-        return self._operations.setdefault(subsystem, Operation(robot, self.note, self._watchdog))
-
-    def jogging(self, component: str) -> Jogging | None:
-        """The `Jogging` of this arm; None when there is no such arm."""
-        try:
-            id = JausID.parse(component)
-        except ConfigError:
-            return None
-        operation = self.operation(id.subsystem)
-        if operation is None or not any(
-            each.id == id and each.find(POSITION_DRIVER) for each in operation.robot.components
-        ):
-            return None
-        return self._jogging.setdefault(id, Jogging(operation, id, self.note))
-
-    def camera(self, id: JausID) -> SharedCamera | None:
-        """The camera of a component; None when it is not there."""
-        if id in self._cameras:
-            return self._cameras[id]
-        robot = self.fleet.robots.get(id.subsystem)
-        if robot is None or not any(each.id == id and each.find("DigitalVideo") for each in robot.components):
-            return None
-        if robot.id not in self._attitudes:
-            self._attitudes[robot.id] = AttitudeFeed(self.ocu, robot)
-
-        def state() -> str:
-            return camera_state(self.fleet.states.get(id, NOTHING).status, silent=self.fleet.is_silent(id))
-
-        camera = robot.component(str(id)).camera
-        self._cameras[id] = SharedCamera(camera, str(id), self.note, state, self._attitudes[robot.id])
-        return self._cameras[id]
-
-    async def stop(self, target: str, *, release: bool = False) -> str:
-        """Set or clear the emergency of a robot or of all; returns a text with the components that obeyed."""
-        to = JausID(int(target), 255, 255) if target.isdecimal() else JausID(65535, 255, 255)
-        for operation in self._operations.values():
-            if to.subsystem in (65535, operation.robot.id) and operation.operator and not release:
-                operation.drive(operation.operator, 0.0, 0.0)
-        found = await set_emergency(self._emergency_ocu, to, release=release, within=STOP_TIME)
-        obeyed = sum(obeys(report, release=release) for report in found.values())
-        what = "released from the emergency" if release else "stopped"
-        text = f"{obeyed} of {len(found)} components {what}" if found else "no component answered"
-        self.act(f"emergency {'release' if release else 'stop'} of {target}: {text}")
-        return text
-
-    async def close(self) -> None:
-        """Release all robots."""
-        if self._leaving:
-            await asyncio.wait(self._leaving)
-        for operation in self._operations.values():
-            await operation.release()
-        await self.worlds.close()
-        for camera in self._cameras.values():
-            await camera.close()
-        await self.fleet.close()
-        for each in (self.ocu, self._emergency_ocu):
-            each.trace(None)
 
 
 def make_app(console: Console) -> FastAPI:
@@ -369,14 +146,6 @@ async def _answer(page: WebSocket, text: str) -> None:
     """Send a text to a browser, unless it has left."""
     with suppress(WebSocketDisconnect, RuntimeError):
         await page.send_text(text)
-
-
-def _is_command(payload: bytes) -> bool:
-    """True for a message that changes something."""
-    try:
-        return needs_seal(registry.decode(payload))
-    except CodecError:
-        return True
 
 
 class AcceptingServer(uvicorn.Server):

@@ -9,8 +9,8 @@ from typing import Any, Final
 from nicegui import events, ui
 
 from jauspy.console.camera_settings import LENS, LIGHTS, VIDEO, Setting, read_settings, sensor_name, write_setting
+from jauspy.console.console import Console
 from jauspy.console.markup import attributes, call
-from jauspy.console.server import Console
 from jauspy.console.users import User
 from jauspy.console.video import SharedCamera
 from jauspy.errors import JausError, RequestError

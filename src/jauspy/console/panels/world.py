@@ -16,7 +16,7 @@ from jauspy.ocu.robot import DEFAULT_SPEED, Robot
 from jauspy.ocu.state import RobotPose
 
 if TYPE_CHECKING:
-    from jauspy.console.server import Console
+    from jauspy.console.console import Console
     from jauspy.console.world import World
 
 UPDATE_INTERVAL: Final = 0.5

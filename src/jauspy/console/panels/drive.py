@@ -9,16 +9,16 @@ from typing import TYPE_CHECKING, Any, Final
 
 from nicegui import ui
 
+from jauspy.console.console import Console
 from jauspy.console.markup import plain_text
 from jauspy.console.operation import EFFORT, MAX_SPEED, VELOCITY_MODE, modes_of
 from jauspy.console.route import LIST_DRIVER
-from jauspy.console.server import Console
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot
 from jauspy.ocu.state import RobotPose
 
 if TYPE_CHECKING:
-    from jauspy.console.server import Console
+    from jauspy.console.console import Console
 
 WAYPOINTS: Final = "waypoints"
 NAMES: Final = {VELOCITY_MODE: "velocity", EFFORT: "effort", WAYPOINTS: "waypoints"}

@@ -12,11 +12,11 @@ from nicegui import ui
 from nicegui.events import UploadEventArguments, ValueChangeEventArguments
 
 from jauspy.console.confirmation import confirmed
+from jauspy.console.console import Console
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.markup import attributes, style_number
 from jauspy.console.motion import Motion
 from jauspy.console.saved_files import SavedByOther, SavedFiles, checked_name
-from jauspy.console.server import Console
 from jauspy.console.trajectory import MAX_FILE, MAX_SECONDS, Trajectory, TrajectoryRow, is_modular
 from jauspy.errors import ConfigError, JausError
 from jauspy.ocu.robot import Robot

@@ -7,10 +7,10 @@ from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.console import Console
 from jauspy.console.manipulators import CONNECTOR, operated
 from jauspy.console.markup import attributes
 from jauspy.console.motion import Motion
-from jauspy.console.server import Console
 from jauspy.errors import ConfigError, JausError
 from jauspy.messages.cell import QueryConnectorState, ReportConnectorState, SetConnector
 from jauspy.ocu.gripper import DRIVER, Gripper

@@ -9,10 +9,10 @@ from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.console import Console
 from jauspy.console.fleet import NOTHING
 from jauspy.console.markup import attributes, breakable
 from jauspy.console.reports import fields_of
-from jauspy.console.server import Console
 from jauspy.console.traffic import Line
 from jauspy.ids import JausID
 from jauspy.ocu.robot import Robot

@@ -8,12 +8,12 @@ from typing import Final
 from nicegui import ui
 
 from jauspy.console.confirmation import confirmed
-from jauspy.console.gripper_panel import GripperPanel
+from jauspy.console.console import Console
 from jauspy.console.manipulators import JointInfo, Manipulator, joint_label, manipulators
 from jauspy.console.markup import attributes, plain_text, style_number
 from jauspy.console.motion import MAX_SPEED, MAX_TURN, Motion
+from jauspy.console.panels.gripper import GripperPanel
 from jauspy.console.saved_files import Pose, SavedByOther, SavedFiles
-from jauspy.console.server import Console
 from jauspy.errors import JausError
 from jauspy.ocu.robot import Robot
 from jauspy.printable import printable

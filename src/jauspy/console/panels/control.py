@@ -6,8 +6,8 @@ from typing import Final
 
 from nicegui import ui
 
+from jauspy.console.console import Console
 from jauspy.console.operation import Operation
-from jauspy.console.server import Console
 from jauspy.console.users import LOCAL, User
 from jauspy.ocu.control import DEFAULT_AUTHORITY
 from jauspy.ocu.robot import Robot

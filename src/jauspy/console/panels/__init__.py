@@ -1,0 +1,1 @@
+"""The panels of the console's page, one file for each."""
