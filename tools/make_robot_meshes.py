@@ -100,7 +100,7 @@ def _mesh(link: str, part: str) -> str:
 
 
 def running(link: str, name: str, part: Running, scale: str) -> list[str]:
-    """The lines of visuals that move with a belt; `jauspy_sim/track_visuals.py` reads their attributes.
+    """The lines of visuals that move with a belt; `jauspy_sim/models/track_visuals.py` reads their attributes.
 
     Parts whose names differ by a number at the end have the same meshes.
     """

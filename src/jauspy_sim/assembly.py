@@ -20,14 +20,14 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy.platform.wheels import Wheel, WheelKind, WheelSetup
-from jauspy_sim.groups import COLLISION, VISUAL
-from jauspy_sim.lighting import draw_floors_as_meshes
-from jauspy_sim.look import polish, show_solids, without_visuals
-from jauspy_sim.self_contacts import depth_below_base, exclude_touching
-from jauspy_sim.shapes import same_shape
-from jauspy_sim.track_visuals import SIDES
-from jauspy_sim.urdf import body_name, urdf_spec
-from jauspy_sim.world_files import world_spec
+from jauspy_sim.models.groups import COLLISION, VISUAL
+from jauspy_sim.models.look import polish, show_solids, without_visuals
+from jauspy_sim.models.self_contacts import depth_below_base, exclude_touching
+from jauspy_sim.models.shapes import same_shape
+from jauspy_sim.models.track_visuals import SIDES
+from jauspy_sim.models.urdf import body_name, urdf_spec
+from jauspy_sim.worlds.lighting import draw_floors_as_meshes
+from jauspy_sim.worlds.world_files import world_spec
 
 if TYPE_CHECKING:
     Numbers = memoryview[float]

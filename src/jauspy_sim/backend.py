@@ -2,22 +2,13 @@
 
 from __future__ import annotations
 
-import ctypes
 import os
 from importlib.util import find_spec
-from typing import Final
 
 from jauspy.errors import ConfigError
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
-
-GL_LIBRARIES: Final = {
-    "egl": (("libEGL.so.1",), ("libOpenGL.so.0", "libGL.so.1")),
-    "osmesa": (("libOSMesa.so.8", "libOSMesa.so.6"),),
-}
-"""One of each of these groups is needed."""
-GL_PACKAGES: Final = {"egl": "libegl1 and libopengl0", "osmesa": "libosmesa6"}
-"""The packages of Debian and Ubuntu."""
+from jauspy_sim.gl_libraries import GL_LIBRARIES, GL_PACKAGES, missing_gl
 
 
 class MujocoBackend:
@@ -33,8 +24,8 @@ class MujocoBackend:
         if find_spec("mujoco") is None:
             raise ConfigError("the backend 'sim' needs MuJoCo: pip install 'jauspy[sim]'")
         way = os.environ.get("MUJOCO_GL", "").lower().strip()
-        if way in GL_LIBRARIES and not has_gl(way):
-            missing = next(names[0] for names in GL_LIBRARIES[way] if not any(map(_loads, names)))
+        if way in GL_LIBRARIES and missing_gl(way):
+            missing = missing_gl(way)[0]
             raise ConfigError(
                 f"MUJOCO_GL={way} needs {missing}, which is not installed: install {GL_PACKAGES[way]}, or "
                 "unset MUJOCO_GL, or set it to 'disable' to draw camera pictures without GL"
@@ -49,24 +40,3 @@ class MujocoBackend:
             setting = f" with MUJOCO_GL={way}" if way else ""
             raise ConfigError(f"the backend 'sim' cannot import MuJoCo{setting}: {error}") from error
         return SimulatedRobot.open(robot, world)
-
-
-def has_gl(way: str) -> bool:
-    """True if the libraries for `egl` or `osmesa` can be loaded."""
-    return all(any(map(_loads, names)) for names in GL_LIBRARIES[way])
-
-
-def choose_gl() -> str | None:
-    """`egl`, `osmesa` or None. The environment's MUJOCO_GL counts: with `disable` it is None."""
-    wanted = os.environ.get("MUJOCO_GL", "").lower()
-    if wanted:
-        return wanted if wanted in GL_LIBRARIES else None
-    return next((way for way in GL_LIBRARIES if has_gl(way)), None)
-
-
-def _loads(library: str) -> bool:
-    try:
-        ctypes.CDLL(library)
-    except OSError:
-        return False
-    return True

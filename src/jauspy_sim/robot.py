@@ -16,12 +16,12 @@ from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer, Turning
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
-from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
-from jauspy_sim.joints import SimulatedJoints
-from jauspy_sim.sensors import SimulatedLidar, simulated_force_torque
-from jauspy_sim.tracks import SimulatedTracks
-from jauspy_sim.viewer import Viewer
-from jauspy_sim.wheels import SimulatedWheels
+from jauspy_sim.physics.joints import SimulatedJoints
+from jauspy_sim.physics.sensors import SimulatedLidar, simulated_force_torque
+from jauspy_sim.physics.tracks import SimulatedTracks
+from jauspy_sim.physics.wheels import SimulatedWheels
+from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
+from jauspy_sim.rendering.viewer import Viewer
 
 SETTLING_STEPS: Final = 250
 """Steps before time starts, in which the robot settles on the ground."""

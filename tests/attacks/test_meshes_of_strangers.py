@@ -16,7 +16,7 @@ pytest.importorskip("mujoco", reason="meshes need the extra 'sim'")
 pytest.importorskip("trimesh", reason="meshes need the extra 'sim'")
 pytest.importorskip("collada", reason="meshes need the extra 'sim'")
 
-from jauspy_sim.mesh_files import read_mesh
+from jauspy_sim.models.mesh_files import read_mesh
 
 HUGE: Final = 2_000_000_000
 TRIANGLE: Final = b"v 0 0 0\nv 1 0 0\nv 0 1 0\n"

@@ -11,8 +11,8 @@ from jauspy.errors import ConfigError
 
 pytest.importorskip("mujoco", reason="worlds need the extra 'sim'")
 
-from jauspy_sim import mjcf_files
-from jauspy_sim.world_files import MAX_ITERATIONS, world_spec
+from jauspy_sim.worlds import mjcf_files
+from jauspy_sim.worlds.world_files import MAX_ITERATIONS, world_spec
 
 BODY: Final = '<worldbody><body><joint name="j"/><geom size="1"/></body></worldbody>'
 GEOM: Final = '<geom size="1"/>'

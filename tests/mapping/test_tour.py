@@ -21,7 +21,7 @@ from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping.grid import OccupancyGrid, save_map
 from jauspy.mapping.mapper import Mapper
-from jauspy_sim.groups import COLLISION, VISUAL
+from jauspy_sim.models.groups import COLLISION, VISUAL
 from jauspy_sim.robot import SimulatedRobot
 
 pytestmark = pytest.mark.slow

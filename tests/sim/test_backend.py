@@ -8,7 +8,7 @@ import pytest
 
 from jauspy.errors import ConfigError
 from jauspy.robot.robot_files import load, robot_model
-from jauspy_sim import backend
+from jauspy_sim import backend, gl_libraries
 
 MODEL = robot_model(load("inc1"))
 
@@ -24,7 +24,7 @@ def test_missing_mujoco_error_names_the_extra(monkeypatch: pytest.MonkeyPatch) -
 )
 def test_missing_gl_library_is_one_sentence(monkeypatch, way: str, package: str) -> None:
     monkeypatch.setenv("MUJOCO_GL", way)
-    monkeypatch.setattr(backend, "_loads", lambda library: False)
+    monkeypatch.setattr(gl_libraries, "_loads", lambda library: False)
     with pytest.raises(
         ConfigError, match=rf"MUJOCO_GL={way.lower()} needs lib.*: install {package}, or unset MUJOCO_GL"
     ):
@@ -34,8 +34,8 @@ def test_missing_gl_library_is_one_sentence(monkeypatch, way: str, package: str)
 def test_egl_needs_opengl_too(monkeypatch) -> None:
     """As on a Debian with libegl1 alone."""
     monkeypatch.setenv("MUJOCO_GL", "egl")
-    monkeypatch.setattr(backend, "_loads", lambda library: library == "libEGL.so.1")
-    assert not backend.has_gl("egl")
+    monkeypatch.setattr(gl_libraries, "_loads", lambda library: library == "libEGL.so.1")
+    assert gl_libraries.missing_gl("egl")
     with pytest.raises(ConfigError, match=r"MUJOCO_GL=egl needs libOpenGL.so.0, .*: install libegl1 and libopengl0"):
         backend.MujocoBackend().open(MODEL, "empty")
 

@@ -19,9 +19,9 @@ import numpy as np
 
 from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.robot.robot_files import load, robot_model
-from jauspy_sim import cameras
-from jauspy_sim.backend import GL_PACKAGES, choose_gl, has_gl
-from jauspy_sim.rays import DEFAULT_SKY_COLOUR, MAX_RAYS, MAX_RAYS_OF_STILL, RayRenderer, SkyBox
+from jauspy_sim.gl_libraries import GL_PACKAGES, choose_gl, missing_gl
+from jauspy_sim.rendering import cameras
+from jauspy_sim.rendering.rays import DEFAULT_SKY_COLOUR, MAX_RAYS, MAX_RAYS_OF_STILL, RayRenderer, SkyBox
 from jauspy_sim.robot import SimulatedRobot
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))
@@ -138,7 +138,7 @@ def test_mujoco_gl_selects_the_library(monkeypatch, set_to, chosen):
 @pytest.mark.parametrize("way", [pytest.param("egl", marks=pytest.mark.slow), "osmesa"])
 def test_each_gl_library_renders(way):
     """In a process of its own: one process has one way, and the other tests here have EGL where there is one."""
-    if not has_gl(way):
+    if missing_gl(way):
         pytest.skip(f"{GL_PACKAGES[way]} is not installed")
     code = (
         "from jauspy.robot.robot_files import robot_model; from jauspy.robot.robot_files import load;"

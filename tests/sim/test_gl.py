@@ -9,8 +9,8 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 import mujoco
 import numpy as np
 
-from jauspy_sim.gl import HIDDEN, Culling
-from jauspy_sim.lighting import FLOOR_MESH, draw_floors_as_meshes
+from jauspy_sim.rendering.gl import HIDDEN, Culling
+from jauspy_sim.worlds.lighting import FLOOR_MESH, draw_floors_as_meshes
 
 WORLD = """
 <mujoco>

@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from jauspy.robot.robot_files import load, robot_model
-from jauspy_sim import rays
 from jauspy_sim.assembly import build
-from jauspy_sim.groups import VISUAL
+from jauspy_sim.models.groups import VISUAL
+from jauspy_sim.models.track_visuals import Treads
+from jauspy_sim.rendering import rays
 from jauspy_sim.robot import SimulatedRobot
-from jauspy_sim.track_visuals import Treads
 
 ASSETS = files("jauspy_sim") / "worlds" / "assets"
 

@@ -14,7 +14,7 @@ import numpy as np
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.lights import DAYLIGHT, LampSetup, Switch, TimeOfDay, lamps_of
 from jauspy.robot.robot_files import load, robot_model
-from jauspy_sim.backend import choose_gl
+from jauspy_sim.gl_libraries import choose_gl
 from jauspy_sim.robot import SimulatedRobot
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))

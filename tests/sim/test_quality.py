@@ -15,7 +15,7 @@ pytest.importorskip("cv2", reason="the extra 'video' is not installed")
 from jauspy.platform.camera import CameraSetup, Quality
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.video.imaging import Imaging
-from jauspy_sim.backend import choose_gl
+from jauspy_sim.gl_libraries import choose_gl
 from jauspy_sim.robot import SimulatedRobot
 
 FRONT = CameraSetup("front", "chassis_camera_link", math.radians(80.0))

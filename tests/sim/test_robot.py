@@ -15,9 +15,9 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 from jauspy.robot.robot_files import known, load, robot_model
 from jauspy_sim.assembly import TIMESTEP, build, prefix
-from jauspy_sim.joints import roll_pitch_yaw
+from jauspy_sim.physics.joints import roll_pitch_yaw
 from jauspy_sim.robot import SimulatedRobot
-from jauspy_sim.world_files import known_worlds
+from jauspy_sim.worlds.world_files import known_worlds
 
 INC1 = robot_model(load("inc1"))
 

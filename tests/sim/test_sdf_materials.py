@@ -10,9 +10,9 @@ from lxml import etree
 pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 from jauspy.errors import ConfigError
-from jauspy_sim.model_paths import ModelPaths
-from jauspy_sim.sdf_materials import GAZEBO, look_of
-from jauspy_sim.shapes import Look
+from jauspy_sim.models.shapes import Look
+from jauspy_sim.worlds.model_paths import ModelPaths
+from jauspy_sim.worlds.sdf_materials import GAZEBO, look_of
 
 SCRIPT = """
 material Acme/Grass : Acme/Base

@@ -10,12 +10,12 @@ pytest.importorskip("mujoco", reason="MuJoCo is not installed")
 
 import mujoco
 
-from jauspy_sim.shared_model import ModelMemory, shared_model
+from jauspy_sim.rendering.shared_model import ModelMemory, shared_model
 
 BOX = '<mujoco><worldbody><body name="box"><freejoint/><geom size="1 2 3" type="box"/></body></worldbody></mujoco>'
 OTHER = """
 import mujoco, sys
-from jauspy_sim.shared_model import shared_model
+from jauspy_sim.rendering.shared_model import shared_model
 model = shared_model(int(sys.argv[1]), lambda: mujoco.MjModel.from_xml_string(sys.argv[2]))
 print(model.geom_size[0].tolist())
 """

@@ -11,8 +11,8 @@ import numpy as np
 
 from jauspy.robot.robot_files import load, robot_model
 from jauspy_sim.assembly import build
-from jauspy_sim.groups import HEIGHT_FIELDS, RAY_MESHES
-from jauspy_sim.sensors import cast_rays
+from jauspy_sim.models.groups import HEIGHT_FIELDS, RAY_MESHES
+from jauspy_sim.physics.sensors import cast_rays
 
 
 def test_ray_mesh_and_height_field_give_equal_distances() -> None:

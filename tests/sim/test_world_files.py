@@ -16,10 +16,10 @@ from PIL import Image
 from jauspy.errors import ConfigError
 from jauspy.robot import robot_files
 from jauspy_sim.assembly import build
-from jauspy_sim.mesh_files import read_mesh
-from jauspy_sim.model_paths import ModelPaths
-from jauspy_sim.slabs import convex_pieces
-from jauspy_sim.world_files import world_spec
+from jauspy_sim.models.mesh_files import read_mesh
+from jauspy_sim.models.slabs import convex_pieces
+from jauspy_sim.worlds.model_paths import ModelPaths
+from jauspy_sim.worlds.world_files import world_spec
 
 
 def opened(path: Path, *model_path: Path) -> tuple[mujoco.MjModel, mujoco.MjData]:

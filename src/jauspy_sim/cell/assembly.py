@@ -34,9 +34,9 @@ from jauspy.platform.modular.parts import (
 )
 from jauspy_sim.assembly import TIMESTEP, prefix, robot_spec
 from jauspy_sim.cell.looks import Dresser
-from jauspy_sim.groups import COLLISION
-from jauspy_sim.shapes import same_shape
-from jauspy_sim.world_files import world_spec
+from jauspy_sim.models.groups import COLLISION
+from jauspy_sim.models.shapes import same_shape
+from jauspy_sim.worlds.world_files import world_spec
 
 GRIPPER: Final = "gripper"
 """Name of the connector of the robot's own gripper."""

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import X, quaternion, rotation_about
 from jauspy.platform.modular.parts import BinSetup, CellSetup, ConveyorSetup, PartType, Shape, Solid, TargetArea
-from jauspy_sim.groups import VISUAL
+from jauspy_sim.models.groups import VISUAL
 
 Colour: TypeAlias = tuple[float, float, float, float]
 

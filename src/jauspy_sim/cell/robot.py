@@ -19,7 +19,6 @@ from jauspy.platform.modular import check_libraries
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.ranging import Scanner
 from jauspy_sim.assembly import TIMESTEP, redirect_warnings
-from jauspy_sim.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.cell.assembly import GRIPPER, CellModel, build_cell
 from jauspy_sim.cell.car import SimulatedCar
 from jauspy_sim.cell.connectors import Attachments, SimulatedConnector
@@ -27,8 +26,9 @@ from jauspy_sim.cell.equipment import SimulatedConveyor, SimulatedPartSensor, Si
 from jauspy_sim.cell.servos import SimulatedServo, servos_of
 from jauspy_sim.cell.start import disturb, put_on_each_other
 from jauspy_sim.cell.truth import Truth
-from jauspy_sim.joints import SimulatedJoints
-from jauspy_sim.viewer import Viewer
+from jauspy_sim.physics.joints import SimulatedJoints
+from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
+from jauspy_sim.rendering.viewer import Viewer
 
 GRAVITY: Final = 9.81
 

@@ -20,11 +20,11 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, numbers, origin, place
 from jauspy.geometry.vectors import quaternion
-from jauspy_sim.groups import COLLISION, VISUAL
-from jauspy_sim.inertias import KEYS, MIN_INERTIA, checked_inertia, set_inertia
-from jauspy_sim.shapes import DENSITY, RGBA, Look, MeshSource, ShapeBuilder, Solid
+from jauspy_sim.models.groups import COLLISION, VISUAL
+from jauspy_sim.models.inertias import KEYS, MIN_INERTIA, checked_inertia, set_inertia
+from jauspy_sim.models.shapes import DENSITY, RGBA, Look, MeshSource, ShapeBuilder, Solid
 
-logger = logging.getLogger("jauspy_sim.urdf")
+logger = logging.getLogger("jauspy_sim.models.urdf")
 
 MIN_MASS: Final = 1e-3
 """Kilograms of a link that a joint moves and that has no mass: neither itself, nor what is fixed to it."""

@@ -11,8 +11,8 @@ from lxml import etree
 
 from jauspy.geometry.urdf import Element, RobotDescription
 from jauspy.platform.description import RobotModel
-from jauspy_sim.groups import VISUAL
-from jauspy_sim.track_visuals import belted_links, mark
+from jauspy_sim.models.groups import VISUAL
+from jauspy_sim.models.track_visuals import belted_links, mark
 
 GLOSS: Final[Mapping[str, tuple[float, float]]] = {
     "olive": (0.25, 0.3),

@@ -15,10 +15,10 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import quaternion
 from jauspy.user_files import confined, own_folder, read_file, read_toml
-from jauspy_sim.groups import COLLISION
-from jauspy_sim.lighting import HORIZON, ZENITH, add_floor, add_sky, add_sun
-from jauspy_sim.mesh_files import read_heights
-from jauspy_sim.shapes import RGBA, Look, MeshSource, ShapeBuilder, Solid
+from jauspy_sim.models.groups import COLLISION
+from jauspy_sim.models.mesh_files import read_heights
+from jauspy_sim.models.shapes import RGBA, Look, MeshSource, ShapeBuilder, Solid
+from jauspy_sim.worlds.lighting import HORIZON, ZENITH, add_floor, add_sky, add_sun
 
 MAX_HEIGHTS: Final = 513
 """Rows and columns of a height map; larger ones are made smaller."""

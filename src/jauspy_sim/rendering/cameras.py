@@ -9,7 +9,7 @@ import math
 import struct
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Final, Protocol
+from typing import TYPE_CHECKING, Final
 
 import mujoco
 import numpy as np
@@ -22,13 +22,14 @@ from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
 from jauspy.platform.shared_state import StateReader, StateWriter
 from jauspy_sim.assembly import DrawnModel, logger, redirect_warnings
-from jauspy_sim.backend import choose_gl
-from jauspy_sim.gl import GlRenderer
-from jauspy_sim.rays import RayRenderer
-from jauspy_sim.sensors import cast_rays
-from jauspy_sim.shared_model import ModelMemory, shared_model
-from jauspy_sim.track_visuals import Treads
-from jauspy_sim.urdf import body_name
+from jauspy_sim.gl_libraries import choose_gl
+from jauspy_sim.models.track_visuals import Treads
+from jauspy_sim.models.urdf import body_name
+from jauspy_sim.physics.sensors import cast_rays
+from jauspy_sim.rendering.gl import GlRenderer
+from jauspy_sim.rendering.rays import RayRenderer
+from jauspy_sim.rendering.renderer import Renderer
+from jauspy_sim.rendering.shared_model import ModelMemory, shared_model
 
 _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""
@@ -39,8 +40,8 @@ MIN_AWAY: Final = 0.6
 """Least distance of an outside camera from the robot, in metres."""
 
 if TYPE_CHECKING:
-    from jauspy_sim.lamps import Darkness
-    from jauspy_sim.sun_shadow import SunShadow
+    from jauspy_sim.rendering.lamps import Darkness
+    from jauspy_sim.rendering.sun_shadow import SunShadow
 
 
 def state_of(data: mujoco.MjData, lamps: Sequence[Lamp] = ()) -> bytes:
@@ -54,59 +55,6 @@ def state_of(data: mujoco.MjData, lamps: Sequence[Lamp] = ()) -> bytes:
 def state_size(model: mujoco.MjModel, lamps: int = 0) -> int:
     """The number of doubles in `state_of`."""
     return int(model.nq + 7 * model.nmocap + model.nuserdata + lamps)
-
-
-class Renderer(Protocol):
-    """Renders the image of a camera."""
-
-    @property
-    def description(self) -> str:
-        """The way of rendering, for the log."""
-        ...
-
-    def simplify(self) -> bool:
-        """Render at the next lower quality; False at the lowest."""
-        ...
-
-    def zoom(self, fov: float) -> None:
-        """Take this horizontal field of view, in radians, from the next picture on."""
-        ...
-
-    def paint(self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False) -> NDArray[np.uint8]:
-        """Render a picture: uint8, shape (height, width, 3), RGB. With `thoroughly` it may take half a second."""
-        ...
-
-    def measure(
-        self, data: mujoco.MjData, width: int, height: int, *, thoroughly: bool = False
-    ) -> tuple[NDArray[np.uint8], NDArray[np.float32]]:
-        """Render a picture of at most that size, and the depths of its pixels along the camera's axis: metres, or inf.
-
-        Shapes (rows, columns, 3) and (rows, columns).
-        """
-        ...
-
-    def depths_from(
-        self,
-        data: mujoco.MjData,
-        position: NDArray[np.float64],
-        rotation: NDArray[np.float64],
-        spread: float,
-        size: int,
-        *,
-        parallel: bool = False,
-    ) -> NDArray[np.float32] | None:
-        """Depths as seen from a lamp, along the x axis of a frame (x ahead, y left, z up), in metres.
-
-        None if not supported.
-
-        The picture is square, of at most `size` pixels across; `spread` is half its width at a distance of one, and in
-        a `parallel` projection at any. To be called after `measure`.
-        """
-        ...
-
-    def close(self) -> None:
-        """Release all resources."""
-        ...
 
 
 @dataclass(frozen=True, slots=True)
@@ -156,7 +104,7 @@ class SimulatedCameraSession:
         self._treads = Treads(self._model)
         self._darkness: Darkness | None = None
         if camera.time_of_day is not TimeOfDay.DAY:
-            from jauspy_sim.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
+            from jauspy_sim.rendering.lamps import Darkness, light_evenly  # noqa: PLC0415 - OpenCV is for the cameras' processes
 
             self._darkness = Darkness(self._model, camera.prefix, camera.lamps, camera.time_of_day)
             light_evenly(self._model)
@@ -221,7 +169,7 @@ class SimulatedCameraSession:
         if thoroughly and renderer.makes_films:
             return None
         if self._sun is None:
-            from jauspy_sim.sun_shadow import SunShadow  # noqa: PLC0415 - OpenCV is for the cameras' processes
+            from jauspy_sim.rendering.sun_shadow import SunShadow  # noqa: PLC0415 - OpenCV is for the cameras' processes
 
             self._sun = SunShadow(self._model)
         return self._sun if self._sun.is_cast else None

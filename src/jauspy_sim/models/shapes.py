@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import quaternion
-from jauspy_sim.mesh_files import Image, MeshPart, by_look, joined, read_image, read_mesh, with_volume
-from jauspy_sim.slabs import convex_pieces
+from jauspy_sim.models.mesh_files import Image, MeshPart, by_look, joined, read_image, read_mesh, with_volume
+from jauspy_sim.models.slabs import convex_pieces
 
 logger = logging.getLogger("jauspy_sim.meshes")
 

@@ -12,7 +12,7 @@ from typing import Any, Final
 import mujoco
 
 from jauspy.errors import ConfigError
-from jauspy_sim.track_visuals import Treads
+from jauspy_sim.models.track_visuals import Treads
 
 DISPLAYS: Final = ("DISPLAY", "WAYLAND_DISPLAY")
 """Variables of the environment, one of which names a display."""

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.camera import Quality
-from jauspy_sim.rays import MAX_DISTANCE
+from jauspy_sim.rendering.rays import MAX_DISTANCE
 
 Vectors = NDArray[np.float64]
 

@@ -17,10 +17,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.lights import DAYLIGHT, LampSetup, TimeOfDay
-from jauspy_sim.urdf import body_name
+from jauspy_sim.models.urdf import body_name
 
 if TYPE_CHECKING:
-    from jauspy_sim.cameras import Renderer
+    from jauspy_sim.rendering.renderer import Renderer
 
 Floats: TypeAlias = NDArray[np.float32]
 Vectors: TypeAlias = NDArray[np.float64]

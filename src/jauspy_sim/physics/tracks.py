@@ -15,7 +15,7 @@ from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.description import TrackSetup
 from jauspy_sim.assembly import view
-from jauspy_sim.joints import FloatingBase
+from jauspy_sim.physics.joints import FloatingBase
 
 ALONG_THE_TRACK: Final = 0.002
 """Cosines of normals to the track, of all contacts together, below which MuJoCo's own Jacobian is right."""

@@ -19,12 +19,12 @@ from jauspy.geometry.poses import IDENTITY, Transform
 from jauspy.geometry.urdf import Element
 from jauspy.geometry.vectors import Vector, quaternion
 from jauspy.user_files import read_file
-from jauspy_sim.groups import COLLISION
-from jauspy_sim.lighting import add_floor, add_sky, add_sun
-from jauspy_sim.model_paths import ModelPaths, sdf_of_model
-from jauspy_sim.sdf_links import LinkBuilder, Names, SdfLink, Skipped
-from jauspy_sim.sdf_poses import MODEL, WORLD, Scope, floats, is_true, line_of, located, raw_pose, words
-from jauspy_sim.shapes import ShapeBuilder, same_shape
+from jauspy_sim.models.groups import COLLISION
+from jauspy_sim.models.shapes import ShapeBuilder, same_shape
+from jauspy_sim.worlds.lighting import add_floor, add_sky, add_sun
+from jauspy_sim.worlds.model_paths import ModelPaths, sdf_of_model
+from jauspy_sim.worlds.sdf_links import LinkBuilder, Names, SdfLink, Skipped
+from jauspy_sim.worlds.sdf_poses import MODEL, WORLD, Scope, floats, is_true, line_of, located, raw_pose, words
 
 MAX_DEPTH: Final = 8
 """Nesting depth of models."""

@@ -8,7 +8,7 @@ from typing import Final
 import mujoco
 import numpy as np
 
-from jauspy_sim.groups import COLLISION, SOLID, VISUAL
+from jauspy_sim.models.groups import COLLISION, SOLID, VISUAL
 
 HORIZON: Final = (1.0, 1.0, 0.94)
 ZENITH: Final = (0.36, 0.56, 0.82)

@@ -19,8 +19,8 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Element
 from jauspy.printable import printable
 from jauspy.user_files import read_file
-from jauspy_sim.mesh_files import MAX_BYTES
-from jauspy_sim.model_paths import ModelPaths
+from jauspy_sim.models.mesh_files import MAX_BYTES
+from jauspy_sim.worlds.model_paths import ModelPaths
 
 MAX_FILES: Final = 256
 """XML files of a world."""
@@ -110,7 +110,7 @@ def _check_size(path: Path) -> None:
 
 def check_costs(path: Path) -> None:
     """Compile a world in a process with limits; raises `ConfigError` if that fails."""
-    command = [sys.executable, "-P", "-m", "jauspy_sim.mjcf_trial", str(path), str(MAX_MEMORY), str(MAX_SECONDS)]
+    command = [sys.executable, "-P", "-m", "jauspy_sim.worlds.mjcf_trial", str(path), str(MAX_MEMORY), str(MAX_SECONDS)]
     try:
         done = subprocess.run(command, capture_output=True, text=True, errors="replace", check=False, timeout=TIMEOUT)  # noqa: S603
     except subprocess.TimeoutExpired:

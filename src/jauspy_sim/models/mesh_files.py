@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from jauspy.errors import ConfigError
 from jauspy.user_files import confined, own_folder, read_file
-from jauspy_sim.mesh_checks import check_mesh
+from jauspy_sim.models.mesh_checks import check_mesh
 
 logger = logging.getLogger("jauspy_sim.meshes")
 

@@ -1,8 +1,8 @@
 """Visual shapes of tracks that move with their belts, in every picture of the robot.
 
-The physics of tracks (`jauspy_sim.tracks`) has no moving treads. It keeps the distance that the belts of each side have
-run in `userdata` of the state. A visual shape moves if its element in the URDF has these attributes (other programs
-ignore them):
+The physics of tracks (`jauspy_sim.physics.tracks`) has no moving treads. It keeps the distance that the belts of each
+side have run in `userdata` of the state. A visual shape moves if its element in the URDF has these attributes (other
+programs ignore them):
 
 - `belt_way`: "forward" or "backward", in which direction of x it moves when the robot drives forward;
 - `belt_radius`, in metres: it turns about y of its origin instead, as the belt does around a wheel;

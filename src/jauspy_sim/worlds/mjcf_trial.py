@@ -1,4 +1,4 @@
-"""Compiles a world in MJCF within limits of memory and time, as a process: `python -m jauspy_sim.mjcf_trial FILE`."""
+"""Compiles a world in MJCF within limits of memory and time: `python -m jauspy_sim.worlds.mjcf_trial FILE`."""
 
 from __future__ import annotations
 

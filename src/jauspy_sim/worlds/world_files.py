@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from jauspy.errors import ConfigError
 from jauspy.platform.description import WORLD_SUFFIXES, is_world_file
 from jauspy.user_files import read_file
-from jauspy_sim.groups import COLLISION, HEIGHT_FIELDS, RAY_MESHES
-from jauspy_sim.mjcf_files import check_costs, check_files
-from jauspy_sim.model_paths import ModelPaths
-from jauspy_sim.sdf import sdf_world
-from jauspy_sim.world_objects import objects_world
+from jauspy_sim.models.groups import COLLISION, HEIGHT_FIELDS, RAY_MESHES
+from jauspy_sim.worlds.mjcf_files import check_costs, check_files
+from jauspy_sim.worlds.model_paths import ModelPaths
+from jauspy_sim.worlds.sdf import sdf_world
+from jauspy_sim.worlds.world_objects import objects_world
 
 MAX_ITERATIONS: Final = 1000
 """Of a solver, in each step."""

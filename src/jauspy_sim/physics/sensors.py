@@ -14,7 +14,7 @@ from jauspy.geometry.vectors import Vector
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.ranging import LidarSetup, RangeScan, Scanner, ScanSettings, nearest_layer
 from jauspy_sim.assembly import view
-from jauspy_sim.groups import COLLISION, HEIGHT_FIELDS, VISUAL
+from jauspy_sim.models.groups import COLLISION, HEIGHT_FIELDS, VISUAL
 
 _IGNORED: Final = (VISUAL, COLLISION, HEIGHT_FIELDS)
 _GROUPS: Final = np.array([group not in _IGNORED for group in range(mujoco.mjNGROUP)], np.uint8)

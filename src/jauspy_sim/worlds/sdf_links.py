@@ -16,14 +16,14 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Element
 from jauspy.geometry.vectors import Vector
-from jauspy_sim.inertias import KEYS, checked_inertia, set_inertia
-from jauspy_sim.mesh_files import read_heights
-from jauspy_sim.model_paths import ModelPaths
-from jauspy_sim.sdf_materials import look_of
-from jauspy_sim.sdf_poses import floats, is_true, line_of, located, raw_pose, words
-from jauspy_sim.shapes import Look, MeshSource, ShapeBuilder, Solid
+from jauspy_sim.models.inertias import KEYS, checked_inertia, set_inertia
+from jauspy_sim.models.mesh_files import read_heights
+from jauspy_sim.models.shapes import Look, MeshSource, ShapeBuilder, Solid
+from jauspy_sim.worlds.model_paths import ModelPaths
+from jauspy_sim.worlds.sdf_materials import look_of
+from jauspy_sim.worlds.sdf_poses import floats, is_true, line_of, located, raw_pose, words
 
-logger = logging.getLogger("jauspy_sim.sdf")
+logger = logging.getLogger("jauspy_sim.worlds.sdf")
 
 QUIET: Final = frozenset(
     [

@@ -14,7 +14,7 @@ from jauspy.platform.description import GroupSetup
 from jauspy.platform.joint_control import JointController
 from jauspy.platform.joints import JointState, Target
 from jauspy_sim.assembly import TIMESTEP, view
-from jauspy_sim.load_brake import LoadBrake
+from jauspy_sim.physics.load_brake import LoadBrake
 
 
 class SimulatedJoints:

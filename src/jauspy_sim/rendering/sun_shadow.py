@@ -14,10 +14,10 @@ import mujoco
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy_sim.lamps import Floats, Surface, axes_along
+from jauspy_sim.rendering.lamps import Floats, Surface, axes_along
 
 if TYPE_CHECKING:
-    from jauspy_sim.cameras import Renderer
+    from jauspy_sim.rendering.renderer import Renderer
 
 RADIUS: Final = 4.5
 """Metres around a point before the camera in which things cast shadows."""

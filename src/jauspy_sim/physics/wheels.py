@@ -9,7 +9,7 @@ import mujoco
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.platform.wheels import WheelDrive, WheelKind, WheelSetup
 from jauspy_sim.assembly import view
-from jauspy_sim.joints import FloatingBase
+from jauspy_sim.physics.joints import FloatingBase
 
 
 class SimulatedWheels(WheelDrive):

@@ -11,9 +11,9 @@ from typing import Final
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import Element
 from jauspy.user_files import read_file
-from jauspy_sim.model_paths import ModelPaths
-from jauspy_sim.sdf_poses import words
-from jauspy_sim.shapes import RGBA, Look
+from jauspy_sim.models.shapes import RGBA, Look
+from jauspy_sim.worlds.model_paths import ModelPaths
+from jauspy_sim.worlds.sdf_poses import words
 
 GAZEBO: Final[dict[str, tuple[float, float, float]]] = {
     "Black": (0.05, 0.05, 0.05),

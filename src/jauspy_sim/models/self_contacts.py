@@ -13,7 +13,7 @@ import numpy as np
 
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import RobotDescription
-from jauspy_sim.urdf import body_name
+from jauspy_sim.models.urdf import body_name
 
 CORNERS: Final = np.array([(x, y, z) for x in (-1.0, 1.0) for y in (-1.0, 1.0) for z in (-1.0, 1.0)])
 

@@ -1,0 +1,1 @@
+"""Parts of the simulated robot: joints, tracks, wheels and sensors."""
