@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 from tests.helpers.documentation import DOCS, program
 
+from jauspy.backends import check_robot
 from jauspy.messages.core import Standby
-from jauspy.platform.backends import check_robot
 from jauspy.robot import robot_files
 from jauspy.testing import LocalNode, VirtualNetwork
 

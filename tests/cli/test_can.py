@@ -13,9 +13,9 @@ pytest.importorskip("canopen", reason="canopen is not installed")
 
 import can
 
+from jauspy.backends.can import bus as buses
+from jauspy.backends.can.simulated.fleet import MOTORS, RealTimeFleet, plant_of
 from jauspy.cli import can as verbs
-from jauspy.platform.can import bus as buses
-from jauspy.platform.can.simulated.fleet import MOTORS, RealTimeFleet, plant_of
 from jauspy.robot.robot_files import load, robot_model
 
 BUS = ("--bus", "socketcan:can0")

@@ -8,6 +8,7 @@ import pytest
 from tests.helpers.robot import FakeDrive
 from tests.robot.cameras import FakeVideo
 
+from jauspy.backends.kinematic import KinematicDrive
 from jauspy.cli.send import send_in_control, send_without_control
 from jauspy.component.component import loop_time
 from jauspy.errors import ControlRejected, JausError, RequestError
@@ -25,7 +26,6 @@ from jauspy.messages.core import (
 from jauspy.messages.environment_sensing import SetVisualSensorConfiguration
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.kinematic import KinematicDrive
 from jauspy.services.core import AccessControl, Discovery, Management, Time
 from jauspy.services.core.discovery import COMPONENT as COMPONENT_LEVEL, Identity
 from jauspy.services.environment_sensing import VideoCamera, VisualSensor

@@ -10,11 +10,11 @@ from types import SimpleNamespace
 import pytest
 from typer.testing import CliRunner
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.cli import up
 from jauspy.cli.main import app
 from jauspy.cli.up import print_summary
 from jauspy.ids import JausID
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.robot.config import AccessControlConfig
 from jauspy.robot.robot_files import load
 

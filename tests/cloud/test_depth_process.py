@@ -18,11 +18,11 @@ pytest.importorskip("numpy", reason="the extra 'cloud' is not installed")
 
 import numpy as np
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.stream import XYZ_RGB, Cloud, CloudPublisher, CloudSubscriber
 from jauspy.errors import TransportError
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.testing import until
 

@@ -9,9 +9,9 @@ from collections.abc import Callable
 from datetime import UTC, datetime, timedelta
 from functools import cache
 
+from jauspy import backends
 from jauspy.conformance import Profile, Report, Settings, TargetComponent, VirtualTarget, find, run
 from jauspy.ids import JausID
-from jauspy.platform import backends
 from jauspy.platform.description import RobotModel
 from jauspy.platform.video_settings import Still, StillSettings
 from jauspy.robot import robot_files

@@ -7,12 +7,12 @@ from importlib.util import find_spec
 
 import pytest
 
+from jauspy.backends.kinematic import KinematicBackend
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree, joint_frame
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind
 from jauspy.platform.joints import ControlMode, Target, joint_positions
-from jauspy.platform.kinematic import KinematicBackend
 from jauspy.robot.robot_files import load, robot_model
 
 INC1 = robot_model(load("inc1"))

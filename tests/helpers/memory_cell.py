@@ -6,12 +6,12 @@ import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from jauspy.backends.kinematic import KinematicJoints
 from jauspy.geometry.poses import ORIGIN, Pose, Twist
 from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import Gains, RobotModel
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.kinematic import KinematicJoints
 from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
 from jauspy.platform.modular.cell import (
     Car,

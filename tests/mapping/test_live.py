@@ -9,6 +9,8 @@ from collections.abc import Sequence
 import numpy as np
 import pytest
 
+from jauspy.backends import kinematic
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.errors import ConfigError, JausError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.mapping import live as live_module
@@ -17,8 +19,6 @@ from jauspy.mapping.live import LiveMapping, _StampedPose, interpolated
 from jauspy.mapping.mapper import Mapper
 from jauspy.messages.mobility import QueryLocalPose, SetWrenchEffort
 from jauspy.ocu import OCU
-from jauspy.platform import kinematic
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.ranging import Scanner
 from jauspy.robot.runner import RobotRunner
 

@@ -5,7 +5,7 @@ from importlib.util import find_spec
 
 import pytest
 
-from jauspy.platform.backends import find
+from jauspy.backends import find
 from jauspy.platform.contract import Robot
 from jauspy.robot.robot_files import load, robot_model
 

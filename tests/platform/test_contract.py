@@ -5,9 +5,9 @@ from collections.abc import Callable
 
 import pytest
 
+from jauspy.backends import find
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.platform.backends import find
 from jauspy.platform.contract import Robot
 from jauspy.robot.robot_files import load, robot_model
 

@@ -7,10 +7,10 @@ from dataclasses import replace
 
 import pytest
 
+from jauspy.backends import find
 from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.urdf import parse_urdf
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.backends import find
 from jauspy.platform.force_torque import ForceTorqueSetup, SampledForceTorque
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot.robot_files import load, robot_model

@@ -9,8 +9,8 @@ from dataclasses import replace
 import pytest
 from tests.helpers.robot import described
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.localization import RTK, GnssSetup, ImuSetup, Localization, LocalizationSetup, PoseEstimate
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.motion_sensors import Encoders, GnssReceiver, InertialSensor, generator

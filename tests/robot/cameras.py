@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 from datetime import UTC, datetime, timedelta
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import environment_sensing as m, registry
 from jauspy.messages.core import RequestControl, Resume
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.video_settings import RTP_SERVER_TYPE, VideoSettings
 from jauspy.protocol.addressing import Location
 from jauspy.robot import robot_files

@@ -6,8 +6,8 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.backends import find
 from jauspy.errors import ConfigError
-from jauspy.platform.backends import find
 from jauspy.robot.robot_files import load, robot_model
 
 DRIVES = """

@@ -10,11 +10,11 @@ from tests.robot.test_stopping import ENDS, Cell, tell
 
 pytest.importorskip("canopen", reason="canopen is not installed")
 
+from jauspy.backends.can import pdo
+from jauspy.backends.can.cia402 import Control
+from jauspy.backends.can.robot import CanRobot
 from jauspy.messages.core import Standby
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import Control
-from jauspy.platform.can.robot import CanRobot
 
 LIMIT = 0.05
 COMMANDS = {each.cob_id for each in pdo.COMMANDS.values()}

@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.backends.kinematic import KinematicBackend
 from jauspy.errors import ConfigError
-from jauspy.platform.kinematic import KinematicBackend
 from jauspy.platform.modular.parts import POSITION_GAINS, PartKind
 from jauspy.robot import robot_files
 from jauspy.robot.config import RobotConfig

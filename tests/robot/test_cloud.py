@@ -11,9 +11,9 @@ from pathlib import Path
 
 import pytest
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.cloud.stream import CloudSubscriber
 from jauspy.errors import ConfigError
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.ranging import LidarSetup, RangeScan, Scanner
 from jauspy.robot import robot_files
 from jauspy.robot.cloud import Clouds, points, stream

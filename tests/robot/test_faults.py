@@ -11,6 +11,7 @@ from typing import Any
 import pytest
 from tests.helpers.robot import FakeJoints, FakeRobot
 
+from jauspy.backends.kinematic import KinematicBackend, KinematicDrive, KinematicRobot
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.messages.core import ReportStatus, Reset
@@ -23,7 +24,6 @@ from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.commands import CHASSIS
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import JointState
-from jauspy.platform.kinematic import KinematicBackend, KinematicDrive, KinematicRobot
 from jauspy.robot.realtime import SLOW_STEP, WARNING_INTERVAL, WHOLE_ROBOT, RealTime
 from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner

@@ -9,9 +9,9 @@ from typing import Any
 import pytest
 from tests.helpers.robot import described
 
+from jauspy.backends import find
 from jauspy.ids import JausID
 from jauspy.messages.environment_sensing.v2_0 import force_torque_sensor as m
-from jauspy.platform.backends import find
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot.hosts import host_of
 

@@ -7,6 +7,7 @@ from datetime import UTC, datetime
 
 import pytest
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -16,7 +17,6 @@ from jauspy.messages.ugv import (
     QueryIlluminationState,
     SetIlluminationState,
 )
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.lights import LampSetup, Switch, lamps_of
 from jauspy.robot import robot_files
 from jauspy.robot.config import ModuleConfig, RobotConfig

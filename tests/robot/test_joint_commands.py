@@ -2,8 +2,8 @@
 
 import pytest
 
+from jauspy.backends.kinematic import KinematicBackend
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.kinematic import KinematicBackend
 from jauspy.robot.realtime import RealTime
 from jauspy.robot.robot_files import load, robot_model
 

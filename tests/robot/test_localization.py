@@ -10,6 +10,7 @@ import pytest
 from tests.helpers.robot import described
 from tests.robot.world import ORIGIN, World
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.errors import ConfigError
 from jauspy.messages.mobility import (
     QueryAccelerationState,
@@ -20,7 +21,6 @@ from jauspy.messages.mobility import (
     SetLocalWaypoint,
     SetTravelSpeed,
 )
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.localization import RTK, GnssSetup, Localization, LocalizationSetup
 from jauspy.robot.kinds.mobility import vehicle_of
 from jauspy.robot.robot_files import load, robot_model

@@ -20,7 +20,7 @@ MODULE = """
 import jauspy
 from jauspy.messages.ugv import ReportOdometry
 from jauspy.robot.kinds import MobilityContext, ServiceEntry
-from jauspy.platform.kinematic import KinematicBackend
+from jauspy.backends.kinematic import KinematicBackend
 
 
 class Odometer(jauspy.Service, urn="urn:jaus:jss:ugv:OdometryService"):

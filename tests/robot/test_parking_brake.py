@@ -8,6 +8,7 @@ import pytest
 from tests.helpers.robot import FakeRobot
 from tests.robot.workcell import BACKENDS
 
+from jauspy.backends import find
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
@@ -15,7 +16,6 @@ from jauspy.messages import registry
 from jauspy.messages.core import RequestControl, Resume, SetEmergency, Standby
 from jauspy.messages.mobility import SetWrenchEffort
 from jauspy.messages.ugv import QueryParkingBrake, ReportParkingBrake, SetParkingBrake
-from jauspy.platform.backends import find
 from jauspy.platform.chassis import ParkingBrake
 from jauspy.platform.contract import RobotParts
 from jauspy.robot import robot_files

@@ -5,8 +5,8 @@ import threading
 import pytest
 from tests.helpers.robot import FakeJoints
 
+from jauspy.backends.kinematic import KinematicBackend
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.kinematic import KinematicBackend
 from jauspy.platform.ranging import LidarSetup, Scanner, ScanSettings
 from jauspy.robot.realtime import RealTime
 from jauspy.robot.robot_files import load, robot_model

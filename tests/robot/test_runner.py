@@ -7,6 +7,7 @@ from collections.abc import AsyncIterator
 
 import pytest
 
+from jauspy.backends.kinematic import KinematicBackend
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, TransportError
 from jauspy.ids import JausID
@@ -29,7 +30,6 @@ from jauspy.messages.mobility import (
     SetTravelSpeed,
     SetWrenchEffort,
 )
-from jauspy.platform.kinematic import KinematicBackend
 from jauspy.protocol.endpoint import Endpoint
 from jauspy.robot.robot_files import load
 from jauspy.robot.runner import RobotRunner

@@ -15,12 +15,12 @@ from typing import Any, TypeVar
 import pytest
 from tests.helpers.robot import described
 
+from jauspy.backends import find
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages.core import CreateEvent, Event, RequestControl
 from jauspy.messages.environment_sensing.v1_0.types import ManipulatorGeometricPropertiesRec
 from jauspy.messages.environment_sensing.v2_0 import range_sensor as m
-from jauspy.platform.backends import find
 from jauspy.platform.ranging import LidarSetup
 from jauspy.robot.hosts import host_of
 

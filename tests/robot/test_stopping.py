@@ -15,12 +15,12 @@ from tests.helpers.robot import described
 from tests.helpers.sampling import sampled
 from tests.robot.workcell import BACKENDS
 
+from jauspy.backends import find
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m
 from jauspy.messages.core import ReleaseControl, RequestControl, Resume, SetEmergency
 from jauspy.messages.mobility import SetWrenchEffort
-from jauspy.platform.backends import find
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot import realtime
 from jauspy.robot.config import AccessControlConfig

@@ -10,9 +10,9 @@ import pytest
 from tests.helpers.wheeled import toml, write
 from tests.robot.workcell import Workcell
 
+from jauspy.backends import find
 from jauspy.errors import ConfigError
 from jauspy.messages import mobility as m, ugv
-from jauspy.platform.backends import find
 from jauspy.robot import robot_files
 from jauspy.robot.robot_files import robot_model
 

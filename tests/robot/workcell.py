@@ -11,11 +11,11 @@ import pytest
 from tests.helpers.robot import described
 from tests.robot.cameras import FakeVideo
 
+from jauspy.backends import find
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import manipulator as m, registry
 from jauspy.messages.core import CommandEvent, RequestControl, Resume
-from jauspy.platform.backends import find
 from jauspy.robot.config import AccessControlConfig
 from jauspy.robot.hosts import host_of
 

@@ -9,6 +9,7 @@ from datetime import UTC, datetime, timedelta
 
 from tests.helpers.robot import described
 
+from jauspy.backends import find
 from jauspy.codec.message import Message
 from jauspy.ids import JausID
 from jauspy.messages import registry
@@ -20,7 +21,6 @@ from jauspy.messages.core import (
     SetElement,
 )
 from jauspy.messages.mobility import QueryActiveElement, QueryGlobalPose, QueryLocalPose, QueryVelocityState
-from jauspy.platform.backends import find
 from jauspy.platform.chassis import chassis_of
 from jauspy.platform.contract import Robot
 from jauspy.platform.localization import EXACT, Localization, LocalizedDrive

@@ -23,6 +23,7 @@ import av
 import cv2
 import yaml
 
+from jauspy.backends.can.robot import CanRobot
 from jauspy.cli.demo import grasp, plan
 from jauspy.cli.demo.arm import Arm, ArmKinematics
 from jauspy.cli.demo.grasp import Grasp
@@ -31,7 +32,6 @@ from jauspy.cli.options import on_bus
 from jauspy.node import NodeConfig, NodeManager
 from jauspy.ocu import OCU
 from jauspy.ocu.frames import RobotFrames
-from jauspy.platform.can.robot import CanRobot
 from jauspy.platform.contract import Command, DriveBase, PartId, Robot
 from jauspy.platform.localization import LocalizationSetup
 from jauspy.robot.robot_files import load, robot_model

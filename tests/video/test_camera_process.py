@@ -22,10 +22,10 @@ import numpy as np
 import psutil
 
 from jauspy import worker_process
+from jauspy.backends.kinematic import KinematicRobot
+from jauspy.backends.kinematic_camera import SKY_INDEX
 from jauspy.errors import ConfigError
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.kinematic import KinematicRobot
-from jauspy.platform.kinematic_camera import SKY_INDEX
 from jauspy.platform.video_settings import StillFormat, StillSettings, VideoSettings
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.video import camera_process
@@ -255,7 +255,7 @@ import asyncio, dataclasses, math
 from jauspy.robot.robot_files import robot_model
 from jauspy.robot.robot_files import load
 from jauspy.platform.camera import CameraSetup
-from jauspy.platform.kinematic import KinematicRobot
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.video.camera_process import CameraProcess
 

@@ -14,11 +14,11 @@ from collections import Counter
 from collections.abc import Iterator
 from typing import Final
 
+from jauspy.backends import find
+from jauspy.backends.can.robot import CanRobot
+from jauspy.backends.can.setup import DriveFault
 from jauspy.cli.options import on_bus
 from jauspy.logs import LIMIT
-from jauspy.platform.backends import find
-from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import DriveFault
 from jauspy.robot.robot_files import load, robot_model
 
 STEP: Final = 0.01

@@ -18,8 +18,8 @@ from collections.abc import Collection
 from pathlib import Path
 from typing import Any, Final, TextIO, TypeVar
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.cli.main import main
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.services.host import Host
 
 _T = TypeVar("_T")

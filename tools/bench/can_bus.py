@@ -17,9 +17,9 @@ from contextlib import ExitStack
 from dataclasses import replace
 from tempfile import TemporaryDirectory
 
-from jauspy.platform.backends import find
-from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import CanSetup
+from jauspy.backends import find
+from jauspy.backends.can.robot import CanRobot
+from jauspy.backends.can.setup import CanSetup
 from jauspy.robot.robot_files import load, robot_model
 
 

@@ -13,9 +13,9 @@ import asyncio
 import statistics
 import time
 
+from jauspy import backends
 from jauspy.cloud.depth import DepthProcess, DepthSettings, DepthStream
 from jauspy.cloud.stream import Cloud, CloudSubscriber
-from jauspy.platform import backends
 from jauspy.platform.contract import Robot
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot.realtime import RealTime

@@ -10,8 +10,8 @@ import random
 import time
 from statistics import mean
 
+from jauspy.backends.kinematic import KinematicJoints
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
-from jauspy.platform.kinematic import KinematicJoints
 from jauspy.robot.robot_files import load, robot_model
 from jauspy.services.manipulator.arm import Arm
 from jauspy.services.manipulator.end_effector import CONTROL_PERIOD, STEPS_PER_TURN

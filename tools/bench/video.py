@@ -29,7 +29,7 @@ from tempfile import TemporaryDirectory
 
 import numpy as np
 
-from jauspy.platform import backends
+from jauspy import backends
 from jauspy.platform.camera import Quality
 from jauspy.platform.video_settings import VideoSettings
 from jauspy.robot.config import RobotConfig

@@ -13,12 +13,12 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any, Final, Self
 
+from jauspy import backends
 from jauspy.cell.client import CellClient
 from jauspy.cell.judge import Judge, WatchedBackend
 from jauspy.cell.scene import Layout
 from jauspy.errors import ConfigError
 from jauspy.ocu import OCU
-from jauspy.platform import backends
 from jauspy.platform.camera import Camera, CameraSession
 from jauspy.platform.contract import Robot
 from jauspy.robot import robot_files

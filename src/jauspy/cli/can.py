@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Final
 
 import typer
 
+from jauspy.backends.can.cia402 import LIMIT_ACTIVE, error_text, register_text, state_of
+from jauspy.backends.can.setup import CanSetup, DriveFault
 from jauspy.cli import console
 from jauspy.cli.options import Bus, Json, World, on_bus
 from jauspy.errors import ConfigError
-from jauspy.platform.can.cia402 import LIMIT_ACTIVE, error_text, register_text, state_of
-from jauspy.platform.can.setup import CanSetup, DriveFault
 from jauspy.robot import robot_files
 
 if TYPE_CHECKING:
@@ -52,8 +52,8 @@ def _network(setup: CanSetup) -> Iterator[canopen.Network]:
     import can
     import canopen
 
-    from jauspy.platform.can import bus as buses
-    from jauspy.platform.can.inbox import deviation
+    from jauspy.backends.can import bus as buses
+    from jauspy.backends.can.inbox import deviation
 
     if buses.split(setup.bus)[0] == buses.VIRTUAL:
         raise ConfigError(
@@ -120,7 +120,7 @@ def _row(network: canopen.Network, setup: CanSetup, node: int, name: str, answer
     row: dict[str, Any] = {"node": node, "drive": name, "moves": setup.drives[name].moves if name else ""}
     if not answers:
         return row | {"state": "no answer"}
-    from jauspy.platform.can.configuration import read_object
+    from jauspy.backends.can.configuration import read_object
 
     sdo: Any = network.add_node(node, canopen.ObjectDictionary()).sdo
 
@@ -179,8 +179,8 @@ def simulate(
       jauspy up inc1 --backend can --bus udp_multicast:239.0.0.1      (in another terminal)
     """
     model, setup = _robot(robot, bus)
-    from jauspy.platform.can import bus as buses
-    from jauspy.platform.can.simulated.fleet import MOTORS, RealTimeFleet, plant_of
+    from jauspy.backends.can import bus as buses
+    from jauspy.backends.can.simulated.fleet import MOTORS, RealTimeFleet, plant_of
 
     if buses.split(setup.bus)[0] == buses.VIRTUAL:
         raise ConfigError(
@@ -222,8 +222,8 @@ def home(*, robot: Robot, bus: Bus = None) -> None:
     if not any(drive.homing for drive in setup.drives.values()):
         console.note(f"no drive of {robot} needs homing: their encoders are absolute (can.drives.NAME.homing)")
         return
-    from jauspy.platform.can import bus as buses
-    from jauspy.platform.can.robot import CanRobot
+    from jauspy.backends.can import bus as buses
+    from jauspy.backends.can.robot import CanRobot
 
     if buses.split(setup.bus)[0] == buses.VIRTUAL:
         raise ConfigError(f"{setup.bus} is inside the robot's process, and its simulated drives need no homing")
@@ -269,7 +269,7 @@ def fault(
     import canopen
     from canopen.sdo.exceptions import SdoAbortedError, SdoError
 
-    from jauspy.platform.can.simulated.drive import BEHAVIOUR_OBJECT, BEHAVIOURS, FAULT_OBJECT, FAULTS
+    from jauspy.backends.can.simulated.drive import BEHAVIOUR_OBJECT, BEHAVIOURS, FAULT_OBJECT, FAULTS
 
     node = int(drive) if drive.isdigit() else getattr(setup.drives.get(drive), "node", None)
     if node is None or not 1 <= node <= 126:

@@ -9,12 +9,12 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, Final
 
+from jauspy.backends.can import pdo
+from jauspy.backends.can.cia402 import Control, Mode, error_text, register_text, state_of
+from jauspy.backends.can.setup import CanSetup, DriveSetup
+from jauspy.backends.can.units import DriveUnits
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind
-from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import Control, Mode, error_text, register_text, state_of
-from jauspy.platform.can.setup import CanSetup, DriveSetup
-from jauspy.platform.can.units import DriveUnits
 from jauspy.platform.description import RobotModel
 from jauspy.printable import printable
 

@@ -14,6 +14,7 @@ from typing import Annotated, Final
 
 import typer
 
+from jauspy import backends
 from jauspy.cli import console
 from jauspy.cli.operator_console import DEFAULT_PORT as CONSOLE_PORT, console_beside
 from jauspy.cli.options import (
@@ -41,7 +42,6 @@ from jauspy.cli.processes import ChildFailed, ChildProcess, end_with_parent, rem
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.node.config import load_config
-from jauspy.platform import backends
 from jauspy.platform.camera import Quality
 from jauspy.platform.contract import PartId, Snapshot
 from jauspy.platform.lights import TimeOfDay

@@ -21,7 +21,7 @@ from jauspy.platform.ranging import LidarSetup
 from jauspy.platform.tables import NotNegative, Table, UrdfName
 
 if TYPE_CHECKING:
-    from jauspy.platform.can.setup import CanSetup
+    from jauspy.backends.can.setup import CanSetup
     from jauspy.platform.modular.parts import CellSetup
     from jauspy.platform.wheels import WheelSetup
 

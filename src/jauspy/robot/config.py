@@ -20,11 +20,11 @@ from pydantic import (
     model_validator,
 )
 
+from jauspy.backends.can.setup import CanTable
 from jauspy.cloud.depth import DepthSettings
 from jauspy.errors import ConfigError
 from jauspy.ids import JausID
 from jauspy.platform.camera import CameraSetup, Quality
-from jauspy.platform.can.setup import CanTable
 from jauspy.platform.description import Gains, GroupSetup, JointGains, TrackSetup
 from jauspy.platform.force_torque import ForceTorqueSetup
 from jauspy.platform.imaging_settings import ImagingSetup

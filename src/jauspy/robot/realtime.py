@@ -12,10 +12,10 @@ from functools import partial
 from types import TracebackType
 from typing import Final, Self
 
+from jauspy.backends import state_problem
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
-from jauspy.platform.backends import state_problem
 from jauspy.platform.camera import Camera
 from jauspy.platform.commands import CHASSIS, DriveEffort, DriveStop, JointTargets, LidarSettings
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, Snapshot

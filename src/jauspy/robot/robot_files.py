@@ -14,12 +14,12 @@ from lxml import etree
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from jauspy.backends.can.setup import CanSetup
 from jauspy.config_errors import explain, line_prefix
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.urdf import Element, Joint, JointKind, RobotDescription, parse_tree, parse_urdf, place
 from jauspy.geometry.vectors import dot
-from jauspy.platform.can.setup import CanSetup
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup, is_world_file
 from jauspy.platform.wheels import wheel_setup
 from jauspy.robot.audit_files import own_path

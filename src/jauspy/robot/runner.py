@@ -11,12 +11,12 @@ from pathlib import Path
 from types import TracebackType
 from typing import Final, Self
 
+from jauspy import backends
+from jauspy.backends import check_robot
 from jauspy.component.component import Component, ComponentOptions, Intercept, loop_time, until_signalled
 from jauspy.errors import ConfigError, JausError, TransportError
 from jauspy.ids import JausID
 from jauspy.logs import get_logger
-from jauspy.platform import backends
-from jauspy.platform.backends import check_robot
 from jauspy.platform.camera import Camera
 from jauspy.platform.contract import Backend, Counting, Robot, Snapshot, Viewable
 from jauspy.platform.description import RobotModel

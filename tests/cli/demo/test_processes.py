@@ -8,6 +8,7 @@ import pytest
 from tests.helpers.robot import described
 from typer.testing import CliRunner
 
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.cli import demo as processes
 from jauspy.cli.demo import Place, RobotOutput, _whole_tour, plan, true_place
 from jauspy.cli.main import app
@@ -15,7 +16,6 @@ from jauspy.cli.up import print_truth
 from jauspy.errors import ConfigError, RequestError
 from jauspy.geometry.poses import PlanarPose
 from jauspy.platform.contract import Snapshot
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.platform.localization import LocalizationSetup
 from jauspy.platform.video_settings import FrameSize
 

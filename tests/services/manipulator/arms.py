@@ -7,9 +7,9 @@ from dataclasses import replace
 
 from tests.helpers.robot import described
 
+from jauspy.backends.kinematic import KinematicJoints
 from jauspy.geometry.kinematics import InverseKinematics, Solution, forward_kinematics
 from jauspy.geometry.poses import Transform
-from jauspy.platform.kinematic import KinematicJoints
 from jauspy.services.manipulator.arm import Arm
 
 ROBOTS = ("inc1", "inc1_pprm")

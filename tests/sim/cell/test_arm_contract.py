@@ -16,7 +16,7 @@ pytest.importorskip("ruckig", reason="the extra 'cell' is not installed")
 from tests.helpers.sampling import sampled
 from tests.helpers.servo_plant import ServoPlant, many
 
-from jauspy.platform import backends
+from jauspy import backends
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot import robot_files

@@ -86,7 +86,7 @@ def run(arena: Arena) -> None:
         raise NotPossible("python-can and canopen are not installed")
     import can  # noqa: PLC0415 - only where the extra is installed
 
-    from jauspy.platform.can.bus import open_bus  # noqa: PLC0415
+    from jauspy.backends.can.bus import open_bus  # noqa: PLC0415
 
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as probe:
         probe.bind(("", 0))

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.platform import backends
+from jauspy import backends
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 from typing import Any
 
 import pytest
-from tests.platform.can.conftest import OpenCan
-from tests.platform.can.test_failing_drives import advance_until_fault
+from tests.backends.can.conftest import OpenCan
+from tests.backends.can.test_failing_drives import advance_until_fault
 
-from jauspy.platform.can.robot import CanRobot
+from jauspy.backends.can.robot import CanRobot
 from jauspy.platform.joints import ControlMode, Target
 
 SHOULDER, WRIST = 1, 4

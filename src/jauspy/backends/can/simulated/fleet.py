@@ -12,18 +12,18 @@ from typing import Any, Final
 import can
 from canopen.objectdictionary import import_od
 
+from jauspy import backends
+from jauspy.backends.can import pdo
+from jauspy.backends.can.bus import Port
+from jauspy.backends.can.inbox import deviation
+from jauspy.backends.can.setup import CanSetup
+from jauspy.backends.can.simulated.axes import MotorPlant, Plant, RobotPlant
+from jauspy.backends.can.simulated.drive import SimulatedDrive
+from jauspy.backends.can.units import DriveUnits
+from jauspy.backends.kinematic import WORLDS
 from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
-from jauspy.platform import backends
-from jauspy.platform.can import pdo
-from jauspy.platform.can.bus import Port
-from jauspy.platform.can.inbox import deviation
-from jauspy.platform.can.setup import CanSetup
-from jauspy.platform.can.simulated.axes import MotorPlant, Plant, RobotPlant
-from jauspy.platform.can.simulated.drive import SimulatedDrive
-from jauspy.platform.can.units import DriveUnits
 from jauspy.platform.description import RobotModel
-from jauspy.platform.kinematic import WORLDS
 
 _LOG: Final = get_logger("jauspy.can")
 
@@ -43,7 +43,7 @@ MAX_STEP: Final = 0.02
 @cache
 def dictionary() -> Any:
     """The object dictionary of a simulated drive, from its EDS file."""
-    with as_file(files("jauspy") / "platform" / "can" / "simulated" / "drive.eds") as path:
+    with as_file(files("jauspy.backends.can") / "simulated" / "drive.eds") as path:
         return import_od(str(path))
 
 

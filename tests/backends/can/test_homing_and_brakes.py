@@ -6,18 +6,18 @@ from dataclasses import replace
 from typing import Any
 
 import pytest
+from tests.backends.can.conftest import OpenCan, setup_of, simulated
+from tests.backends.can.test_failing_drives import advance_until_fault
 from tests.helpers.robot import described
-from tests.platform.can.conftest import OpenCan, setup_of, simulated
-from tests.platform.can.test_failing_drives import advance_until_fault
 
+from jauspy.backends.can.cia402 import DriveState, Mode
+from jauspy.backends.can.master import Master
+from jauspy.backends.can.robot import CanRobot
+from jauspy.backends.can.setup import DriveFault, Homing
+from jauspy.backends.can.simulated.axes import MotorAxis
+from jauspy.backends.can.simulated.drive import SimulatedDrive
+from jauspy.backends.can.simulated.fleet import Fleet
 from jauspy.errors import ConfigError
-from jauspy.platform.can.cia402 import DriveState, Mode
-from jauspy.platform.can.master import Master
-from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import DriveFault, Homing
-from jauspy.platform.can.simulated.axes import MotorAxis
-from jauspy.platform.can.simulated.drive import SimulatedDrive
-from jauspy.platform.can.simulated.fleet import Fleet
 from jauspy.platform.joints import ControlMode, Target
 
 WRIST = 4
@@ -32,7 +32,7 @@ def powered_on(monkeypatch: pytest.MonkeyPatch) -> None:
         assert keeps_home
         return Fleet(*arguments)
 
-    monkeypatch.setattr("jauspy.platform.can.robot.Fleet", forgetful)
+    monkeypatch.setattr("jauspy.backends.can.robot.Fleet", forgetful)
 
 
 def home(changes: dict[str, Any], announced: list[str]) -> None:

@@ -30,7 +30,7 @@ import sys, time
 from dataclasses import replace
 from jauspy.cli.options import on_bus
 from jauspy.robot.robot_files import load, robot_model
-from jauspy.platform.backends import find
+from jauspy.backends import find
 robot = find("can").open(robot_model(on_bus(load(sys.argv[1]), sys.argv[2])), "empty")
 robot.drive.set_effort(0.3, 0.0)
 print("drives", flush=True)

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from jauspy.platform.kinematic import KinematicBackend, SkidSteerParameters, track_speed_after
+from jauspy.backends.kinematic import KinematicBackend, SkidSteerParameters, track_speed_after
 from jauspy.robot.robot_files import load, robot_model
 
 INC1 = robot_model(load("inc1"))

@@ -10,10 +10,10 @@ pytest.importorskip("numpy", reason="the extra 'video' is not installed")
 
 import numpy as np
 
-from jauspy.platform import kinematic_camera
+from jauspy.backends import kinematic_camera
+from jauspy.backends.kinematic import KinematicRobot
 from jauspy.platform.camera import CameraSetup
 from jauspy.platform.joints import ControlMode, Target
-from jauspy.platform.kinematic import KinematicRobot
 from jauspy.robot.robot_files import load, robot_model
 
 SKY = (150, 190, 230)

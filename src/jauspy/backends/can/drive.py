@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from typing import Final, Protocol
 
-from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import (
+from jauspy.backends.can import pdo
+from jauspy.backends.can.cia402 import (
     CHANGE_IMMEDIATELY,
     HOMING_ATTAINED,
     HOMING_ERROR,
@@ -21,9 +20,10 @@ from jauspy.platform.can.cia402 import (
     state_of,
     towards_operation,
 )
-from jauspy.platform.can.other_senders import Balance
-from jauspy.platform.can.setup import DriveSetup
-from jauspy.platform.can.units import DriveUnits, unwrapped
+from jauspy.backends.can.other_senders import Balance
+from jauspy.backends.can.setup import DriveSetup
+from jauspy.backends.can.units import DriveUnits, unwrapped
+from jauspy.geometry.urdf import Joint, JointKind
 
 TRANSITION_TIME: Final = 0.1
 """Seconds that a drive may take to enter Operation Enabled again after a quick stop."""

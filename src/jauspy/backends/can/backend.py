@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from importlib.util import find_spec
 
+from jauspy.backends.can.setup import DriveFault
 from jauspy.errors import ConfigError
-from jauspy.platform.can.setup import DriveFault
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 
@@ -34,7 +34,7 @@ class CanBackend:
         missing = [package for module, package in PACKAGES.items() if find_spec(module) is None]
         if missing:
             raise ConfigError(f"the backend 'can' needs {' and '.join(missing)}: pip install 'jauspy[can]'")
-        from jauspy.platform.can.robot import CanRobot  # noqa: PLC0415 - only where the extra is installed
+        from jauspy.backends.can.robot import CanRobot  # noqa: PLC0415 - only where the extra is installed
 
         try:
             return CanRobot(robot, setup, setup.bus, world)

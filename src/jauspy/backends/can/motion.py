@@ -6,10 +6,10 @@ import math
 from collections.abc import Callable
 from typing import Final
 
+from jauspy.backends.can.cia402 import Mode
+from jauspy.backends.can.drive import Drive
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
-from jauspy.platform.can.cia402 import Mode
-from jauspy.platform.can.drive import Drive
 from jauspy.platform.description import JointGains
 from jauspy.platform.joint_control import JointController, SetpointGenerator
 from jauspy.platform.joints import ControlMode, Target

@@ -6,9 +6,9 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Final, Protocol
 
+from jauspy.backends.can.setup import CanSetup, DriveSetup
 from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.urdf import Joint
-from jauspy.platform.can.setup import CanSetup, DriveSetup
 from jauspy.platform.chassis import SkidSteerDrive
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel

@@ -14,16 +14,16 @@ from typing import Final
 import can
 import canopen
 
+from jauspy.backends.can import pdo
+from jauspy.backends.can.bus import hint, split
+from jauspy.backends.can.cia402 import Control, DriveState, towards_operation
+from jauspy.backends.can.configuration import Configurator
+from jauspy.backends.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
+from jauspy.backends.can.inbox import Inbox
+from jauspy.backends.can.other_senders import OtherMasters
+from jauspy.backends.can.setup import CanSetup, DriveFault
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
-from jauspy.platform.can import pdo
-from jauspy.platform.can.bus import hint, split
-from jauspy.platform.can.cia402 import Control, DriveState, towards_operation
-from jauspy.platform.can.configuration import Configurator
-from jauspy.platform.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
-from jauspy.platform.can.inbox import Inbox
-from jauspy.platform.can.other_senders import OtherMasters
-from jauspy.platform.can.setup import CanSetup, DriveFault
 
 _LOG: Final = get_logger("jauspy.can")
 

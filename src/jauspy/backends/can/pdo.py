@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Final
 
-from jauspy.platform.can.cia402 import Mode
+from jauspy.backends.can.cia402 import Mode
 
 NMT: Final = 0
 SYNC: Final = 0x80

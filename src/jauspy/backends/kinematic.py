@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Final
 
+from jauspy.backends.kinematic_camera import KinematicCameras
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.poses import Pose, Twist
@@ -18,7 +19,6 @@ from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.joint_control import SetpointGenerator
 from jauspy.platform.joints import ControlMode, JointState, Target, joint_positions
-from jauspy.platform.kinematic_camera import KinematicCameras
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer
 from jauspy.platform.ranging import Scanner

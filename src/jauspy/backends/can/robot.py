@@ -10,25 +10,25 @@ from typing import Any, Final
 
 import canopen
 
+from jauspy.backends.can import bus as buses
+from jauspy.backends.can.bus import Wire
+from jauspy.backends.can.drive import Drive
+from jauspy.backends.can.master import Master
+from jauspy.backends.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
+from jauspy.backends.can.setup import CanSetup
+from jauspy.backends.can.simulated.fleet import Fleet, plant_of
+from jauspy.backends.kinematic_camera import KinematicCameras
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import HoldingEfforts
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera
-from jauspy.platform.can import bus as buses
-from jauspy.platform.can.bus import Wire
-from jauspy.platform.can.drive import Drive
-from jauspy.platform.can.master import Master
-from jauspy.platform.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
-from jauspy.platform.can.setup import CanSetup
-from jauspy.platform.can.simulated.fleet import Fleet, plant_of
 from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
 from jauspy.platform.description import GroupSetup, RobotModel
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointState, Target
-from jauspy.platform.kinematic_camera import KinematicCameras
 from jauspy.platform.localization import Localization
 from jauspy.platform.ranging import RangeFinder, Scanner
 

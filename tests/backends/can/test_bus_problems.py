@@ -8,18 +8,18 @@ from pathlib import Path
 
 import can
 import pytest
-from tests.platform.can.conftest import OpenCan
-from tests.platform.can.test_failing_drives import CYCLE, advance_until_fault, set_in_motion
+from tests.backends.can.conftest import OpenCan
+from tests.backends.can.test_failing_drives import CYCLE, advance_until_fault, set_in_motion
 
+from jauspy.backends.can import pdo
+from jauspy.backends.can.cia402 import DriveState
+from jauspy.backends.can.robot import CanRobot
+from jauspy.backends.can.setup import DriveFault
+from jauspy.backends.can.simulated import fleet
+from jauspy.backends.can.simulated.axes import MotorAxis
+from jauspy.backends.can.simulated.drive import SimulatedDrive
+from jauspy.backends.can.units import unwrapped
 from jauspy.errors import ConfigError
-from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import DriveState
-from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import DriveFault
-from jauspy.platform.can.simulated import fleet
-from jauspy.platform.can.simulated.axes import MotorAxis
-from jauspy.platform.can.simulated.drive import SimulatedDrive
-from jauspy.platform.can.units import unwrapped
 from jauspy.robot.can_drives import identity_of
 
 

@@ -10,13 +10,13 @@ from itertools import islice
 
 import can
 import pytest
-from tests.platform.can.conftest import OpenCan, simulated
-from tests.platform.can.test_failing_drives import CYCLE, set_in_motion
+from tests.backends.can.conftest import OpenCan, simulated
+from tests.backends.can.test_failing_drives import CYCLE, set_in_motion
 
-from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import STATUS_OF, DriveState
-from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import DriveFault
+from jauspy.backends.can import pdo
+from jauspy.backends.can.cia402 import STATUS_OF, DriveState
+from jauspy.backends.can.robot import CanRobot
+from jauspy.backends.can.setup import DriveFault
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner

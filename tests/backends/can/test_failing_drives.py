@@ -7,12 +7,12 @@ import re
 from collections.abc import Callable
 
 import pytest
-from tests.platform.can.conftest import OpenCan, simulated
+from tests.backends.can.conftest import OpenCan, simulated
 
-from jauspy.platform.can.cia402 import DriveState
-from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import DriveFault
-from jauspy.platform.can.simulated.drive import FAULTS
+from jauspy.backends.can.cia402 import DriveState
+from jauspy.backends.can.robot import CanRobot
+from jauspy.backends.can.setup import DriveFault
+from jauspy.backends.can.simulated.drive import FAULTS
 from jauspy.platform.joints import ControlMode, Target
 
 CYCLE = 0.005

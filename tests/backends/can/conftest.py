@@ -12,10 +12,10 @@ pytest.importorskip("canopen", reason="canopen is not installed")
 
 from tests.helpers.robot import described
 
-from jauspy.platform.backends import find
-from jauspy.platform.can.robot import CanRobot
-from jauspy.platform.can.setup import CanSetup
-from jauspy.platform.can.simulated.drive import SimulatedDrive
+from jauspy.backends import find
+from jauspy.backends.can.robot import CanRobot
+from jauspy.backends.can.setup import CanSetup
+from jauspy.backends.can.simulated.drive import SimulatedDrive
 
 OpenCan = Callable[..., CanRobot]
 

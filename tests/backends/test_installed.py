@@ -4,9 +4,9 @@ from importlib.metadata import EntryPoint
 
 import pytest
 
+from jauspy import backends
+from jauspy.backends.kinematic import KinematicBackend
 from jauspy.errors import ConfigError
-from jauspy.platform import backends
-from jauspy.platform.kinematic import KinematicBackend
 
 
 def test_included_backends_are_registered() -> None:
@@ -22,7 +22,7 @@ def test_unknown_backend_error_lists_the_installed_ones() -> None:
         backends.find("gazebo")
 
 
-@pytest.mark.parametrize("value", ["no_such_package:Backend", "jauspy.platform.kinematic:NoSuchBackend"])
+@pytest.mark.parametrize("value", ["no_such_package:Backend", "jauspy.backends.kinematic:NoSuchBackend"])
 def test_backend_that_cannot_be_loaded_is_a_configuration_error(monkeypatch: pytest.MonkeyPatch, value: str) -> None:
     entry = EntryPoint("broken", value, backends.GROUP)
     monkeypatch.setattr(backends, "entry_points", lambda **_: [entry])

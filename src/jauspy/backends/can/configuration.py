@@ -10,13 +10,13 @@ import can
 import canopen
 from canopen.sdo.exceptions import SdoAbortedError, SdoCommunicationError, SdoError
 
+from jauspy.backends.can import pdo
+from jauspy.backends.can.bus import describe
+from jauspy.backends.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Control, Mode
+from jauspy.backends.can.drive import LIMIT_MARGIN, Drive
+from jauspy.backends.can.setup import CanSetup, DriveFault
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
-from jauspy.platform.can import pdo
-from jauspy.platform.can.bus import describe
-from jauspy.platform.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Control, Mode
-from jauspy.platform.can.drive import LIMIT_MARGIN, Drive
-from jauspy.platform.can.setup import CanSetup, DriveFault
 from jauspy.platform.joint_control import ACCELERATION_TIME
 
 _LOG: Final = get_logger("jauspy.can")

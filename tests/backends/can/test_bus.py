@@ -14,9 +14,9 @@ import pytest
 
 pytest.importorskip("canopen", reason="canopen is not installed")
 
+from jauspy.backends.can import bus as bus_module
+from jauspy.backends.can.bus import Receiver, open_bus, reachable_at, split
 from jauspy.errors import ConfigError
-from jauspy.platform.can import bus as bus_module
-from jauspy.platform.can.bus import Receiver, open_bus, reachable_at, split
 
 
 @pytest.mark.parametrize(

@@ -10,8 +10,8 @@ from typing import Any, Final
 
 import canopen
 
-from jauspy.platform.can import pdo
-from jauspy.platform.can.cia402 import (
+from jauspy.backends.can import pdo
+from jauspy.backends.can.cia402 import (
     HOMING_ATTAINED,
     LIMIT_ACTIVE,
     NEW_SETPOINT,
@@ -21,9 +21,9 @@ from jauspy.platform.can.cia402 import (
     Mode,
     next_state,
 )
-from jauspy.platform.can.setup import DriveSetup
-from jauspy.platform.can.simulated.axes import Axis
-from jauspy.platform.can.units import DriveUnits
+from jauspy.backends.can.setup import DriveSetup
+from jauspy.backends.can.simulated.axes import Axis
+from jauspy.backends.can.units import DriveUnits
 from jauspy.platform.joints import ControlMode
 
 FAULTS: Final = {
