@@ -105,3 +105,8 @@ def is_called(urn: str, name: str) -> bool:
     """True for a whole URN or its end: `mobility:PrimitiveDriver`, `PrimitiveDriver`; case does not matter."""
     own, wanted = urn.casefold(), name.casefold()
     return bool(wanted) and (own == wanted or own.endswith(f":{wanted}"))
+
+
+def message_id(payload: bytes, offset: int = 0) -> int:
+    """Id of the message that begins at `offset`: 2 bytes, little endian (AS5669A); a shorter one counts as padded."""
+    return int.from_bytes(payload[offset : offset + 2], "little")

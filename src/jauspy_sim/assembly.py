@@ -32,7 +32,7 @@ from jauspy_sim.worlds.world_files import world_spec
 if TYPE_CHECKING:
     Numbers = memoryview[float]
 
-logger = logging.getLogger("jauspy_sim.mujoco")
+_LOG = logging.getLogger("jauspy_sim.mujoco")
 
 SLEEP: Final = int(mujoco.mjtEnableBit.mjENBL_SLEEP) if hasattr(mujoco.mjtEnableBit, "mjENBL_SLEEP") else 0
 """Option of MuJoCo 3.4 and later: bodies at rest are not simulated until something touches them."""
@@ -311,7 +311,7 @@ def redirect_warnings() -> None:
 
 
 def _warn(text: str) -> None:
-    logger.warning("%s", text)
+    _LOG.warning("%s", text)
 
 
 def view(array: NDArray[np.float64]) -> Numbers:

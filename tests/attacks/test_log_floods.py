@@ -153,4 +153,4 @@ def test_all_loggers_are_limited() -> None:
         if re.search(r"logging\.(getLogger|debug|info|warning|error|exception|log)\(", path.read_text())
     ]
     # bus.py only silences python-can's own logger while a bus is opened
-    assert sorted(unlimited) == ["cli/console.py", "logs.py", "backends/can/bus.py"]
+    assert sorted(unlimited) == ["backends/can/bus.py", "cli/console.py", "logs.py"]

@@ -14,13 +14,13 @@ from jauspy.cell.frames import Array, se3_of_pose, tilt_between, transform
 from jauspy.cell.interface import GRIPPER, SeenPart, T
 from jauspy.cell.motion import Path, profile
 from jauspy.cell.scene import Layout, connector_frame
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.arm import ModularArmState
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind
 
 NEAR = 0.004
 """Metres at which plates attach, as the cell's connectors do."""
-GRAVITY = 9.81
 
 
 class FakeCell:

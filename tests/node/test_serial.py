@@ -202,7 +202,7 @@ async def test_missing_pyserial_error_names_the_extra(monkeypatch: pytest.Monkey
     from jauspy.transport.serial import SerialLink
 
     with pytest.raises(TransportError, match=r"jauspy\[serial\]"):
-        SerialLink(SerialLine("/dev/x"), Counters(serial_link._LOGGER), print).open()
+        SerialLink(SerialLine("/dev/x"), Counters(serial_link._LOG), print).open()
 
 
 async def test_key_with_serial_lines_or_tcp_is_an_error(root: Path, tmp_path: Path) -> None:

@@ -7,6 +7,7 @@ from typing import Final, NamedTuple
 from jauspy.codec.message import Message, too_short
 from jauspy.codec.registry import NO_HINTS, Collision, Hints, MessageEntry, Registry
 from jauspy.errors import EncodeError, ProtocolError
+from jauspy.ids import message_id
 from jauspy.protocol import header, judp, junior
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet
 
@@ -37,7 +38,7 @@ class Content(NamedTuple):
     @property
     def code(self) -> int | None:
         """The message id, little endian in the first two bytes."""
-        return int.from_bytes(self.payload[:2], "little") if len(self.payload) >= 2 else None
+        return message_id(self.payload) if len(self.payload) >= 2 else None
 
     def reencoded(self) -> bytes | None:
         """The encoded message; the payload itself if nothing was decoded; None if the message cannot be encoded."""

@@ -22,10 +22,10 @@ from jauspy.cell.motion import MotionPlanner, NoPath, Path
 from jauspy.cell.scene import Clearance, Layout, connector_frame
 from jauspy.cell.schedule import Schedule, TaskFailed, Timeline
 from jauspy.errors import JausError
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.connector import ConnectorState
 from jauspy.platform.modular.parts import PartKind, body_inertia, output_inertia
 
-GRAVITY: Final = 9.81
 GRASPS: Final = 4
 """Attempts to grasp one part before another of its type is taken."""
 JOINS: Final = 4

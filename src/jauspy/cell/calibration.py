@@ -16,7 +16,8 @@ import pinocchio as pin
 from scipy.optimize import least_squares
 
 from jauspy.cell.frames import Array, se3
-from jauspy.platform.modular.dynamics import GRAVITY, joint_axis, solid_inertia
+from jauspy.geometry.vectors import GRAVITY
+from jauspy.platform.modular.dynamics import joint_axis, solid_inertia
 from jauspy.platform.modular.graph import Chain
 from jauspy.platform.modular.parts import CellSetup
 

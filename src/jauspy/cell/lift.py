@@ -14,6 +14,7 @@ from jauspy.cell.modular_arm import ArmOperator
 from jauspy.cell.motion import NoPath
 from jauspy.cell.scene import Layout
 from jauspy.cell.schedule import TaskFailed
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.modular.parts import ConveyorSetup, PartKind, TargetArea
 
 BELT_SPEED: Final = 0.15
@@ -31,7 +32,6 @@ READY: Final = np.array([0.0, 0.0, 0.6, 0.3, 0.0])
 WINDUP: Final = np.array([0.0, -0.3, -0.7, -0.4, 0.0])
 FOLLOW_THROUGH: Final = np.array([0.0, 0.7, 0.6, 0.5, 0.0])
 """Postures between which the arm throws, turned towards the area by the first joint."""
-GRAVITY: Final = 9.81
 LATENCY: Final = 0.02
 """Seconds from the decision to release to the release."""
 SLIDE: Final = 0.0

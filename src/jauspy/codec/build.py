@@ -612,7 +612,7 @@ def _doc(summary: str, rows: Iterable[str] = (), name: str = "") -> str:
     return "\n".join(lines if len(lines) == 1 else [*lines, ""])
 
 
-_log = get_logger(__name__)
+_LOG = get_logger(__name__)
 _numbers: Final = count(1)
 
 
@@ -636,7 +636,7 @@ def load_schema(schema: Schema) -> Registry:
     registry.schema = schema
     for code in sorted({message.code for service in schema.services for message in service.messages}):
         if collision := registry.collision(code):
-            _log.warning("%s; decoding needs the %s", collision, collision.remedy)
+            _LOG.warning("%s; decoding needs the %s", collision, collision.remedy)
     return registry
 
 

@@ -22,7 +22,7 @@ from jauspy.codec.registry import Registry
 from jauspy.component.acknowledgements import Acknowledgements
 from jauspy.component.inbox import Inbox, may_wait
 from jauspy.errors import ConfigError, ProtocolError, TransportError
-from jauspy.ids import JausID, component_id
+from jauspy.ids import JausID, component_id, message_id
 from jauspy.logs import get_logger
 from jauspy.protocol.addressing import UNKNOWN_LOCATION, Location
 from jauspy.protocol.delivery import Delivery
@@ -414,7 +414,7 @@ class Component:
         except ProtocolError as error:
             reason = f"unsendable.{error.reason}"
             if not self._errors[reason]:
-                code = int.from_bytes(payload[:2], "little")
+                code = message_id(payload)
                 _LOG.warning("%s: cannot send %04Xh to %s: %s", self.id, code, destination, error)
             self._errors[reason] += 1
         else:

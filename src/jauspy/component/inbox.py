@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections import OrderedDict, deque
 from typing import Final, TypeAlias
 
+from jauspy.ids import message_id
 from jauspy.messages.core import CancelEvent, CreateCommandEvent, CreateEvent, UpdateEvent
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Packet
@@ -67,4 +68,4 @@ def may_wait(packet: Packet) -> bool:
 
 
 def _code(packet: Packet) -> int:
-    return int.from_bytes(packet.payload[:2], "little")
+    return message_id(packet.payload)

@@ -15,7 +15,7 @@ from jauspy.conformance.results import CheckResult, Failed, Late, Malformed, Sil
 from jauspy.conformance.trace import Direction, ReceivedMessage, Trace, TraceEntry, message_name
 from jauspy.conformance.wire import Arrival, Wire
 from jauspy.errors import ConfigError, DecodeError, TransportError
-from jauspy.ids import EVERYONE, JausID
+from jauspy.ids import EVERYONE, JausID, message_id
 from jauspy.messages.core import (
     AllEventsRec,
     CommandEvent,
@@ -206,7 +206,7 @@ class Client:
     def send(self, message: Message | bytes, *, to: JausID | None = None, ack: Ack = Ack.NONE) -> None:
         """Send a message to the target, or to `to`."""
         payload = message if isinstance(message, bytes) else message.encode()
-        code = int.from_bytes(payload[:2], "little")
+        code = message_id(payload)
         self.tester.keep_pace()
         self.sent.add(code)
         if isinstance(message, Message):

@@ -10,7 +10,7 @@ from typing import Final
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.protocol import judp
 from jauspy.protocol.header import Packet
 
@@ -55,7 +55,7 @@ def described(payload: bytes, registry: Registry) -> str:
     """A message on one line: name, fields, and deviations from its definition."""
     if len(payload) < 2:
         return f"{payload.hex()}: too short for a message"
-    code = f"{int.from_bytes(payload[:2], 'little'):04X}h"
+    code = f"{message_id(payload):04X}h"
     try:
         message, deviations = registry.decode(payload, strict=False)
     except DecodeError:
@@ -81,7 +81,7 @@ class ReceivedMessage:
     @property
     def code(self) -> int:
         """Its message id."""
-        return int.from_bytes(self.payload[:2], "little")
+        return message_id(self.payload)
 
 
 MAX_STEP_ENTRIES: Final = 2000

@@ -12,7 +12,7 @@ from typing import Final
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.messages.core import ConfirmControl, Event, RejectEventRequest
 from jauspy.messages.operators import RejectCommand
 
@@ -72,19 +72,19 @@ class Traffic:
 
     def note(self, source: JausID, destination: JausID, payload: bytes, *, sent: bool, user: str = "") -> None:
         """Keep a message."""
-        code = int.from_bytes(payload[:2], "little") if len(payload) > 1 else OTHER
+        code = message_id(payload) if len(payload) > 1 else OTHER
         kind = "sent" if sent else "refused" if self._is_refusal(code, payload) else "received"
         kept = payload if len(payload) <= MAX_PAYLOAD else b""
         name = self._name(code)
         if code == Event.CODE and len(payload) > _REPORT_AT + 1:
-            name = f"{name} {self._name(int.from_bytes(payload[_REPORT_AT : _REPORT_AT + 2], 'little'))}"
+            name = f"{name} {self._name(message_id(payload, _REPORT_AT))}"
         size = len(payload)
         line = Line(self.total, self._now(), kind, str(source), str(destination), name, size, user, kept)
         self._keep(code, line)
 
     def name(self, payload: bytes) -> str:
         """The name of a message; its id in hex if it is not known."""
-        return self._name(int.from_bytes(payload[:2], "little") if len(payload) > 1 else OTHER)
+        return self._name(message_id(payload) if len(payload) > 1 else OTHER)
 
     def event(self, text: str, user: str = "") -> None:
         """Keep a sentence of the console, or about what one of its users has done."""
@@ -114,7 +114,7 @@ class Traffic:
         if not line.payload:
             return f"{line.size} bytes, more than the {MAX_PAYLOAD} that are kept" if line.size else line.name
         problem = "its message id is not known here"
-        for kind in self._registry.by_code(int.from_bytes(line.payload[:2], "little")):
+        for kind in self._registry.by_code(message_id(line.payload)):
             try:
                 return self._registry.decode_as(kind, line.payload)
             except CodecError as error:

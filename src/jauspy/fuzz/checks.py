@@ -23,6 +23,7 @@ from jauspy.errors import DecodeError, EncodeError
 from jauspy.fuzz.findings import Problem
 from jauspy.fuzz.messages import Target
 from jauspy.fuzz.mutation import Seed
+from jauspy.ids import message_id
 
 
 def difference(item: Item, value: Any, reference: Any) -> str | None:
@@ -286,7 +287,7 @@ class Checks:
                 ("tolerant", lambda: slow_path.decode_tolerant(target.cls, other)),  # noqa: B023
             ):
                 if _call("foreign", (DecodeError,), call) is not None:
-                    id = int.from_bytes(other[:2], "little")
+                    id = message_id(other)
                     _fail("foreign", path, f"it takes a message with the id {id:04X}h, which is not its own")
 
     @staticmethod

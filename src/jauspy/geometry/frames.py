@@ -10,7 +10,7 @@ from typing import Final
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, inertials
-from jauspy.geometry.vectors import Vector, add, cross, difference, dot, rotation_about, scaled
+from jauspy.geometry.vectors import GRAVITY, Vector, add, cross, difference, dot, rotation_about, scaled
 
 ZERO_POSITIONS: Final[Mapping[str, float]] = {}
 """All joints at zero."""
@@ -105,8 +105,8 @@ def _parents_first(description: RobotDescription) -> tuple[Joint, ...]:
     return tuple(ordered)
 
 
-GRAVITY: Final[Vector] = (0.0, 0.0, -9.81)
-"""m/s^2, in the frame of a root link that is level."""
+_WEIGHT: Final[Vector] = (0.0, 0.0, -GRAVITY)
+"""Acceleration of gravity in the frame of a root link that is level, m/s^2."""
 
 
 def gravity_wrench(
@@ -125,7 +125,7 @@ def gravity_wrench(
     def weigh() -> tuple[Vector, Vector]:
         frames = tree.poses(positions(), joints)
         back = frames[link].inverse()
-        down = back.rotate(GRAVITY)
+        down = back.rotate(_WEIGHT)
         force = torque = (0.0, 0.0, 0.0)
         for body in bodies:
             weight = scaled(down, body.mass)
@@ -163,9 +163,9 @@ class HoldingEfforts:
                 continue
             axis = frame.rotate(joint.axis)
             if joint.kind is JointKind.PRISMATIC:
-                effort = -mass * dot(axis, GRAVITY)
+                effort = -mass * dot(axis, _WEIGHT)
             else:
-                effort = -dot(axis, cross(difference(moment, scaled(frame.position, mass)), GRAVITY))
+                effort = -dot(axis, cross(difference(moment, scaled(frame.position, mass)), _WEIGHT))
             mover, share = (joint.name, 1.0) if joint.mimics is None else (joint.mimics, joint.multiplier)
             found[mover] = found.get(mover, 0.0) + share * effort
         return found

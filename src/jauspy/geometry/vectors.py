@@ -15,6 +15,9 @@ X: Final[Vector] = (1.0, 0.0, 0.0)
 Y: Final[Vector] = (0.0, 1.0, 0.0)
 Z: Final[Vector] = (0.0, 0.0, 1.0)
 
+GRAVITY: Final = 9.81
+"""Acceleration of gravity, m/s^2; that of the simulator too."""
+
 
 def add(a: Vector, b: Vector) -> Vector:
     """`a + b`."""

@@ -23,7 +23,7 @@ from jauspy.transport import local
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.send_queue import QueueMemory, SendQueue
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 SEND_BURST: Final = 64
 """Datagrams sent from a queue before others get their turn."""
@@ -171,7 +171,7 @@ class ComponentSender:
     def _lost(self, error: OSError) -> None:
         if error.errno in (errno.EACCES, errno.EPERM) and not self._is_refusal_logged:
             self._is_refusal_logged = True
-            _LOGGER.warning("%s", not_writable(Path(self._path)))
+            _LOG.warning("%s", not_writable(Path(self._path)))
         no_component = error.errno in (*_NOT_LISTENING, errno.ELOOP)
         self._counters.drop("component_gone" if no_component else "local_send", error)
         if no_component:

@@ -21,7 +21,7 @@ from jauspy.transport.send_queue import QueueMemory
 from jauspy.transport.serial import SerialLine, SerialLink
 from jauspy.transport.tcp import Dialer, StreamLink
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 MAX_CONNECTIONS: Final = 64
 """Accepted connections; see `TcpPeers` for what happens to further ones."""
@@ -136,7 +136,7 @@ class TcpPeers:
     def _accepted(self, link: StreamLink) -> None:
         while (refused := self._one_too_many(link)) is not None:
             self._counters["tcp.refused"] += 1
-            _LOGGER.info("JTCP connection from %s closed: there are too many", refused.peer)
+            _LOG.info("JTCP connection from %s closed: there are too many", refused.peer)
             refused.close()
             if refused is link:
                 return

@@ -38,7 +38,7 @@ if TYPE_CHECKING:
     from jauspy.node.mirror import Mirror
 
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 MAX_SENDERS: Final = 4096
 """Names of local sockets that are cached."""
@@ -209,7 +209,7 @@ class NodeManager:
                 break
             ids.append(JausID.from_int(id))
         if ids:
-            _LOGGER.info("found %d components that run: %s", len(ids), ", ".join(map(str, sorted(ids))))
+            _LOG.info("found %d components that run: %s", len(ids), ", ".join(map(str, sorted(ids))))
 
     async def _open_services(self) -> Mirror | None:
         """Open status, metrics and mirror as configured; modules that are not needed are not imported."""
@@ -362,7 +362,7 @@ class NodeManager:
             self._router.components.set_max_sockets(number)
             self._router.counters["open_files.limit_changed"] += 1
             limit, _ = resource.getrlimit(resource.RLIMIT_NOFILE)
-            _LOGGER.warning(
+            _LOG.warning(
                 "the limit of open files is now %d: up to %d components are accepted; `prlimit --nofile` sets it",
                 limit,
                 number,

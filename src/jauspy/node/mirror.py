@@ -24,7 +24,7 @@ from jauspy.protocol import judp
 from jauspy.protocol.addressing import GroupPort, LocalPort, Port
 from jauspy.protocol.counters import Counters
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 MAX_CHUNK_SIZE: Final = 32768
 """Bytes that are written at once, at the latest `FLUSH_INTERVAL` seconds after the first packet."""
@@ -70,7 +70,7 @@ class Mirror:
             self._chunks.put_nowait(None)
         self._thread.join(STOP_TIMEOUT)
         if self._thread.is_alive():
-            _LOGGER.warning("the mirror's reader was too slow: its last packets are lost")
+            _LOG.warning("the mirror's reader was too slow: its last packets are lost")
 
     def add(self, source: Port, destination: Port, datagram: bytes) -> None:
         """Add a routed packet."""
@@ -115,7 +115,7 @@ class Mirror:
                 with suppress(RuntimeError):  # the event loop is closed
                     self._loop.call_soon_threadsafe(self._count_lost, packets)
             except OSError as error:
-                _LOGGER.warning("the mirror ends: %s", error)
+                _LOG.warning("the mirror ends: %s", error)
                 self._write = _discard
 
     def _endpoint(self, port: Port) -> writer.Endpoint:

@@ -22,7 +22,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.transport import multicast
 from jauspy.transport.multicast import Memberships
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 _ANY6: Final = "::"
 _IP_RECVERR: Final = 11
 _MSG_ERRQUEUE: Final = 0x2000
@@ -213,7 +213,7 @@ class Network:
         try:
             self._group = multicast.receiver((config.multicast_group, self.port))
         except OSError as error:
-            _LOGGER.warning("no multicasts will be received: %s", error.strerror)
+            _LOG.warning("no multicasts will be received: %s", error.strerror)
             return None
         return Memberships(self._group, config.multicast_group, config.interfaces)
 
@@ -265,7 +265,7 @@ class _IPv6:
             try:
                 sock = self._group = multicast.receiver((group, port))
             except OSError as error:
-                _LOGGER.warning("no IPv6 multicasts will be received: %s", error.strerror)
+                _LOG.warning("no IPv6 multicasts will be received: %s", error.strerror)
                 return None
         return Memberships(sock, group, self._config.interfaces, multicast.IPV6)
 

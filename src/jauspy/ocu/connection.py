@@ -23,7 +23,7 @@ from jauspy.errors import (
     ResponseTimeout,
     TransportError,
 )
-from jauspy.ids import JausID, is_called
+from jauspy.ids import JausID, is_called, message_id
 from jauspy.logs import get_logger
 from jauspy.messages.core import (
     CancelEvent,
@@ -324,7 +324,7 @@ class Connection:
             return True
         if self.replies.dispatch(packet.payload, packet.source):
             return True
-        code = int.from_bytes(packet.payload[:2], "little")
+        code = message_id(packet.payload)
         if code == RejectCommand.CODE:
             self._on_reject(packet.payload, packet.source)
             return True

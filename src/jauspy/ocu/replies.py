@@ -12,7 +12,7 @@ from jauspy.arguments import described
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import CodecError, ConfigError, DecodeError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 
 REPORT_OFFSET: Final = 0x2000
 """From the message id of a query (2000h to 3FFFh) to that of its report (AS5710)."""
@@ -197,7 +197,7 @@ class ReplyDispatcher:
 
 def _kind_of(payload: bytes, kinds: tuple[type[Message], ...]) -> type[Message] | None:
     """The class of these that has the message id of this payload."""
-    code = int.from_bytes(payload[:2], "little")
+    code = message_id(payload)
     return next((each for each in kinds if code == each.CODE), None)
 
 

@@ -13,7 +13,7 @@ from dataclasses import dataclass
 from typing import Final, NamedTuple, Protocol, TypeAlias
 
 from jauspy.geometry.poses import Acceleration, Pose, Twist
-from jauspy.geometry.vectors import Quaternion, Vector, add, difference, dot, scaled
+from jauspy.geometry.vectors import GRAVITY, Quaternion, Vector, add, difference, dot, scaled
 from jauspy.platform.localization import (
     GnssSetup,
     ImuSetup,
@@ -23,7 +23,6 @@ from jauspy.platform.localization import (
     PoseEstimate,
 )
 from jauspy.platform.motion_sensors import (
-    GRAVITY,
     Encoders,
     GnssReceiver,
     InertialSensor,

@@ -8,15 +8,11 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 from random import Random
-from typing import Final, TypeAlias
+from typing import TypeAlias
 
 from jauspy.geometry.poses import Pose, Twist
-from jauspy.geometry.vectors import Rotation, Vector, add, rotated, transposed
+from jauspy.geometry.vectors import GRAVITY, Rotation, Vector, add, rotated, transposed
 from jauspy.platform.localization import GnssSetup, ImuSetup, OdometrySetup
-
-GRAVITY: Final = 9.81
-"""m/s^2."""
-
 
 PlanarSpeeds: TypeAlias = tuple[float, float, float]
 """m/s forward and to the left, rad/s to the left."""

@@ -15,7 +15,7 @@ from jauspy.protocol.duplicates import Duplicates
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, Packet, Priority
 from jauspy.protocol.reassembly import Reassembly
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 _Item = TypeVar("_Item", bytes, Packet)
 
 MAX_QUEUED: Final = 1024
@@ -31,7 +31,7 @@ class Endpoint:
 
     def __init__(self, id: JausID, *, first_sequence: int, delivery: Delivery | None = None) -> None:
         self.id = id
-        self.counters = Counters(_LOGGER)
+        self.counters = Counters(_LOG)
         self._settings = delivery or Delivery()
         self._sequence = first_sequence & 0xFFFF
         self._output: deque[bytes] = deque()

@@ -12,7 +12,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Final, NamedTuple
 
-from jauspy.ids import EVERYONE, JausID
+from jauspy.ids import EVERYONE, JausID, message_id
 from jauspy.protocol.header import Ack, Broadcast, DataFlag, RawPacket
 from jauspy.protocol.sources import TokenBuckets
 
@@ -122,7 +122,7 @@ class GatewayRules:
 def _message_id(raw: RawPacket, data: bytes) -> int | None:
     """The id of the message in a packet; None for an acknowledgement."""
     at = raw.payload_start
-    return int.from_bytes(data[at : at + 2], "little") if raw.end - 2 >= at + 2 else None
+    return message_id(data, at) if raw.end - 2 >= at + 2 else None
 
 
 ANY_SUBSYSTEM = 0xFFFF

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 from typing import Final
 
 from jauspy.errors import ProtocolError
+from jauspy.ids import message_id
 from jauspy.protocol import header, junior, legacy
 from jauspy.protocol.header import Ack, DataFlag, Packet, Priority, RawPacket
 from jauspy.protocol.legacy import LegacyPacket, LegacyVersion
@@ -165,7 +166,7 @@ def may_be_late(data: bytes, skip: int = 0) -> bool:
 def _may_be_late(raw: RawPacket, packet: bytes) -> bool:
     if raw.ack or raw.control >> 6 in (DataFlag.MIDDLE, DataFlag.LAST):
         return True
-    return int.from_bytes(packet[raw.payload_start : raw.payload_start + 2], "little") in _QUERIES_AND_REPORTS
+    return message_id(packet, raw.payload_start) in _QUERIES_AND_REPORTS
 
 
 def peek_priority(data: bytes, skip: int = 0) -> int:

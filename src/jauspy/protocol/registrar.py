@@ -18,7 +18,7 @@ from jauspy.protocol.header import Ack, Packet
 from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.sources import MOVE_TIMEOUT, TokenBuckets
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 MAX_LOGGED_CASES: Final = 256
 """Cases remembered as logged; when an attacker forges more, the oldest are logged again."""
@@ -81,7 +81,7 @@ class Registrar:
         """Remove the components of a port where nobody listens any more."""
         for id in self._components.remove_port(port):
             self._counters["components.lost"] += 1
-            _LOGGER.info("component %s has ended without Cancel", JausID.from_int(id))
+            _LOG.info("component %s has ended without Cancel", JausID.from_int(id))
 
     def register(self, id: int, port: ComponentPort, now: float, reply: bytes | None = None) -> bool:
         """Register a component and send it `reply`; false, and counted, when it is not accepted.

@@ -32,7 +32,7 @@ from jauspy.protocol.pending import PendingDestinations
 from jauspy.protocol.registrar import DuplicateIdLog, IdClashes, Registrar
 from jauspy.protocol.sources import SourceChecks, TokenBuckets
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 VAGUE_RATE: Final = 100.0
 """Messages per second (and burst) that are multicast for ids with zeros: no address can be learned for them."""
@@ -79,7 +79,7 @@ class Router:
         max_sockets: int = MAX_COMPONENTS,
         changed: Callable[[int | None], None] = lambda _: None,
     ) -> None:
-        self.counters = Counters(_LOGGER)
+        self.counters = Counters(_LOG)
         self._changed = changed
         self.components = ComponentDirectory(changed, max_sockets=max_sockets)
         static = {int(id): ports for id, ports in (addresses or {}).items()}
@@ -91,7 +91,7 @@ class Router:
         self._egress = EgressQueue(self.counters, self.components, self.address_book)
         if compression != "off":
             self._egress.compression = Compression(self.counters, self._egress.send, probes=compression == "propose")
-        self._duplicate_ids = DuplicateIdLog(_LOGGER)
+        self._duplicate_ids = DuplicateIdLog(_LOG)
         self.clashes = IdClashes()
         """Ids of components of this machine that other machines use."""
         self._vague = TokenBuckets(VAGUE_RATE, VAGUE_RATE)

@@ -7,7 +7,7 @@ from datetime import datetime
 from typing import Final
 
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.messages.core import QueryIdentification, ReportIdentification
 from jauspy.platform.contract import RobotParts
 from jauspy.platform.description import RobotModel
@@ -160,7 +160,7 @@ class Announcement:
         """Handle the answer of the console; all other packets are passed to the services."""
         if packet.source != self._console:
             return False
-        is_answer = int.from_bytes(packet.payload[:2], "little") == ReportIdentification.CODE
+        is_answer = message_id(packet.payload) == ReportIdentification.CODE
         if is_answer or self._last_heard is not None:
             self._last_heard = self._host.now
         return is_answer

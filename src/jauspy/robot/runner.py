@@ -41,7 +41,7 @@ from jauspy.video.camera_process import CameraProcess
 
 _LOG: Final = get_logger("jauspy.robot")
 
-CHECK_PERIOD: Final = 0.05
+POWER_CHECK_PERIOD: Final = 0.05
 """Seconds between two checks of the modules' power."""
 
 RETRY_DELAY: Final = 1.0
@@ -85,7 +85,7 @@ class RunningModules:
     async def follow(self) -> None:
         """Open and close components as modules appear and disappear, until cancelled."""
         while True:
-            await asyncio.sleep(CHECK_PERIOD)
+            await asyncio.sleep(POWER_CHECK_PERIOD)
             await self.update()
 
     async def update(self) -> None:

@@ -12,7 +12,7 @@ from typing import Final, NamedTuple, TypeAlias
 from jauspy.codec.message import Message
 from jauspy.codec.registry import Registry
 from jauspy.errors import DecodeError, EncodeError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.services.deferred import Deferred, PendingReply
@@ -42,7 +42,7 @@ class InputDecoder:
             self._count("bad_source", str(source))
         elif len(payload) < 2:
             self._count("too_short", payload.hex())
-        elif (kind := self._kinds.get(int.from_bytes(payload[:2], "little"))) is None:
+        elif (kind := self._kinds.get(message_id(payload))) is None:
             self._count("unknown_message", payload[:2].hex())
         else:
             try:
@@ -57,7 +57,7 @@ class InputDecoder:
             if self._kinds.get(content.CODE) is type(content):
                 return content
             content = content.encode(strict=False)
-        kind = self._kinds.get(int.from_bytes(content[:2], "little"))
+        kind = self._kinds.get(message_id(content))
         try:
             return self._registry.decode_as(kind, content) if kind and len(content) >= 2 else None
         except DecodeError:

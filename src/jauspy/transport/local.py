@@ -27,7 +27,7 @@ from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.node_status import Locator
 from jauspy.transport.send_queue import SendQueue
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 CONNECT_INTERVAL: Final = 0.025
 """Seconds between Connects until the node manager accepts, as in its own clients."""
@@ -61,7 +61,7 @@ class LocalTransport:
         self._root = Path(root)
         self._node = str(self._root / junior.SOCKET_NAME)
         self._timeout = timeout
-        self._counters = Counters(_LOGGER)
+        self._counters = Counters(_LOG)
         self._socket: socket.socket | None = None
         self._sender: LocalSender | None = None
         self._keep_alive: asyncio.Task[None] | None = None
@@ -212,7 +212,7 @@ class LocalTransport:
                 accepted_at, is_logged = loop.time(), False
             elif not is_logged and loop.time() - accepted_at > REFUSED_AFTER and is_alive(Path(self._node)):
                 is_logged = True
-                _LOGGER.warning("%s", self._no_answer())
+                _LOG.warning("%s", self._no_answer())
             if self.connected and self._unanswered >= MAX_UNANSWERED:
                 self._accepted.clear()
             if self.connected:

@@ -14,7 +14,7 @@ from jauspy.protocol.counters import Counters
 from jauspy.transport.age import MAX_AGE
 from jauspy.transport.base import Receiver, ignore
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 
 class LoopbackHub:
@@ -44,7 +44,7 @@ class LoopbackTransport:
         self.max_age = MAX_AGE
         self._stalled_until = float("-inf")
         self._hub = hub
-        self._counters = Counters(_LOGGER)
+        self._counters = Counters(_LOG)
 
     @property
     def connected(self) -> bool:

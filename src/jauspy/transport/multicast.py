@@ -14,7 +14,7 @@ from typing import Final
 
 from jauspy.logs import get_logger
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 ANY: Final = "0.0.0.0"  # noqa: S104 # nosec B104 # the standard's node managers listen on every interface
 
@@ -215,7 +215,7 @@ class Memberships:
     def _succeeded(self, interface: str) -> None:
         if interface not in self._joined:
             level = logging.WARNING if interface in self._warned else logging.DEBUG
-            _LOGGER.log(level, "joined %s on %s", self._group, interface)
+            _LOG.log(level, "joined %s on %s", self._group, interface)
         self._joined.add(interface)
         self._warned.discard(interface)
 
@@ -223,7 +223,7 @@ class Memberships:
         self._joined.discard(interface)
         if interface not in self._warned:
             self._warned.add(interface)
-            _LOGGER.warning(
+            _LOG.warning(
                 "no multicasts on interface %s: %s; is its network up? Trying again every %g s",
                 interface,
                 reason,

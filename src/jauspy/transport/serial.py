@@ -20,7 +20,7 @@ from jauspy.transport.send_queue import QueueMemory, SendQueue
 if TYPE_CHECKING:
     import serial
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 READ_SIZE: Final = 4096
 REOPEN_INTERVAL: Final = 1.0
@@ -167,7 +167,7 @@ class SerialLink:
 
     def _lost(self, error: OSError) -> None:
         self._counters["serial.lost"] += 1
-        _LOGGER.warning("serial port %s: %s", self.line.device, error)
+        _LOG.warning("serial port %s: %s", self.line.device, error)
         self._release()
         self._retry = self._loop.call_later(REOPEN_INTERVAL, self._reopen)
 
@@ -199,7 +199,7 @@ class SerialTransport:
         self.received: Receiver = ignore
         self.max_age = MAX_AGE
         self._line = line
-        self._counters = Counters(_LOGGER)
+        self._counters = Counters(_LOG)
         self._link: SerialLink | None = None
 
     @property

@@ -17,7 +17,7 @@ from jauspy.transport.age import MAX_AGE, StallDetector
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.send_queue import QueueMemory, SendQueue
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 HIGH_WATER: Final = 64 * 1024
 """Bytes in asyncio's write buffer above which packets wait in a bounded queue, by priority."""
@@ -211,7 +211,7 @@ class Dialer:
             except (OSError, TimeoutError) as error:
                 self.problem = str(error) or "no answer in time"
                 self._counters["tcp.connect_failed"] += 1
-                _LOGGER.debug("no JTCP connection to %s: %s", self.address, self.problem)
+                _LOG.debug("no JTCP connection to %s: %s", self.address, self.problem)
             else:
                 pause = MIN_RETRY_INTERVAL
                 await self._until_lost()
@@ -231,7 +231,7 @@ class Dialer:
         self.link = link
         self.connected.set()
         self._counters["tcp.connected"] += 1
-        _LOGGER.info("JTCP connection to %s", self.address)
+        _LOG.info("JTCP connection to %s", self.address)
 
     async def _until_lost(self) -> None:
         try:
@@ -262,7 +262,7 @@ class TcpTransport:
         self.max_age = MAX_AGE
         self._peer = peer
         self._timeout = timeout
-        self._counters = Counters(_LOGGER)
+        self._counters = Counters(_LOG)
         self._dialer: Dialer | None = None
 
     @property

@@ -21,7 +21,7 @@ from jauspy.transport.age import MAX_AGE, DatagramReader
 from jauspy.transport.base import Receiver, ignore
 from jauspy.transport.multicast import Memberships
 
-_LOGGER = get_logger(__name__)
+_LOG = get_logger(__name__)
 
 
 class UdpTransport:
@@ -51,7 +51,7 @@ class UdpTransport:
         self._book = AddressBook()
         self._sources = SourceChecks()
         self._clashes = IdClashes()
-        self._counters = Counters(_LOGGER)
+        self._counters = Counters(_LOG)
         self._socket: socket.socket | None = None
         self._group_socket: socket.socket | None = None
         self._memberships: Memberships | None = None
@@ -130,7 +130,7 @@ class UdpTransport:
             sock = multicast.receiver(group)
         except OSError as error:
             self._counters["multicast.not_joined"] += 1
-            _LOGGER.info("no multicasts will be received: %s", error.strerror)
+            _LOG.info("no multicasts will be received: %s", error.strerror)
             return
         self._memberships = Memberships(sock, group[0], (self._interface,))
         self._counters["multicast.not_joined"] += not self._memberships.joined

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
@@ -29,8 +30,6 @@ from jauspy_sim.cell.truth import Truth
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.rendering.cameras import SimulatedCamera, SimulatedCameras
 from jauspy_sim.rendering.viewer import Viewer
-
-GRAVITY: Final = 9.81
 
 
 class Payload:

@@ -10,7 +10,7 @@ from typing import Final
 import mujoco
 
 from jauspy.geometry.urdf import Joint, JointKind
-from jauspy.geometry.vectors import Quaternion, Vector
+from jauspy.geometry.vectors import GRAVITY, Quaternion, Vector
 from jauspy.platform.contract import PartId
 from jauspy.platform.description import Gains, JointGains
 from jauspy.platform.joint_control import JointController
@@ -43,8 +43,6 @@ DERATING_START, DERATING_END = 100.0, 130.0
 
 THERMAL_CYCLES: Final = 50
 """Control cycles from one update of the temperature to the next."""
-
-GRAVITY: Final = 9.81
 
 
 class SimulatedServo(ServoModule):

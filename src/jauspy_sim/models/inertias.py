@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Transform
 
-logger = logging.getLogger("jauspy_sim.inertia")
+_LOG = logging.getLogger("jauspy_sim.inertia")
 
 KEYS: Final = ("ixx", "iyy", "izz", "ixy", "ixz", "iyz")
 
@@ -48,12 +48,12 @@ def checked_inertia(moments: tuple[float, ...], mass: float, where: str) -> NDAr
     if not tensor.any():
         return np.eye(3) * max(MIN_INERTIA, 0.4 * mass * BALL**2)
     if least <= 0.0:
-        logger.warning("%s: no body has this inertia: a principal moment is %.3g; mended", where, least)
+        _LOG.warning("%s: no body has this inertia: a principal moment is %.3g; mended", where, least)
         mended: NDArray[np.float64] = np.diag(np.maximum(np.diag(tensor), max(1e-9, 0.01 * most)))
         least, middle, most = np.linalg.eigvalsh(mended)
         return mended if least + middle >= most else np.eye(3) * (least + middle + most) / 3.0
     if least + middle < most * (1.0 - 1e-6):
-        logger.warning(
+        _LOG.warning(
             "%s: no body has this inertia: %.3g + %.3g is less than %.3g; balanced", where, least, middle, most
         )
         balanced: NDArray[np.float64] = np.eye(3) * (least + middle + most) / 3.0

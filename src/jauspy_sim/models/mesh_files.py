@@ -19,7 +19,7 @@ from jauspy.errors import ConfigError
 from jauspy.user_files import confined, own_folder, read_file
 from jauspy_sim.models.mesh_checks import check_mesh
 
-logger = logging.getLogger("jauspy_sim.meshes")
+_LOG = logging.getLogger("jauspy_sim.meshes")
 
 KINDS: Final = ("stl", "obj", "dae", "ply", "glb", "gltf")
 """Suffixes of the mesh files that can be read."""
@@ -343,7 +343,7 @@ def _checked(path: Path, part: MeshPart) -> MeshPart:
         vertices, normals = rows[:, :3], None if normals is None else rows[:, 3:]
         faces = same.reshape(-1)[faces].astype(np.int32)
         if len(faces) > MAX_FACES:
-            logger.warning("%s: has %d faces; simplified to %d", path, len(faces), MAX_FACES)
+            _LOG.warning("%s: has %d faces; simplified to %d", path, len(faces), MAX_FACES)
             vertices, faces = _simplified(path, vertices, faces)
     elif len(faces) > MAX_FACES:
         raise ConfigError(f"{path}: has {len(faces)} faces; with texture coordinates at most {MAX_FACES}")

@@ -17,7 +17,7 @@ from jauspy.geometry.vectors import quaternion
 from jauspy_sim.models.mesh_files import Image, MeshPart, by_look, joined, read_image, read_mesh, with_volume
 from jauspy_sim.models.slabs import convex_pieces
 
-logger = logging.getLogger("jauspy_sim.meshes")
+_LOG = logging.getLogger("jauspy_sim.meshes")
 
 RGBA = tuple[float, float, float, float]
 
@@ -174,7 +174,7 @@ class ShapeBuilder:
         pieces = convex_pieces(vertices, whole.faces, MAX_PIECES)
         if pieces is None:
             faces = len(whole.faces)
-            logger.warning("%s: has %d faces and is not convex; it collides as its convex hull", source.path, faces)
+            _LOG.warning("%s: has %d faces and is not convex; it collides as its convex hull", source.path, faces)
             self.collide_mesh(body, source, pose, solid)
             return
         for corners in pieces:

@@ -24,7 +24,7 @@ from jauspy_sim.models.groups import COLLISION, VISUAL
 from jauspy_sim.models.inertias import KEYS, MIN_INERTIA, checked_inertia, set_inertia
 from jauspy_sim.models.shapes import DENSITY, RGBA, Look, MeshSource, ShapeBuilder, Solid
 
-logger = logging.getLogger("jauspy_sim.models.urdf")
+_LOG = logging.getLogger("jauspy_sim.models.urdf")
 
 MIN_MASS: Final = 1e-3
 """Kilograms of a link that a joint moves and that has no mass: neither itself, nor what is fixed to it."""
@@ -199,7 +199,7 @@ class _Reader:
         for links, mass in ((weighed, f"{DENSITY:g} kg/m^3 of their collision shapes"), (guessed, f"{MIN_MASS:g} kg")):
             if links:
                 names = ", ".join(links[:8]) + ", ..." * (len(links) > 8)
-                logger.warning(
+                _LOG.warning(
                     "%s: joints move %d links without a mass, which get %s: %s",
                     *(self._description.name, len(links), mass, names),
                 )

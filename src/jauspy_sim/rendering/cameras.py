@@ -5,6 +5,7 @@ Exposure, focus, lens and noise are applied to the rendered picture in `jauspy.v
 
 from __future__ import annotations
 
+import logging
 import math
 import struct
 from collections.abc import Mapping, Sequence
@@ -21,7 +22,7 @@ from jauspy.platform.camera import CameraSetup, DepthFrame, Frame, OutsideView, 
 from jauspy.platform.description import RobotModel
 from jauspy.platform.lights import Lamp, LampSetup, TimeOfDay
 from jauspy.platform.shared_state import StateReader, StateWriter
-from jauspy_sim.assembly import DrawnModel, logger, redirect_warnings
+from jauspy_sim.assembly import DrawnModel, redirect_warnings
 from jauspy_sim.gl_libraries import choose_gl
 from jauspy_sim.models.track_visuals import Treads
 from jauspy_sim.models.urdf import body_name
@@ -30,6 +31,8 @@ from jauspy_sim.rendering.gl import GlRenderer
 from jauspy_sim.rendering.rays import RayRenderer
 from jauspy_sim.rendering.renderer import Renderer
 from jauspy_sim.rendering.shared_model import ModelMemory, shared_model
+
+_LOG = logging.getLogger("jauspy_sim.cameras")
 
 _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""
@@ -245,7 +248,7 @@ def _renderer(camera: SimulatedCamera) -> tuple[Renderer, mujoco.MjModel]:
         try:
             return GlRenderer(model, camera.number, camera.setup.fov, way, camera.quality), model
         except Exception as error:  # noqa: BLE001 - GL has many ways to be unusable; each is said, and rays take over
-            logger.warning("%s does not work here: %s", way, error)
+            _LOG.warning("%s does not work here: %s", way, error)
     model = _physics(camera)
     return RayRenderer(model, camera.number, camera.setup.fov), model
 

@@ -23,7 +23,7 @@ from jauspy_sim.worlds.model_paths import ModelPaths
 from jauspy_sim.worlds.sdf_materials import look_of
 from jauspy_sim.worlds.sdf_poses import floats, is_true, line_of, located, raw_pose, words
 
-logger = logging.getLogger("jauspy_sim.worlds.sdf")
+_LOG = logging.getLogger("jauspy_sim.worlds.sdf")
 
 QUIET: Final = frozenset(
     [
@@ -113,7 +113,7 @@ class Skipped:
             more = f" and {len(lines) - MAX_PLACES} more" if len(lines) > MAX_PLACES else ""
             parts.append(f"{what} ({', '.join(lines[:MAX_PLACES])}{more})")
         if parts:
-            logger.warning("%s: not understood and skipped: %s", self._path, "; ".join(parts))
+            _LOG.warning("%s: not understood and skipped: %s", self._path, "; ".join(parts))
 
 
 class LinkBuilder:

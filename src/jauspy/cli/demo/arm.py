@@ -14,7 +14,7 @@ from jauspy.cli.demo.report import DemoState, time_limit
 from jauspy.errors import RequestError
 from jauspy.geometry.denavit_hartenberg import manipulator_geometry
 from jauspy.geometry.urdf import JointKind
-from jauspy.geometry.vectors import Vector
+from jauspy.geometry.vectors import GRAVITY, Vector
 from jauspy.messages.environment_sensing.v2_0.force_torque_sensor import QueryForceTorque, ReportForceTorque
 from jauspy.messages.manipulator import (
     QueryEndEffectorPose,
@@ -82,7 +82,6 @@ MAX_FINGER_STEP: Final = 2e-4
 FLIPPER_TOLERANCE: Final = 0.05
 """Radians."""
 FORCE_Z: Final = 0b100
-GRAVITY: Final = 9.81
 WEIGHT_SAMPLES: Final = 25
 
 

@@ -23,6 +23,7 @@ from jauspy.cli.new.trial import try_wheels
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.urdf import UNGUIDED, Joint, JointKind, RobotDescription, inertials, parse_tree
+from jauspy.geometry.vectors import GRAVITY
 from jauspy.platform.description import RobotModel
 from jauspy.platform.joint_control import ROTOR_ACCELERATION
 from jauspy.platform.wheels import WheelJoints, WheelKind, WheelSetup, wheel_setup
@@ -31,8 +32,6 @@ from jauspy.robot.urdf_paths import PackagePaths
 
 BANDWIDTH: Final = 15.0
 """Rad/s, of the position controllers: about the speed at which real arms follow."""
-
-GRAVITY: Final = 9.81
 
 GUESSED_MASS: Final = 2.0
 """Kilograms of a link whose mass is not given."""

@@ -10,7 +10,7 @@ from typing import Any, Final
 from jauspy.conformance.profile import Action, Step
 from jauspy.conformance.results import Late, Silent
 from jauspy.conformance.tester import HARMLESS_QUERIES, Client, Tester, is_answer
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.ocu.replies import REPORT_OFFSET
 from jauspy.protocol import header
 from jauspy.protocol.header import Ack, DataFlag, Packet
@@ -69,7 +69,7 @@ class RawSender:
 
     def answers(self) -> list[Packet]:
         """The answers to the ping."""
-        code = (int.from_bytes(self.ping[:2], "little") + REPORT_OFFSET).to_bytes(2, "little")
+        code = (message_id(self.ping) + REPORT_OFFSET).to_bytes(2, "little")
         return [each for each in self.received() if each.payload[:2] == code]
 
     def expect(self, count: int, what: str) -> None:
@@ -114,7 +114,7 @@ class RawSender:
 
 def _is_reply(packet: Packet) -> bool:
     """True unless the packet is a query or event of the target itself."""
-    return len(packet.payload) < 2 or is_answer(int.from_bytes(packet.payload[:2], "little"))
+    return len(packet.payload) < 2 or is_answer(message_id(packet.payload))
 
 
 def check_others_are_answered(tester: Tester) -> None:

@@ -10,14 +10,11 @@ import pinocchio as pin
 from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
-from jauspy.geometry.vectors import Vector, rotated, rotation_about, scaled, transposed
+from jauspy.geometry.vectors import GRAVITY, Vector, rotated, rotation_about, scaled, transposed
 from jauspy.platform.modular.graph import Body, Chain, Link
 from jauspy.platform.modular.parts import CellSetup, Shape, Solid
 
 Array = NDArray[np.float64]
-
-GRAVITY: Final = 9.81
-"""m/s^2, downward along the world's z axis."""
 
 SMOOTHING: Final = 0.02
 """Seconds over which torques and accelerations are averaged, both in the same way."""

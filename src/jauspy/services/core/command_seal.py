@@ -11,7 +11,7 @@ from typing import Final, NamedTuple
 
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError
-from jauspy.ids import JausID
+from jauspy.ids import JausID, message_id
 from jauspy.logs import get_logger
 from jauspy.messages.core import CancelEvent, CreateCommandEvent, CreateEvent, RegisterServices, UpdateEvent
 from jauspy.messages.operators import RejectCommand, ReportSealChallenge, SealedCommand
@@ -253,7 +253,7 @@ def _is_open(message: Message) -> bool:
 def is_stop(message: Message) -> bool:
     """True for a stop, and for a command event with one."""
     if isinstance(message, CreateCommandEvent):
-        return int.from_bytes(encoded(message.command_message)[:2], "little") in STOPS
+        return message_id(encoded(message.command_message)) in STOPS
     return message.CODE in STOPS
 
 

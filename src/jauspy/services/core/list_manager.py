@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Final, TypeAlias
 
 from jauspy.codec.message import Message
 from jauspy.errors import ConfigError, DecodeError
+from jauspy.ids import message_id
 from jauspy.messages.core import (
     ConfirmElementRequest,
     DeleteElement,
@@ -348,7 +349,7 @@ class ListDriver(Service):
     def read_element(self, content: Message | bytes) -> Message | None:
         """Decode the message of an element as one of `element_types`; None when this driver cannot carry it out."""
         data = content.encode(strict=False) if isinstance(content, Message) else content
-        code = int.from_bytes(data[:2], "little")
+        code = message_id(data)
         for kind in self.element_types:
             if code == kind.CODE:
                 try:

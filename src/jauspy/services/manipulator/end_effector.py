@@ -28,6 +28,7 @@ from jauspy.platform.joints import ControlMode, JointGroup, Target
 from jauspy.services.core import present_authority
 from jauspy.services.manipulator.arm import Arm, ArmDriver
 from jauspy.services.manipulator.blocking import StandstillWatch
+from jauspy.services.manipulator.joints import CHECK_PERIOD
 from jauspy.services.manipulator.tool_motion import ToolMotion
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
@@ -37,8 +38,6 @@ STEPS_PER_TURN: Final = 10
 """Steps of inverse kinematics at once: about two milliseconds for five joints."""
 SEARCH_PAUSE: Final = 0.005
 """Seconds between two parts of a search, in which the component handles other events."""
-CHECK_PERIOD: Final = 0.05
-"""Seconds between two checks whether a pose is reached."""
 POSITION_TOLERANCE: Final = 0.001
 """Metres from the pose that was found up to which it is reached."""
 ATTITUDE_TOLERANCE: Final = math.radians(0.5)

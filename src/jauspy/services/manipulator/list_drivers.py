@@ -14,7 +14,7 @@ from jauspy.messages.manipulator import (
 from jauspy.services.core.list_manager import ListDriver, ListManager
 from jauspy.services.manipulator.arm import ArmDriver
 from jauspy.services.manipulator.end_effector import ToolPoseDriver, commanded_pose
-from jauspy.services.manipulator.joints import joint_values, position_records, read_positions
+from jauspy.services.manipulator.joints import CHECK_PERIOD, joint_values, position_records, read_positions
 
 
 class ManipulatorListDriver(ArmDriver, urn="urn:jaus:jss:manipulator:ManipulatorListDriver"):
@@ -26,8 +26,6 @@ class ManipulatorListDriver(ArmDriver, urn="urn:jaus:jss:manipulator:Manipulator
         return ReportActiveElement(element_uid=elements.active if elements else 0)
 
 
-CHECK_PERIOD: Final = 0.05
-"""Seconds between two checks whether an element is reached."""
 _LIST_TIMER: Final = "joint position list"
 
 
