@@ -24,10 +24,9 @@ class MujocoBackend:
         if find_spec("mujoco") is None:
             raise ConfigError("the backend 'sim' needs MuJoCo: pip install 'jauspy[sim]'")
         way = os.environ.get("MUJOCO_GL", "").lower().strip()
-        if way in GL_LIBRARIES and missing_gl(way):
-            missing = missing_gl(way)[0]
+        if way in GL_LIBRARIES and (missing := missing_gl(way)):
             raise ConfigError(
-                f"MUJOCO_GL={way} needs {missing}, which is not installed: install {GL_PACKAGES[way]}, or "
+                f"MUJOCO_GL={way} needs {missing[0]}, which is not installed: install {GL_PACKAGES[way]}, or "
                 "unset MUJOCO_GL, or set it to 'disable' to draw camera pictures without GL"
             )
         try:

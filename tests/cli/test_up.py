@@ -56,6 +56,21 @@ def test_long_control_timeout_causes_a_warning(capsys, robot, timeout, warning) 
     assert lines[:1] == [warning] * bool(warning)
 
 
+def test_the_warning_concerns_all_modules_that_move_something(capsys) -> None:
+    config = load("inc1")
+    access = AccessControlConfig(timeout=0)
+    modules = tuple(module.model_copy(update={"access_control": access}) for module in config.modules)
+    config = config.model_copy(update={"modules": modules})
+    components = [SimpleNamespace(id=config.id_of(module)) for module in modules]
+    running = list(zip(components, modules, strict=True))
+    print_summary(
+        SimpleNamespace(config=config, audit=None, components=components, running=running, faults={}), "", Path()
+    )
+    warned = {line.split()[1] for line in capsys.readouterr().out.splitlines() if line.startswith("warning:")}
+    moving = {str(config.id_of(module)) for module in modules if module.type in {"CM-MOB", "CM-MAN", "CM-EEF"}}
+    assert warned == moving | {"101.1.107"}  # the pan-tilt unit of one of three cameras
+
+
 async def test_modules_in_failure_are_named_with_the_reason(virtual_network, monkeypatch, capsys) -> None:
     def no_bus(self: KinematicRobot, dt: float) -> None:
         raise OSError("no such bus")

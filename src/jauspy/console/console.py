@@ -84,8 +84,8 @@ class Console:
         self.counters: Counter[str] = Counter()
         """Messages of browsers that were refused, by socket and reason."""
         self.traffic = Traffic(registry)
-        for each in (ocu, emergency_ocu):
-            each.trace(self._trace)
+        for client in (ocu, emergency_ocu):
+            client.trace(self._trace)
         self._audit = audit
         self._emergency_ocu = emergency_ocu
         self._operations: dict[int, Operation] = {}
@@ -194,7 +194,7 @@ class Console:
             return None
         operation = self.operation(id.subsystem)
         if operation is None or not any(
-            each.id == id and each.find(POSITION_DRIVER) for each in operation.robot.components
+            part.id == id and part.find(POSITION_DRIVER) for part in operation.robot.components
         ):
             return None
         return self._jogging.setdefault(id, Jogging(operation, id, self.note))
@@ -204,7 +204,7 @@ class Console:
         if id in self._cameras:
             return self._cameras[id]
         robot = self.fleet.robots.get(id.subsystem)
-        if robot is None or not any(each.id == id and each.find("DigitalVideo") for each in robot.components):
+        if robot is None or not any(part.id == id and part.find("DigitalVideo") for part in robot.components):
             return None
         if robot.id not in self._attitudes:
             self._attitudes[robot.id] = AttitudeFeed(self.ocu, robot)
@@ -218,11 +218,11 @@ class Console:
 
     async def stop(self, target: str, *, release: bool = False) -> str:
         """Set or clear the emergency of a robot or of all; returns a text with the components that obeyed."""
-        to = JausID(int(target), 255, 255) if target.isdecimal() else JausID(65535, 255, 255)
+        destination = JausID(int(target), 255, 255) if target.isdecimal() else JausID(65535, 255, 255)
         for operation in self._operations.values():
-            if to.subsystem in (65535, operation.robot.id) and operation.operator and not release:
+            if destination.subsystem in (65535, operation.robot.id) and operation.operator and not release:
                 operation.drive(operation.operator, 0.0, 0.0)
-        found = await set_emergency(self._emergency_ocu, to, release=release, within=STOP_TIME)
+        found = await set_emergency(self._emergency_ocu, destination, release=release, within=STOP_TIME)
         obeyed = sum(obeys(report, release=release) for report in found.values())
         what = "released from the emergency" if release else "stopped"
         text = f"{obeyed} of {len(found)} components {what}" if found else "no component answered"
@@ -239,8 +239,8 @@ class Console:
         for camera in self._cameras.values():
             await camera.close()
         await self.fleet.close()
-        for each in (self.ocu, self._emergency_ocu):
-            each.trace(None)
+        for client in (self.ocu, self._emergency_ocu):
+            client.trace(None)
 
 
 def _is_command(payload: bytes) -> bool:

@@ -105,7 +105,7 @@ def _parents_first(description: RobotDescription) -> tuple[Joint, ...]:
     return tuple(ordered)
 
 
-_WEIGHT: Final[Vector] = (0.0, 0.0, -GRAVITY)
+_GRAVITY_VECTOR: Final[Vector] = (0.0, 0.0, -GRAVITY)
 """Acceleration of gravity in the frame of a root link that is level, m/s^2."""
 
 
@@ -125,7 +125,7 @@ def gravity_wrench(
     def weigh() -> tuple[Vector, Vector]:
         frames = tree.poses(positions(), joints)
         back = frames[link].inverse()
-        down = back.rotate(_WEIGHT)
+        down = back.rotate(_GRAVITY_VECTOR)
         force = torque = (0.0, 0.0, 0.0)
         for body in bodies:
             weight = scaled(down, body.mass)
@@ -163,9 +163,9 @@ class HoldingEfforts:
                 continue
             axis = frame.rotate(joint.axis)
             if joint.kind is JointKind.PRISMATIC:
-                effort = -mass * dot(axis, _WEIGHT)
+                effort = -mass * dot(axis, _GRAVITY_VECTOR)
             else:
-                effort = -dot(axis, cross(difference(moment, scaled(frame.position, mass)), _WEIGHT))
+                effort = -dot(axis, cross(difference(moment, scaled(frame.position, mass)), _GRAVITY_VECTOR))
             mover, share = (joint.name, 1.0) if joint.mimics is None else (joint.mimics, joint.multiplier)
             found[mover] = found.get(mover, 0.0) + share * effort
         return found

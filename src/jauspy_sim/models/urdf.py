@@ -24,7 +24,7 @@ from jauspy_sim.models.groups import COLLISION, VISUAL
 from jauspy_sim.models.inertias import KEYS, MIN_INERTIA, checked_inertia, set_inertia
 from jauspy_sim.models.shapes import DENSITY, RGBA, Look, MeshSource, ShapeBuilder, Solid
 
-_LOG = logging.getLogger("jauspy_sim.models.urdf")
+_LOG = logging.getLogger("jauspy_sim.urdf")
 
 MIN_MASS: Final = 1e-3
 """Kilograms of a link that a joint moves and that has no mass: neither itself, nor what is fixed to it."""

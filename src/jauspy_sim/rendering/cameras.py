@@ -32,7 +32,7 @@ from jauspy_sim.rendering.rays import RayRenderer
 from jauspy_sim.rendering.renderer import Renderer
 from jauspy_sim.rendering.shared_model import ModelMemory, shared_model
 
-_LOG = logging.getLogger("jauspy_sim.cameras")
+_LOG = logging.getLogger("jauspy_sim.mujoco")
 
 _MUJOCO_AXES: Final = np.array([[0.0, 0.0, -1.0], [-1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
 """Right, up and back of a camera, as columns, in a frame with x ahead, y left, z up."""

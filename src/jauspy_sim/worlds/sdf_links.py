@@ -23,7 +23,7 @@ from jauspy_sim.worlds.model_paths import ModelPaths
 from jauspy_sim.worlds.sdf_materials import look_of
 from jauspy_sim.worlds.sdf_poses import floats, is_true, line_of, located, raw_pose, words
 
-_LOG = logging.getLogger("jauspy_sim.worlds.sdf")
+_LOG = logging.getLogger("jauspy_sim.sdf")
 
 QUIET: Final = frozenset(
     [

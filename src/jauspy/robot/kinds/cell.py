@@ -16,7 +16,7 @@ from jauspy.platform.modular.servo import ServoModule, ServoState
 from jauspy.services import cell
 from jauspy.services.cell import ArmMotionControl, ServoControl
 
-from .kind import Kind, Module, ModuleBuild, ServiceEntry, Stoppable
+from .kind import Kind, Module, ModuleBuild, ServiceEntry, Stoppable, not_in_backend
 
 GRIPPER: Final = "gripper"
 """The `part` of the CM-CON that is the robot's vacuum gripper."""
@@ -106,15 +106,6 @@ def _cell(build: ModuleBuild) -> CellSetup:
     return build.model.cell
 
 
-def _check_part(module: Module) -> None:
-    if module.part is None:
-        raise ValueError(f"part: is missing; a {module.type} needs the name of its part")
-
-
-def _missing(what: str) -> ConfigError:
-    return ConfigError(f"the backend has no {what}, which the file of the robot names")
-
-
 def _connector_names(part: str, cell: CellSetup) -> list[str]:
     """The full names of the connectors of a part, in the order of its type; the gripper is one."""
     return [GRIPPER] if part == GRIPPER else [f"{part}/{name}" for name in cell.type_of(part).connectors]
@@ -126,7 +117,7 @@ def _connectors_of(part: str, cell: CellSetup, robot: RobotParts) -> tuple[Vacuu
     connectors = {found.name: found for found in robot.optional_parts if isinstance(found, VacuumConnector)}
     for name in names:
         if name not in connectors:
-            raise _missing(f"vacuum connector {name!r}")
+            raise not_in_backend(f"vacuum connector {name!r}")
     return tuple(connectors[name] for name in names)
 
 
@@ -145,20 +136,16 @@ class Servo(Kind[ServoContext]):
         ),
     }
     keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    needs_part: ClassVar[bool] = True
     in_cell: ClassVar[bool] = True
 
     def context(self, build: ModuleBuild) -> ServoContext:
         """The servo module and its connectors."""
         cell, part = _cell(build), build.module.part or ""
         if (found := servo.find(build.robot, part)) is None:
-            raise _missing(f"servo module {part!r}")
+            raise not_in_backend(f"servo module {part!r}")
         control = ServoControl(found, cell.type_of(part))
         return ServoContext(build.robot, control, _connectors_of(part, cell, build.robot), cell)
-
-    def check(self, module: Module, needs: Mapping[str, Sequence[str]]) -> None:
-        """Check that the part is named."""
-        super().check(module, needs)
-        _check_part(module)
 
     def parts_in(self, cell: CellSetup) -> Sequence[str]:
         """The parts with a servo."""
@@ -188,6 +175,7 @@ class Connector(Kind[ConnectorContext]):
         ),
     }
     keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    needs_part: ClassVar[bool] = True
     in_cell: ClassVar[bool] = True
 
     def context(self, build: ModuleBuild) -> ConnectorContext:
@@ -195,11 +183,6 @@ class Connector(Kind[ConnectorContext]):
         cell, part = _cell(build), build.module.part or ""
         type = "" if part == GRIPPER else cell.type_of(part).name
         return ConnectorContext(build.robot, part, type, _connectors_of(part, cell, build.robot), cell)
-
-    def check(self, module: Module, needs: Mapping[str, Sequence[str]]) -> None:
-        """Check that the part is named."""
-        super().check(module, needs)
-        _check_part(module)
 
     def parts_in(self, cell: CellSetup) -> Sequence[str]:
         """The parts with connectors, and the gripper."""
@@ -233,7 +216,7 @@ class ConveyorBelt(Kind[ConveyorContext]):
         """The belt."""
         belt, setup = Conveyor.of(build.robot), _cell(build).conveyor
         if belt is None or setup is None:
-            raise _missing("conveyor")
+            raise not_in_backend("conveyor")
         return ConveyorContext(build.robot, belt, setup.max_speed)
 
     def check_cell(self, module: Module, cell: CellSetup) -> None:
@@ -279,18 +262,14 @@ class ModularArm(Kind[ModularArmContext]):
         ),
     }
     keys: ClassVar[frozenset[str]] = frozenset({"part"})
+    needs_part: ClassVar[bool] = True
     in_cell: ClassVar[bool] = True
 
     def context(self, build: ModuleBuild) -> ModularArmContext:
         """The arm."""
         if (found := arm.find(build.robot, build.module.part or "")) is None:
-            raise _missing(f"modular arm {build.module.part!r}")
+            raise not_in_backend(f"modular arm {build.module.part!r}")
         return ModularArmContext(build.robot, ArmMotionControl(found), _cell(build))
-
-    def check(self, module: Module, needs: Mapping[str, Sequence[str]]) -> None:
-        """Check that the part is named."""
-        super().check(module, needs)
-        _check_part(module)
 
     def parts_in(self, cell: CellSetup) -> Sequence[str]:
         """The arm."""

@@ -84,7 +84,7 @@ class ModuleBuild:
     modules: Mapping[JausID, Module]
     """All modules of the robot."""
     name: str
-    """Of the robot."""
+    """Name of the robot."""
     origin: GlobalPose | None
     """Position of the world's origin on the globe; None if it is not known."""
     model: RobotModel
@@ -101,6 +101,11 @@ class ModuleBuild:
         if found is None:
             raise ConfigError(f"{self.id} moves the group {self.module.moves!r}, and the backend has no such joints")
         return found
+
+
+def not_in_backend(part: str) -> ConfigError:
+    """The error for a part that the robot's file names and the backend lacks."""
+    return ConfigError(f"the backend has no {part}, which the file of the robot names")
 
 
 C = TypeVar("C")
@@ -129,7 +134,7 @@ _REFUSALS: Final = {
 
 
 class Kind(ABC, Generic[C]):
-    """One kind of capability module. Each is a file of this package, and an item of `KINDS`."""
+    """One kind of capability module: an item of `KINDS`."""
 
     type: ClassVar[str]
     """Its name in robots' files, as in CM-MOB."""
@@ -139,6 +144,8 @@ class Kind(ABC, Generic[C]):
     """The keys of its table, of `group`, `part` and `camera`."""
     group: ClassVar[str | None] = None
     """The joints that it moves unless its table names others."""
+    needs_part: ClassVar[bool] = False
+    """True if its table must name a `part`."""
     in_cell: ClassVar[bool] = False
     """True if only a robot with a `[cell]` has it."""
 
@@ -154,6 +161,8 @@ class Kind(ABC, Generic[C]):
         for key, text in _REFUSALS.items():
             if key not in self.keys and getattr(module, key) is not None:
                 raise ValueError(text.format(type=self.type))
+        if self.needs_part and module.part is None:
+            raise ValueError(f"part: is missing; a {self.type} needs the name of its part")
 
     def check_cell(self, module: Module, cell: CellSetup) -> None:
         """Check that the cell has what the table names. Raises `ValueError`."""

@@ -6,7 +6,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar, Final
 
-from jauspy.errors import ConfigError
 from jauspy.platform.chassis import Chassis, ParkingBrake, chassis_of
 from jauspy.platform.commands import CHASSIS
 from jauspy.platform.contract import DriveBase, PartId, RobotParts, Snapshot
@@ -20,7 +19,7 @@ from jauspy.services.mobility import GlobalPose, Vehicle
 from jauspy.services.service import Service
 from jauspy.services.ugv.parking_brake import ParkingBrakeDriver
 
-from .kind import Kind, Module, ModuleBuild, ServiceEntry, Stoppable
+from .kind import Kind, Module, ModuleBuild, ServiceEntry, Stoppable, not_in_backend
 
 CAR: Final = "car"
 """The `part` of the module that drives the car of the cell."""
@@ -140,7 +139,7 @@ def vehicle_of(name: str, origin: GlobalPose | None, model: RobotModel, robot: R
 def _car_of(robot: RobotParts) -> Car:
     """The car. Raises `ConfigError` if the backend has none."""
     if (car := Car.of(robot)) is None:
-        raise ConfigError("the backend has no car, which the file of the robot names")
+        raise not_in_backend("car")
     return car
 
 
