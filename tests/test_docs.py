@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 import tomllib
 from importlib import import_module
@@ -10,6 +11,7 @@ from typing import Any
 
 import pytest
 from tests.helpers.documentation import DOCS, program
+from tools.draw_architecture import LAYERS, SIMULATOR_LAYERS, TARGET, contracts, draw, layers
 
 from jauspy.backends import check_robot
 from jauspy.messages.core import Standby
@@ -51,6 +53,32 @@ async def test_documented_gate_runs(virtual_network: VirtualNetwork) -> None:
             assert (await changes.get()).opening == 0
             assert virtual_network.now() - began < 1.0
     assert "host.action_failed" not in component.counters
+
+
+@pytest.mark.parametrize(("page", "goal"), [("index.md", (2.0, 0.0)), ("tutorial.md", (1.9, 0.5))])
+async def test_program_for_newcomers_runs(
+    page: str, goal: tuple[float, float], virtual_network: VirtualNetwork, robot
+) -> None:
+    source = (
+        program(page, "import asyncio, jauspy")
+        .replace("jauspy.OCU(", "network.ocu(")
+        .replace("asyncio.run(main())", "")
+    )
+    names: dict[str, Any] = {"network": virtual_network}
+    exec(source, names)
+    await names["main"]()
+    pose = robot.snapshot.pose
+    assert math.dist((pose.x, pose.y), goal) < 0.2
+    assert robot.components[0].host.state.endswith("NotControlled.Available.Standby")
+
+
+def test_drawing_of_the_architecture_is_that_of_the_contracts() -> None:
+    assert draw() == TARGET.read_text(), "run tools/draw_architecture.py"
+    known = contracts()
+    for contract in (LAYERS, SIMULATOR_LAYERS):
+        for names in layers(known[contract]):
+            for name in names:
+                assert f">{name}</text>" in draw()
 
 
 async def test_compared_program_runs_and_lines_are_counted_right(virtual_network: VirtualNetwork, robot) -> None:
