@@ -14,7 +14,9 @@ from jauspy.geometry.poses import IDENTITY, Pose, Transform
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.description import Gains
 from jauspy.platform.modular.assembled_arm import AssembledArm
+from jauspy.platform.modular.assembly import ArmAssembly
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector
+from jauspy.platform.modular.control_laws import Measured
 from jauspy.platform.modular.dynamics import ArmModel
 from jauspy.platform.modular.graph import attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup, PartKind, PartType, PlacedPart, ServoData, Shape, Solid
@@ -206,6 +208,18 @@ class ServoPlant:
         """Its controller."""
         connectors = list(self.connectors.values())
         return AssembledArm("arm", self.cell, self.servos, connectors, revision=lambda: self.revision, **arguments)
+
+    def assembly(self) -> ArmAssembly:
+        """The arm as it is assembled now, for its controller."""
+        connected = attachments((name, connector.current) for name, connector in self.connectors.items())
+        poses = {part.name: part.pose for part in self.cell.parts}
+        chain = find_chain(self.cell, connected, self.chain.base)
+        return ArmAssembly(self.cell, chain, self.servos, poses.__getitem__, connected)
+
+    def measured(self) -> Measured:
+        """What its modules measure while it stands."""
+        springs = np.array([servo.spring for servo in self.order])
+        return Measured(np.array(self.positions), np.array(self.velocities), springs, np.zeros(len(springs)))
 
     def settle(self, positions: Sequence[float]) -> None:
         """Set the positions, at rest under gravity."""
