@@ -12,7 +12,7 @@ import pinocchio as pin
 
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
 from jauspy.geometry.vectors import Vector
-from jauspy.platform.description import Gains
+from jauspy.platform.joints import Gains
 from jauspy.platform.modular.assembled_arm import AssembledArm
 from jauspy.platform.modular.assembly import ArmAssembly
 from jauspy.platform.modular.connector import ConnectorState, VacuumConnector

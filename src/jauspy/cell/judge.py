@@ -12,8 +12,9 @@ from jauspy.cell.frames import offset_between, se3, se3_of_pose, tilt_between
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector
+from jauspy.platform.backend import Backend
 from jauspy.platform.camera import Camera
-from jauspy.platform.contract import Backend, Robot
+from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.connector import VacuumConnector
 

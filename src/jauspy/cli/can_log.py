@@ -11,11 +11,11 @@ from typing import Any, Final
 
 from jauspy.backends.can import pdo
 from jauspy.backends.can.cia402 import Control, Mode, error_text, register_text, state_of
-from jauspy.backends.can.setup import CanSetup, DriveSetup
 from jauspy.backends.can.units import DriveUnits
 from jauspy.errors import ConfigError
 from jauspy.geometry.urdf import JointKind
 from jauspy.platform.description import RobotModel
+from jauspy.platform.servo_drives import CanSetup, DriveSetup
 from jauspy.printable import printable
 
 CANDUMP: Final = re.compile(rb"\(\d+\.\d+\) +\S+ +[0-9A-Fa-f]+#")

@@ -4,14 +4,11 @@ from __future__ import annotations
 
 import struct
 from functools import lru_cache
-from typing import TYPE_CHECKING, Final, TypeVar
+from typing import Final, TypeVar
 
 from jauspy.codec.message import MAX_NESTING, Deviation, Message, Nesting, check_code, counted
 from jauspy.codec.wire import SIZES
 from jauspy.errors import DecodeError, EncodeError
-
-if TYPE_CHECKING:
-    from jauspy.codec.message import Nesting
 
 MAX_DEVIATIONS: Final = 1000
 """Deviations that are listed for one message; a hostile one may have one in every byte."""

@@ -16,7 +16,6 @@ from jauspy.geometry.poses import Acceleration, Pose, Twist
 
 if TYPE_CHECKING:
     from jauspy.platform.camera import Camera
-    from jauspy.platform.description import RobotModel
     from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
     from jauspy.platform.joints import JointGroup, JointState
     from jauspy.platform.ranging import RangeFinder, RangeScan
@@ -207,17 +206,4 @@ class RobotLink(Protocol):
     @property
     def snapshot(self) -> Snapshot:
         """The state after the last step."""
-        ...
-
-
-class Backend(Protocol):
-    """Opens robots: of a simulator, on a bus, or by arithmetic."""
-
-    @property
-    def name(self) -> str:
-        """The name it has in configuration files, e.g. `kinematic`."""
-        ...
-
-    def open(self, robot: RobotModel, world: str) -> Robot:
-        """Open a robot in a world. Raises `ConfigError` with the known worlds for an unknown one."""
         ...

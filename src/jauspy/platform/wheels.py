@@ -17,7 +17,7 @@ from annotated_types import Interval, Len, MaxLen
 from jauspy.errors import ConfigError
 from jauspy.geometry.frames import FrameTree
 from jauspy.geometry.urdf import Joint, JointKind, RobotDescription, collision_boxes
-from jauspy.platform.chassis import GroundDrive, clamp, mix
+from jauspy.platform.drives import GroundDrive, clamp, mix
 from jauspy.platform.tables import Table, UrdfName, check_unique
 
 LEVEL: Final = 0.9

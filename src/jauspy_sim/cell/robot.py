@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from jauspy.geometry.poses import Transform
 from jauspy.geometry.vectors import GRAVITY
-from jauspy.platform.chassis import FixedBase
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import RobotModel
+from jauspy.platform.drives import FixedBase
 from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.modular import check_libraries
 from jauspy.platform.modular.parts import CellSetup

@@ -15,8 +15,8 @@ from tests.backends.can.test_failing_drives import CYCLE, set_in_motion
 
 from jauspy.backends.can import pdo
 from jauspy.backends.can.cia402 import STATUS_OF, DriveState
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.robot import robot_files
 from jauspy.robot.runner import RobotRunner

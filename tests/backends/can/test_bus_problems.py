@@ -13,8 +13,8 @@ from tests.backends.can.test_failing_drives import CYCLE, advance_until_fault, s
 
 from jauspy.backends.can import pdo
 from jauspy.backends.can.cia402 import DriveState
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault
 from jauspy.backends.can.simulated import fleet
 from jauspy.backends.can.simulated.axes import MotorAxis
 from jauspy.backends.can.simulated.drive import SimulatedDrive

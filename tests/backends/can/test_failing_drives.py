@@ -10,8 +10,8 @@ import pytest
 from tests.backends.can.conftest import OpenCan, simulated
 
 from jauspy.backends.can.cia402 import DriveState
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.robot import CanRobot
-from jauspy.backends.can.setup import DriveFault
 from jauspy.backends.can.simulated.drive import FAULTS
 from jauspy.platform.joints import ControlMode, Target
 

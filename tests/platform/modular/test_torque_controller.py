@@ -9,7 +9,7 @@ pytest.importorskip("ruckig", reason="the extra 'cell' is not installed")
 from tests.helpers.servo_plant import PERIOD, ServoPlant
 
 from jauspy.platform.modular.arm import ArmController
-from jauspy.platform.modular.setpoint_generator import SetpointGenerator
+from jauspy.platform.modular.arm_setpoints import ArmSetpoints
 from jauspy.platform.modular.torque_controller import FADE_TIME, TorqueController
 
 START = (0.3, 0.4, 0.5, 0.4, 0.2)
@@ -27,7 +27,7 @@ def test_hold_the_arm_at_rest(plant: ServoPlant, controller: ArmController) -> N
     assembly = plant.assembly()
     torques = TorqueController(assembly)
     torques.select(controller)
-    rest = SetpointGenerator(assembly, assembly.read()).setpoint
+    rest = ArmSetpoints(assembly, assembly.read()).setpoint
     gravity = assembly.model.gravity(rest.q)
     torques.restart(gravity)
     for _ in range(round(2.0 * FADE_TIME / PERIOD)):
@@ -39,7 +39,7 @@ def test_hold_the_arm_at_rest(plant: ServoPlant, controller: ArmController) -> N
 def test_fade_over_from_the_last_ones(plant: ServoPlant) -> None:
     assembly = plant.assembly()
     torques = TorqueController(assembly)
-    rest = SetpointGenerator(assembly, assembly.read()).setpoint
+    rest = ArmSetpoints(assembly, assembly.read()).setpoint
     last = np.array([1.0, -1.0, 1.0, -1.0, 1.0])
     torques.adopt(assembly, last)
     found = [torques.update(rest, plant.measured(), PERIOD) for _ in range(round(FADE_TIME / PERIOD))]
@@ -52,7 +52,7 @@ def test_stay_within_the_limits_of_the_modules(plant: ServoPlant) -> None:
     assembly = plant.assembly()
     torques = TorqueController(assembly)
     torques.select(ArmController.PID)
-    rest = SetpointGenerator(assembly, assembly.read()).setpoint
+    rest = ArmSetpoints(assembly, assembly.read()).setpoint
     torques.restart(np.full(5, 1000.0))
     found = torques.update(rest, plant.measured(), PERIOD)
     assert found.tolist() == [13.0, 38.0, 20.0, 7.0, 7.0]

@@ -14,10 +14,11 @@ from jauspy.backends.can import pdo
 from jauspy.backends.can.bus import describe
 from jauspy.backends.can.cia402 import HOMING_ATTAINED, HOMING_ERROR, Control, Mode
 from jauspy.backends.can.drive import LIMIT_MARGIN, Drive
-from jauspy.backends.can.setup import CanSetup, DriveFault
+from jauspy.backends.can.faults import DriveFault
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
 from jauspy.platform.joint_control import ACCELERATION_TIME
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 

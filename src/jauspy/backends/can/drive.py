@@ -21,9 +21,9 @@ from jauspy.backends.can.cia402 import (
     towards_operation,
 )
 from jauspy.backends.can.other_senders import Balance
-from jauspy.backends.can.setup import DriveSetup
 from jauspy.backends.can.units import DriveUnits, unwrapped
 from jauspy.geometry.urdf import Joint, JointKind
+from jauspy.platform.servo_drives import DriveSetup
 
 TRANSITION_TIME: Final = 0.1
 """Seconds that a drive may take to enter Operation Enabled again after a quick stop."""

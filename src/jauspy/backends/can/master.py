@@ -19,11 +19,12 @@ from jauspy.backends.can.bus import hint, split
 from jauspy.backends.can.cia402 import Control, DriveState, towards_operation
 from jauspy.backends.can.configuration import Configurator
 from jauspy.backends.can.drive import LIMIT_MARGIN, OPERATIONAL, Drive
+from jauspy.backends.can.faults import DriveFault
 from jauspy.backends.can.inbox import Inbox
 from jauspy.backends.can.other_senders import OtherMasters
-from jauspy.backends.can.setup import CanSetup, DriveFault
 from jauspy.geometry.urdf import JointKind
 from jauspy.logs import get_logger
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 

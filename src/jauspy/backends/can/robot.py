@@ -15,7 +15,6 @@ from jauspy.backends.can.bus import Wire
 from jauspy.backends.can.drive import Drive
 from jauspy.backends.can.master import Master
 from jauspy.backends.can.motion import TRACK_ACCELERATION, JointMotion, TrackMotion
-from jauspy.backends.can.setup import CanSetup
 from jauspy.backends.can.simulated.fleet import Fleet, plant_of
 from jauspy.backends.kinematic_camera import KinematicCameras
 from jauspy.errors import ConfigError
@@ -24,13 +23,14 @@ from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint
 from jauspy.logs import get_logger
 from jauspy.platform.camera import Camera
-from jauspy.platform.chassis import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.contract import DriveBase, OptionalPart, Robot, Viewable
 from jauspy.platform.description import GroupSetup, RobotModel
+from jauspy.platform.drives import SLIP_FACTOR, FixedBase, SkidSteerDrive
 from jauspy.platform.force_torque import ForceTorqueSensor
 from jauspy.platform.joints import JointState, Target
 from jauspy.platform.localization import Localization
 from jauspy.platform.ranging import RangeFinder, Scanner
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 

@@ -9,13 +9,13 @@ import numpy as np
 
 from jauspy.geometry.poses import Pose
 from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmState
+from jauspy.platform.modular.arm_setpoints import ArmSetpoints
 from jauspy.platform.modular.assembly import ArmAssembly, carried_over
 from jauspy.platform.modular.connector import VacuumConnector
 from jauspy.platform.modular.control_laws import Measured
 from jauspy.platform.modular.graph import Chain, attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.modular.servo import ServoDrive, ServoReading
-from jauspy.platform.modular.setpoint_generator import SetpointGenerator
 from jauspy.platform.modular.torque_controller import TorqueController
 
 
@@ -48,7 +48,7 @@ class AssembledArm(ModularArm):
         self._order: tuple[str, ...] = ()
         self._index: tuple[int, ...] = ()
         self._assembly = ArmAssembly(cell, Chain(), servos, self._base_pose)
-        self._setpoints = SetpointGenerator(self._assembly)
+        self._setpoints = ArmSetpoints(self._assembly)
         self._torques = TorqueController(self._assembly)
         self._readings: list[ServoReading] = []
         self._powered: list[bool] = []

@@ -11,8 +11,8 @@ from typing import Final, NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from jauspy.platform.description import Gains
 from jauspy.platform.joint_control import Pid
+from jauspy.platform.joints import Gains
 from jauspy.platform.modular.dynamics import ArmModel
 from jauspy.platform.modular.parts import ServoData
 from jauspy.platform.modular.trajectory import Setpoint

@@ -18,7 +18,7 @@ from annotated_types import Interval, MaxLen, MinLen
 from jauspy.errors import ConfigError
 from jauspy.geometry.poses import IDENTITY, ORIGIN, Transform
 from jauspy.geometry.vectors import Vector, add, difference, dot, product, scaled, transposed
-from jauspy.platform.description import Gains
+from jauspy.platform.joints import Gains
 from jauspy.platform.tables import (
     Converted,
     FrameOfTable,

@@ -13,8 +13,7 @@ from jauspy.messages.cell import (
     SetServoGains,
     SetServoTarget,
 )
-from jauspy.platform.description import Gains
-from jauspy.platform.joints import ControlMode, Target
+from jauspy.platform.joints import ControlMode, Gains, Target
 from jauspy.platform.modular.parts import PartType
 from jauspy.platform.modular.servo import ServoModule
 from jauspy.services.command_timeout import ContinuousCommands

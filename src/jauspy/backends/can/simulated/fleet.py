@@ -16,7 +16,6 @@ from jauspy import backends
 from jauspy.backends.can import pdo
 from jauspy.backends.can.bus import Port
 from jauspy.backends.can.inbox import deviation
-from jauspy.backends.can.setup import CanSetup
 from jauspy.backends.can.simulated.axes import MotorPlant, Plant, RobotPlant
 from jauspy.backends.can.simulated.drive import SimulatedDrive
 from jauspy.backends.can.units import DriveUnits
@@ -24,6 +23,7 @@ from jauspy.backends.kinematic import WORLDS
 from jauspy.errors import ConfigError
 from jauspy.logs import get_logger
 from jauspy.platform.description import RobotModel
+from jauspy.platform.servo_drives import CanSetup
 
 _LOG: Final = get_logger("jauspy.can")
 

@@ -31,7 +31,7 @@ SETTLING_TIME: Final = 2.0
 """Seconds after its end that a motion may take to come within tolerance."""
 
 
-class SetpointGenerator:
+class ArmSetpoints:
     """Plans motions, plays them, and ends them once the joints have come to rest at their targets.
 
     Vectors are in the order of the assembly's chain.

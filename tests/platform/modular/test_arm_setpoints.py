@@ -11,8 +11,8 @@ pytest.importorskip("ruckig", reason="the extra 'cell' is not installed")
 from tests.helpers.servo_plant import PERIOD, ServoPlant
 
 from jauspy.geometry.poses import IDENTITY
+from jauspy.platform.modular.arm_setpoints import RELAXATION_TIME, SETTLING_TIME, SHAPING_TIME, ArmSetpoints
 from jauspy.platform.modular.control_laws import Measured
-from jauspy.platform.modular.setpoint_generator import RELAXATION_TIME, SETTLING_TIME, SHAPING_TIME, SetpointGenerator
 
 START = (0.3, 0.4, 0.5, 0.4, 0.2)
 
@@ -24,7 +24,7 @@ def plant() -> ServoPlant:
     return plant
 
 
-def follow(setpoints: SetpointGenerator, seconds: float) -> None:
+def follow(setpoints: ArmSetpoints, seconds: float) -> None:
     """Advance with joints that are exactly where the setpoint is."""
     for _ in range(round(seconds / PERIOD)):
         q, v, _ = setpoints.setpoint
@@ -33,7 +33,7 @@ def follow(setpoints: SetpointGenerator, seconds: float) -> None:
 
 def test_rests_where_the_joints_are(plant: ServoPlant) -> None:
     assembly = plant.assembly()
-    setpoints = SetpointGenerator(assembly, assembly.read())
+    setpoints = ArmSetpoints(assembly, assembly.read())
     follow(setpoints, 0.1)
     assert setpoints.targets == pytest.approx(START)
     assert not setpoints.moving
@@ -42,7 +42,7 @@ def test_rests_where_the_joints_are(plant: ServoPlant) -> None:
 @pytest.mark.parametrize("shaped", [False, True])
 def test_reaches_its_target_in_the_given_duration(plant: ServoPlant, shaped: bool) -> None:
     assembly = plant.assembly()
-    setpoints = SetpointGenerator(assembly, assembly.read())
+    setpoints = ArmSetpoints(assembly, assembly.read())
     setpoints.begin((0.0,) * 5, 2.0, shaped=shaped)
     follow(setpoints, 1.9 if shaped else 1.9 - SHAPING_TIME)
     assert setpoints.moving
@@ -54,7 +54,7 @@ def test_reaches_its_target_in_the_given_duration(plant: ServoPlant, shaped: boo
 
 def test_a_joint_that_does_not_follow_ends_the_motion_with_an_error(plant: ServoPlant) -> None:
     assembly = plant.assembly()
-    setpoints = SetpointGenerator(assembly, assembly.read())
+    setpoints = ArmSetpoints(assembly, assembly.read())
     setpoints.begin((0.5, *START[1:]), 0.0, shaped=True)
     stuck = plant.measured()
     for _ in range(round((1.0 + SETTLING_TIME) / PERIOD)):
@@ -65,7 +65,7 @@ def test_a_joint_that_does_not_follow_ends_the_motion_with_an_error(plant: Servo
 
 def test_a_silent_module_is_followed(plant: ServoPlant) -> None:
     assembly = plant.assembly()
-    setpoints = SetpointGenerator(assembly, assembly.read())
+    setpoints = ArmSetpoints(assembly, assembly.read())
     sagged = plant.measured()._replace(q=np.array([9.0, 9.0, 9.0, 0.7, 9.0]))
     setpoint = setpoints.advance(sagged, [True, True, True, False, True], PERIOD)
     assert setpoint.q == pytest.approx((*START[:3], 0.7, START[4]))
@@ -74,7 +74,7 @@ def test_a_silent_module_is_followed(plant: ServoPlant) -> None:
 def test_a_closed_loop_gives_way(plant: ServoPlant) -> None:
     plant.connectors["servo_5/output"].attach("platform_2", IDENTITY)
     assembly = plant.assembly()
-    setpoints = SetpointGenerator(assembly, assembly.read())
+    setpoints = ArmSetpoints(assembly, assembly.read())
     pushed = plant.measured()._replace(q=np.array(START) + 0.1)
     for _ in range(round(RELAXATION_TIME / PERIOD)):
         setpoints.advance(pushed, [True] * 5, PERIOD)
@@ -83,7 +83,7 @@ def test_a_closed_loop_gives_way(plant: ServoPlant) -> None:
 
 def test_adopts_another_assembly(plant: ServoPlant) -> None:
     assembly = plant.assembly()
-    setpoints = SetpointGenerator(assembly, assembly.read())
+    setpoints = ArmSetpoints(assembly, assembly.read())
     setpoints.begin((1.0,) * 5, 0.0, shaped=True)
     follow(setpoints, 0.2)
     before = setpoints.setpoint
