@@ -41,18 +41,20 @@ ODOMETRY = record(
 )
 
 
-def message(name: str, code: int, body: m.Composite) -> m.Message:
+def message(name: str, code: int, body: m.Composite) -> m.MessageDefinition:
     """A report."""
-    return m.Message(name=name, code=code, is_command=False, body=body)
+    return m.MessageDefinition(name=name, code=code, is_command=False, body=body)
 
 
 def registry() -> Registry:
     """The messages, generated as those of a user's own JSIDL are."""
-    efforts = m.List(name="EffortList", count=m.Count("u8", 0, 255), element=EFFORT)
+    efforts = m.List(name="EffortList", count=m.CountType("u8", 0, 255), element=EFFORT)
     messages = (
         message("SetEfforts", 0xD601, efforts),
         message("Attitude", 0xF00A, ATTITUDE),
         message("Odometry", 0xF00B, ODOMETRY),
     )
-    service = m.Service(name="Bench", id="urn:jauspy:bench:Bench", version="1.0", jsidl="1.1", outputs=messages)
+    service = m.ServiceDefinition(
+        name="Bench", id="urn:jauspy:bench:Bench", version="1.0", jsidl="1.1", outputs=messages
+    )
     return load_schema(m.Schema(services=(service,)))

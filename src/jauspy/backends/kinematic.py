@@ -12,7 +12,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.frames import gravity_wrench
 from jauspy.geometry.poses import Pose, Twist
 from jauspy.geometry.urdf import Joint, RobotDescription
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import OptionalPart
 from jauspy.platform.description import GroupSetup, RobotModel, TrackSetup
 from jauspy.platform.drives import SLIP_FACTOR, FixedBase, SkidSteerDrive
@@ -80,7 +80,7 @@ class KinematicRobot:
         self._measure()
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """Its cameras, which show sky and floor."""
         return self._cameras.cameras
 

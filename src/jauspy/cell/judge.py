@@ -13,7 +13,7 @@ from jauspy.errors import ConfigError
 from jauspy.geometry.poses import Pose, Transform
 from jauspy.geometry.vectors import Vector
 from jauspy.platform.backend import Backend
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.contract import Robot
 from jauspy.platform.description import RobotModel
 from jauspy.platform.modular.connector import VacuumConnector
@@ -114,7 +114,7 @@ class Judge:
         quarter = 1.5707963267948966
         return Placement(part, distance, tilt, abs(turn - quarter * round(turn / quarter)))
 
-    def camera(self, name: str) -> Camera | None:
+    def camera(self, name: str) -> CameraSource | None:
         """That camera of the cell, for films; the first one if there is none with this name."""
         cameras = self._robot.cameras
         return cameras.get(name) or next(iter(cameras.values()), None)

@@ -28,7 +28,7 @@ from jauspy.printable import printable
 from jauspy.robot.config import ModuleConfig, RobotConfig
 from jauspy.robot.runner import RobotRunner
 from jauspy.services.core import AccessControl, Events
-from jauspy.services.core.subscriptions import Subscription
+from jauspy.services.core.subscriptions import EventSubscription
 from jauspy.video.camera_process import CameraProcess
 
 RATE_SAMPLES: Final = 9
@@ -135,7 +135,7 @@ class StatusSampler:
             host.status.name.lower() if host.status is not None else "",
             f"{access.controller} ({access.authority})" if access and access.controller else "",
             len(subscriptions),
-            sum(each.confirmed for each in subscriptions if isinstance(each, Subscription)),
+            sum(each.confirmed for each in subscriptions if isinstance(each, EventSubscription)),
             self._rate(f"{component.id}.endpoint.received"),
             self._rate(f"{component.id}.endpoint.sent"),
             {name: count for name, count in component.counters.items() if count and _is_loss(name)},

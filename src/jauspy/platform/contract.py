@@ -15,7 +15,7 @@ from typing import TYPE_CHECKING, NamedTuple, Protocol, Self, runtime_checkable
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 
 if TYPE_CHECKING:
-    from jauspy.platform.camera import Camera
+    from jauspy.platform.camera import CameraSource
     from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
     from jauspy.platform.joints import JointGroup, JointState
     from jauspy.platform.ranging import RangeFinder, RangeScan
@@ -81,7 +81,7 @@ class Robot(RobotParts, Protocol):
     """One robot of a backend, at rest at the world's origin when opened."""
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """Its cameras, by name; each shows the state after the last `advance`."""
         ...
 

@@ -296,10 +296,10 @@ class _Moved:
             x, y, z = self.rates
             self.rates = (x + rates[0] * dt, y + rates[1] * dt, z + rates[2] * dt)
 
-    def motion(self, dt: float, position_noise: float, turn_slip: float, imu: ImuSetup) -> Motion:
+    def motion(self, dt: float, position_noise: float, turn_slip: float, imu: ImuSetup) -> DeadReckonedMotion:
         """What the filters need, in the local frame. At rest the heading does not change."""
         moving = max(0.0, dt - self.at_rest)
-        return Motion(
+        return DeadReckonedMotion(
             self.x,
             self.y,
             self.yaw,
@@ -344,11 +344,11 @@ class _Globe:
         self._offset += gain * (z - height - self._offset)
         self._offset_variance *= 1.0 - gain
 
-    def move(self, motion: Motion, heading: float, climbed: float) -> None:
+    def move(self, motion: DeadReckonedMotion, heading: float, climbed: float) -> None:
         """Move by dead reckoning, which began with `heading` in the local frame; `climbed` is an error in metres."""
         c, s = self._rotation(heading)
         self._filter.move(
-            Motion(
+            DeadReckonedMotion(
                 c * motion.x - s * motion.y,
                 s * motion.x + c * motion.y,
                 motion.yaw,
@@ -475,7 +475,7 @@ STATES: Final = 8
 
 
 @dataclass(frozen=True, slots=True)
-class Motion:
+class DeadReckonedMotion:
     """A motion by dead reckoning: metres and radians in the frame of the filter, and its duration in seconds."""
 
     x: float
@@ -502,7 +502,7 @@ class PoseFilter:
             for row, deviation in enumerate(deviations)
         ]
 
-    def move(self, motion: Motion) -> None:
+    def move(self, motion: DeadReckonedMotion) -> None:
         """Move by a motion of dead reckoning."""
         state = self.state
         x, y = motion.x * (1.0 + state[SCALE]), motion.y * (1.0 + state[SCALE])
@@ -522,7 +522,7 @@ class PoseFilter:
         rows[BIAS][BIAS] += motion.bias_variance
 
     @staticmethod
-    def _mix(rows: list[Row], motion: Motion, x: float, y: float) -> None:
+    def _mix(rows: list[Row], motion: DeadReckonedMotion, x: float, y: float) -> None:
         yaw, scale, bias, gain = rows[YAW], rows[SCALE], rows[BIAS], rows[GAIN]
         rows[X] = [a - y * b + motion.x * c for a, b, c in zip(rows[X], yaw, scale, strict=True)]
         rows[Y] = [a + x * b + motion.y * c for a, b, c in zip(rows[Y], yaw, scale, strict=True)]

@@ -16,7 +16,16 @@ from jauspy.robot import catalogue
 from jauspy.robot.config import ModuleConfig, RobotConfig
 from jauspy.robot.kinds import Context, ModuleBuild, Stoppable
 from jauspy.services.command_timeout import ContinuousCommands
-from jauspy.services.core import AccessControl, Discovery, Events, Identity, Liveness, Management, Time, Transport
+from jauspy.services.core import (
+    AccessControl,
+    Discovery,
+    Events,
+    Identity,
+    Liveness,
+    Management,
+    Time,
+    TransportService,
+)
 from jauspy.services.environment_sensing import VideoSource
 from jauspy.services.host import Host
 from jauspy.services.service import Service
@@ -90,7 +99,7 @@ def module_host(
     """The host of a module whose services are made from `context`, with a watchdog on what it moves."""
     access = config.access_control
     core: list[Service] = [
-        Transport(),
+        TransportService(),
         Events(),
         AccessControl(default_authority=access.default_authority, timeout=access.timeout),
         Management(),

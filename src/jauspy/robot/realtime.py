@@ -15,7 +15,7 @@ from typing import Final, Self
 from jauspy.backends import state_problem
 from jauspy.geometry.poses import Acceleration, Pose, Twist
 from jauspy.logs import get_logger
-from jauspy.platform.camera import Camera
+from jauspy.platform.camera import CameraSource
 from jauspy.platform.commands import CHASSIS, DriveEffort, DriveStop, JointTargets, LidarSettings
 from jauspy.platform.contract import Command, OptionalPart, PartId, Robot, RobotLink, Snapshot
 from jauspy.platform.force_torque import ForceTorqueSensor, Wrench
@@ -230,7 +230,7 @@ class RealTime:
         """The robot's optional parts."""
 
     @property
-    def cameras(self) -> Mapping[str, Camera]:
+    def cameras(self) -> Mapping[str, CameraSource]:
         """The robot's cameras, for other processes."""
         return self._robot.cameras
 

@@ -20,7 +20,7 @@ from jauspy.protocol.addressing import HERE, Location
 from jauspy.protocol.counters import Counters
 from jauspy.protocol.header import Broadcast, Priority
 from jauspy.protocol.seal import Operator
-from jauspy.schema.model import Service as Definition
+from jauspy.schema.model import ServiceDefinition as Definition
 from jauspy.services.deferred import Deferred, DeferredReplies
 from jauspy.services.messaging import InputDecoder, MessageSender, Outgoing, OutputQueue, Reply
 from jauspy.services.presence_vectors import requested_report

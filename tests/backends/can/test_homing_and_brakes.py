@@ -16,7 +16,7 @@ from jauspy.backends.can.master import Master
 from jauspy.backends.can.robot import CanRobot
 from jauspy.backends.can.simulated.axes import MotorAxis
 from jauspy.backends.can.simulated.drive import SimulatedDrive
-from jauspy.backends.can.simulated.fleet import Fleet
+from jauspy.backends.can.simulated.fleet import DriveFleet
 from jauspy.errors import ConfigError
 from jauspy.platform.joints import ControlMode, Target
 from jauspy.platform.servo_drives import Homing
@@ -29,9 +29,9 @@ HOMING = {"arm_4": {"homing": Homing(method=17, speed=0.5, timeout=10.0)}}
 def powered_on(monkeypatch: pytest.MonkeyPatch) -> None:
     """Simulated drives forget their home positions when they start, as on a bus."""
 
-    def forgetful(*arguments: Any, keeps_home: bool) -> Fleet:
+    def forgetful(*arguments: Any, keeps_home: bool) -> DriveFleet:
         assert keeps_home
-        return Fleet(*arguments)
+        return DriveFleet(*arguments)
 
     monkeypatch.setattr("jauspy.backends.can.robot.Fleet", forgetful)
 

@@ -12,7 +12,7 @@ from tests.helpers.servo_plant import PERIOD, ServoPlant
 
 from jauspy.geometry.poses import IDENTITY
 from jauspy.platform.modular.arm_setpoints import RELAXATION_TIME, SETTLING_TIME, SHAPING_TIME, ArmSetpoints
-from jauspy.platform.modular.control_laws import Measured
+from jauspy.platform.modular.control_laws import JointMeasurements
 
 START = (0.3, 0.4, 0.5, 0.4, 0.2)
 
@@ -28,7 +28,7 @@ def follow(setpoints: ArmSetpoints, seconds: float) -> None:
     """Advance with joints that are exactly where the setpoint is."""
     for _ in range(round(seconds / PERIOD)):
         q, v, _ = setpoints.setpoint
-        setpoints.advance(Measured(q, v, q, q), [True] * len(q), PERIOD)
+        setpoints.advance(JointMeasurements(q, v, q, q), [True] * len(q), PERIOD)
 
 
 def test_rests_where_the_joints_are(plant: ServoPlant) -> None:

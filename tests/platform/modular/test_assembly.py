@@ -10,7 +10,7 @@ from tests.helpers.servo_plant import PERIOD, ServoPlant
 
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
 from jauspy.platform.modular.assembly import SHARING_TIME, ArmAssembly, carried_over
-from jauspy.platform.modular.graph import Chain
+from jauspy.platform.modular.graph import ArmChain
 from jauspy.platform.modular.trajectory import Setpoint
 
 START = (0.3, 0.4, 0.5, 0.4, 0.2)
@@ -31,7 +31,7 @@ def test_joints_that_stay_keep_their_values() -> None:
 
 class TestAssembly:
     def test_of_nothing(self, plant: ServoPlant) -> None:
-        assembly = ArmAssembly(plant.cell, Chain(), plant.servos, lambda name: Pose())
+        assembly = ArmAssembly(plant.cell, ArmChain(), plant.servos, lambda name: Pose())
         assert assembly.read() == []
         assert assembly.tip_pose(np.zeros(0)) == IDENTITY.to_pose()
 

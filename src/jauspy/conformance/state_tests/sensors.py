@@ -48,7 +48,7 @@ PRECISION: Final = 0.01
 
 
 @dataclass(frozen=True, slots=True)
-class Setting:
+class SensorSetting:
     """One field of the configuration of sensors."""
 
     field: str
@@ -126,7 +126,7 @@ ALL: Final = 0
 JPEG, PNG = SetStill.StillImageFormat.JPEG, SetStill.StillImageFormat.PNG
 
 SETTINGS: Final = (
-    Setting(
+    SensorSetting(
         "update_rate",
         lambda sensor, rate: SetRange(
             SetRange.RequestIdRec(CREATE), [SetRange.RangeSensorConfigurationRec(sensor, update_rate=rate)]
@@ -136,7 +136,7 @@ SETTINGS: Final = (
         lambda report: report.range_sensor_configuration_list,
         lambda rate: rate / 2,
     ),
-    Setting(
+    SensorSetting(
         "horizontal_field_of_view",
         lambda sensor, angle: SetVisual(
             SetVisual.RequestIdRec(CREATE),
@@ -147,7 +147,7 @@ SETTINGS: Final = (
         lambda report: report.visual_sensor_configuration_list,
         lambda angle: angle / 2,
     ),
-    Setting(
+    SensorSetting(
         "frame_rate",
         lambda sensor, rate: SetVideo(
             SetVideo.RequestIdRec(CREATE), [SetVideo.DigitalVideoSensorConfigurationRec(sensor, frame_rate=rate)]
@@ -157,7 +157,7 @@ SETTINGS: Final = (
         lambda report: report.digital_video_sensor_configuration_list,
         lambda rate: max(1, rate // 2) if rate != 1 else 2,
     ),
-    Setting(
+    SensorSetting(
         "still_image_format",
         lambda sensor, coding: SetStill(
             SetStill.RequestIdRec(CREATE),
@@ -168,7 +168,7 @@ SETTINGS: Final = (
         lambda report: report.still_image_sensor_configuration_list,
         lambda coding: PNG if coding == JPEG else JPEG,
     ),
-    Setting(
+    SensorSetting(
         "group_of_pictures",
         lambda sensor, pictures: SetEncoding(
             SetEncoding.RequestIdRec(CREATE),

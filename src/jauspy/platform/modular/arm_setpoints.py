@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.platform.modular.assembly import ArmAssembly, carried_over
-from jauspy.platform.modular.control_laws import Measured
+from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.servo import ServoReading
-from jauspy.platform.modular.trajectory import Motion, MotionError, Setpoint, Shaper, plan_within_torques
+from jauspy.platform.modular.trajectory import JointMotion, MotionError, Setpoint, Shaper, plan_within_torques
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ class ArmSetpoints:
         """Why the last motion ended early or was not begun; empty after a success."""
         self._assembly = assembly
         self._planned = self.setpoint
-        self._motion: Motion | None = None
+        self._motion: JointMotion | None = None
         self._shaper = Shaper(self._planned, 1)
         self._since_end = 0.0
         self._period = 0.002
@@ -90,7 +90,7 @@ class ArmSetpoints:
 
     def come_to_rest(self) -> None:
         """Stop from the present setpoint, each joint independently."""
-        self._motion, self._since_end = Motion(self.setpoint, None, self._assembly.limits), 0.0
+        self._motion, self._since_end = JointMotion(self.setpoint, None, self._assembly.limits), 0.0
         self._shaper = Shaper(self.setpoint, 1)
 
     def adopt(self, assembly: ArmAssembly, readings: Sequence[ServoReading]) -> None:
@@ -113,7 +113,7 @@ class ArmSetpoints:
         if assembly.chain.held_by:
             self.brake()
 
-    def advance(self, measured: Measured, powered: Sequence[bool], dt: float) -> Setpoint:
+    def advance(self, measured: JointMeasurements, powered: Sequence[bool], dt: float) -> Setpoint:
         """The setpoint after another `dt` seconds. Those of modules without power follow what is measured."""
         self._period = dt
         setpoint, motion = self.setpoint, self._motion
@@ -140,7 +140,7 @@ class ArmSetpoints:
         self.setpoint = setpoint
         return setpoint
 
-    def _end_motion(self, setpoint: Setpoint, measured: Measured, powered: Sequence[bool]) -> None:
+    def _end_motion(self, setpoint: Setpoint, measured: JointMeasurements, powered: Sequence[bool]) -> None:
         """End the motion once the joints follow, or have had time enough."""
         errors = np.where(powered, np.abs(measured.q - setpoint.q), 0.0)
         speeds = np.where(powered, np.abs(measured.v), 0.0)

@@ -12,8 +12,8 @@ from jauspy.platform.modular.arm import ArmController, ModularArm, ModularArmSta
 from jauspy.platform.modular.arm_setpoints import ArmSetpoints
 from jauspy.platform.modular.assembly import ArmAssembly, carried_over
 from jauspy.platform.modular.connector import VacuumConnector
-from jauspy.platform.modular.control_laws import Measured
-from jauspy.platform.modular.graph import Chain, attachments, find_chain
+from jauspy.platform.modular.control_laws import JointMeasurements
+from jauspy.platform.modular.graph import ArmChain, attachments, find_chain
 from jauspy.platform.modular.parts import CellSetup
 from jauspy.platform.modular.servo import ServoDrive, ServoReading
 from jauspy.platform.modular.torque_controller import TorqueController
@@ -47,16 +47,16 @@ class AssembledArm(ModularArm):
         self._base_pose = base_pose or placed.__getitem__
         self._order: tuple[str, ...] = ()
         self._index: tuple[int, ...] = ()
-        self._assembly = ArmAssembly(cell, Chain(), servos, self._base_pose)
+        self._assembly = ArmAssembly(cell, ArmChain(), servos, self._base_pose)
         self._setpoints = ArmSetpoints(self._assembly)
         self._torques = TorqueController(self._assembly)
         self._readings: list[ServoReading] = []
         self._powered: list[bool] = []
         none = np.zeros(0)
-        self._measured = Measured(none, none, none, none)
+        self._measured = JointMeasurements(none, none, none, none)
 
     @property
-    def chain(self) -> Chain:
+    def chain(self) -> ArmChain:
         """The arm as it is assembled now."""
         return self._assembly.chain
 
@@ -152,7 +152,7 @@ class AssembledArm(ModularArm):
         springs = [reading.torque for reading in readings]
         self._setpoints.adopt(assembly, readings)
         self._torques.adopt(assembly, carried_over(before, after, self._torques.last_torques, springs))
-        self._measured = Measured(
+        self._measured = JointMeasurements(
             np.array([reading.position for reading in readings]),
             np.array([reading.velocity for reading in readings]),
             carried_over(before, after, self._measured.spring, springs),
@@ -173,7 +173,7 @@ class AssembledArm(ModularArm):
         self._readings = self._assembly.read()
         table = np.array([reading[1:] for reading in self._readings])
         q, v, spring = table[:, 0], table[:, 1], table[:, 2]
-        self._measured = Measured(q, v, spring, (spring - self._measured.spring) / dt)
+        self._measured = JointMeasurements(q, v, spring, (spring - self._measured.spring) / dt)
         powered = [reading.powered for reading in self._readings]
         if powered != self._powered:
             self._follow_power(powered)

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from jauspy.geometry.poses import IDENTITY, Pose, Transform
-from jauspy.platform.modular.control_laws import Measured, smooth_step
+from jauspy.platform.modular.control_laws import JointMeasurements, smooth_step
 from jauspy.platform.modular.dynamics import ArmModel, PayloadEstimator
-from jauspy.platform.modular.graph import Attachment, Chain, find_chain
+from jauspy.platform.modular.graph import ArmChain, Attachment, find_chain
 from jauspy.platform.modular.parts import CellSetup, ServoData
 from jauspy.platform.modular.servo import ServoDrive, ServoReading
 from jauspy.platform.modular.trajectory import Limits, Setpoint
@@ -44,7 +44,7 @@ class ArmAssembly:
     def __init__(
         self,
         cell: CellSetup,
-        chain: Chain,
+        chain: ArmChain,
         servos: Mapping[str, ServoDrive],
         base_pose: Callable[[str], Pose],
         connected: Iterable[Attachment] = (),
@@ -83,7 +83,7 @@ class ArmAssembly:
         rotors += self._frictions * np.sign(setpoint.v)
         return float(np.max(np.abs(links + rotors) / (TORQUE_RESERVE * self.torque_limits), initial=0.0))
 
-    def update_load(self, measured: Measured, dt: float) -> None:
+    def update_load(self, measured: JointMeasurements, dt: float) -> None:
         """Estimate the mass of a box at the tip, and take it into the model."""
         if self._payload is not None:
             self.model.set_load(self._payload.update(measured.q, measured.v, measured.spring, dt))
@@ -122,7 +122,7 @@ def carried_over(before: Sequence[str], after: Sequence[str], values: Array, ini
 
 
 def _find_second_base(
-    cell: CellSetup, chain: Chain, connected: tuple[Attachment, ...], base_pose: Callable[[str], Pose]
+    cell: CellSetup, chain: ArmChain, connected: tuple[Attachment, ...], base_pose: Callable[[str], Pose]
 ) -> _SecondBase | None:
     for connection in chain.held_by:
         other = find_chain(cell, connected, connection)

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from jauspy.platform.modular.arm import ArmController
 from jauspy.platform.modular.assembly import ArmAssembly
-from jauspy.platform.modular.control_laws import ControlLaw, Measured, ModelLaw, PidLaw, smooth_step
+from jauspy.platform.modular.control_laws import ControlLaw, JointMeasurements, ModelLaw, PidLaw, smooth_step
 from jauspy.platform.modular.trajectory import Setpoint
 
 Array = NDArray[np.float64]
@@ -51,7 +51,7 @@ class TorqueController:
         self._law = None
         self._fade = 0.0
 
-    def update(self, setpoint: Setpoint, measured: Measured, dt: float) -> Array:
+    def update(self, setpoint: Setpoint, measured: JointMeasurements, dt: float) -> Array:
         """Torques (N m) of the motors for the next `dt` seconds."""
         if self._law is None:
             self._law = self._make_law(dt)

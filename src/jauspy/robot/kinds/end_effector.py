@@ -14,7 +14,7 @@ from jauspy.services.service import Service
 
 from .joints import joint_description
 from .kind import Kind, ModuleBuild, ServiceEntry, Stoppable
-from .manipulator import Manipulator
+from .manipulator import ManipulatorKind
 
 
 @dataclass(frozen=True, slots=True)
@@ -74,6 +74,6 @@ def _carrier(build: ModuleBuild) -> JausID:
     carrying = {joint.name for joint in description.chain(description.root(), base)}
     for id, module in build.modules.items():
         group = groups.get(module.moves or "")
-        if isinstance(module.kind, Manipulator) and group is not None and carrying.intersection(group.joints):
+        if isinstance(module.kind, ManipulatorKind) and group is not None and carrying.intersection(group.joints):
             return id
     return build.id

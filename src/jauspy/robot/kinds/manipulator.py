@@ -70,7 +70,7 @@ _LIST_DRIVERS: Final = (manipulator.JointPositionListDriver, manipulator.EndEffe
 """Services that carry out the component's list, with a ManipulatorListDriver."""
 
 
-class Manipulator(Kind[ManipulatorContext]):
+class ManipulatorKind(Kind[ManipulatorContext]):
     """The kind CM-MAN."""
 
     type: ClassVar[str] = "CM-MAN"

@@ -15,7 +15,7 @@ from jauspy.messages.environment_sensing.v2_0.h264_video_encoding import (
     ReportH264VideoEncodingConfiguration,
     SetH264VideoEncodingConfiguration,
 )
-from jauspy.platform.video_settings import LEVELS, Preset, Profile, VideoSettings
+from jauspy.platform.video_settings import LEVELS, H264Profile, Preset, VideoSettings
 from jauspy.services.environment_sensing.sensors import requested_sensors
 from jauspy.services.environment_sensing.visual_sensor import Cameras
 from jauspy.services.service import Service
@@ -35,10 +35,10 @@ _Capabilities = ReportH264VideoEncodingCapabilities
 _Report = ReportH264VideoEncodingConfiguration
 
 PROFILES: Final = {
-    _Profile.CONSTRAINED_BASELINE: Profile.BASELINE,
-    _Profile.BASELINE: Profile.BASELINE,
-    _Profile.MAIN: Profile.MAIN,
-    _Profile.HIGH: Profile.HIGH,
+    _Profile.CONSTRAINED_BASELINE: H264Profile.BASELINE,
+    _Profile.BASELINE: H264Profile.BASELINE,
+    _Profile.MAIN: H264Profile.MAIN,
+    _Profile.HIGH: H264Profile.HIGH,
 }
 """By JAUS's numbers. Of two numbers for one profile, the first is reported."""
 

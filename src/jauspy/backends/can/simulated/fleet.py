@@ -58,7 +58,7 @@ def plant_of(name: str, model: RobotModel, setup: CanSetup, world: str) -> Plant
     return RobotPlant(backends.find(name).open(model, world), model, setup)
 
 
-class Fleet:
+class DriveFleet:
     """The drives, their plant, and their end of the bus."""
 
     def __init__(
@@ -118,7 +118,7 @@ class RealTimeFleet:
 
     def __init__(self, model: RobotModel, setup: CanSetup, bus: can.BusABC, plant: Plant) -> None:
         self._bus = bus
-        self.fleet = Fleet(model, setup, plant, Port(self._send))
+        self.fleet = DriveFleet(model, setup, plant, Port(self._send))
         self._closing = threading.Event()
         self._thread = threading.Thread(target=self.run, name="simulated drives", daemon=True)
 
