@@ -16,7 +16,7 @@ from jauspy.platform.force_torque import SampledForceTorque
 from jauspy.platform.lights import switched_lamps
 from jauspy.platform.localizer import Localizer, Turning
 from jauspy.platform.ranging import Scanner
-from jauspy_sim.assembly import TIMESTEP, DrawnModel, build, prefix, redirect_warnings
+from jauspy_sim.assembly import STEP_TOLERANCE, TIMESTEP, DrawnModel, build, prefix, redirect_warnings
 from jauspy_sim.physics.joints import SimulatedJoints
 from jauspy_sim.physics.sensors import SimulatedLidar, simulated_force_torque
 from jauspy_sim.physics.tracks import SimulatedTracks
@@ -32,9 +32,6 @@ MAX_STEPS_AT_ONCE: Final = 2
 
 SKIDDING: Final = 0.04
 """Metres after one radian by which tracks shift the robot, besides what the turning point of its file explains."""
-
-ROUNDING: Final = 1e-9
-"""Tolerance for rounding errors of times, as a fraction of a step."""
 
 
 class SimulatedRobot:
@@ -118,7 +115,7 @@ class SimulatedRobot:
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"cannot advance by {dt} s; time only goes forward")
         self._owed += dt / TIMESTEP
-        steps = math.floor(self._owed + ROUNDING)
+        steps = math.floor(self._owed + STEP_TOLERANCE)
         if not steps:
             return
         self._owed -= steps

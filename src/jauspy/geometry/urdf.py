@@ -361,7 +361,7 @@ class CollisionBox:
 def inertials(text: str) -> list[Inertial]:
     """The masses in a URDF that `parse_urdf` accepts. Raises `ConfigError`, which names the link, if malformed."""
     found = []
-    for link in etree.fromstring(text.encode()).findall("link"):
+    for link in parse_tree(text).findall("link"):
         name, inertial = str(link.get("name")), link.find("inertial")
         if inertial is not None:
             mass = inertial.find("mass")
@@ -371,7 +371,7 @@ def inertials(text: str) -> list[Inertial]:
 
 def collision_boxes(text: str) -> list[CollisionBox]:
     """The collision shapes in a URDF that `parse_urdf` accepts, without meshes."""
-    links = etree.fromstring(text.encode()).findall("link")
+    links = parse_tree(text).findall("link")
     pairs = [(str(link.get("name")), collision) for link in links for collision in link.findall("collision")]
     sizes = [(name, _size(shape.find("geometry")), shape) for name, shape in pairs]
     return [

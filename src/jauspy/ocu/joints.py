@@ -38,7 +38,7 @@ POSITION_SENSOR: Final = "ManipulatorJointPositionSensor"
 PAN_TILT_SENSOR: Final = "PanTiltJointPositionSensor"
 NAMES: Final = 0b10
 """Presence vector of a specification with the names of the joints."""
-ROUNDING: Final = 1e-6
+POSITION_TOLERANCE: Final = 1e-6
 """Radians or metres by which a position may lie beyond a limit."""
 
 
@@ -111,7 +111,7 @@ class JointTable:
                 raise ConfigError(f"there is no joint {name!r}; there are {', '.join(known)}")
             joint = known[name]
             check_number(value, f"the position of {name}")
-            if not joint.lower - ROUNDING <= value <= joint.upper + ROUNDING:
+            if not joint.lower - POSITION_TOLERANCE <= value <= joint.upper + POSITION_TOLERANCE:
                 raise ConfigError(f"{name} can be {joint.lower:.4g}..{joint.upper:.4g} {joint.unit}, and not {value:g}")
         return {name: float(value) for name, value in positions.items()}
 

@@ -123,7 +123,7 @@ def module_host(
             service.command_timeout = config.command_timeout_of(service.urn.rpartition(":")[2])
     host = Host(id, [*core, *services], utc_now=utc_now, now=now, older_versions=config.older_versions)
     if context.moving is not None:
-        Watchdog(host, context.moving)
+        ModuleWatchdog(host, context.moving)
     return host
 
 
@@ -133,7 +133,7 @@ def may_move(host: Host) -> bool:
     return any(path[start : start + len(MAY_MOVE)] == MAY_MOVE for start in range(len(path)))
 
 
-class Watchdog:
+class ModuleWatchdog:
     """Stops all motion of a component whenever its state does not allow motion.
 
     This is redundant: the services stop motion themselves, unless they have a bug.

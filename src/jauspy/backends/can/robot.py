@@ -37,7 +37,7 @@ _LOG: Final = get_logger("jauspy.can")
 ROBOT_TIMEOUT: Final = 0.25
 """Seconds without `advance` after which the drives stop: the robot's thread hangs."""
 
-ROUNDING: Final = 1e-9
+TIME_TOLERANCE: Final = 1e-9
 """Seconds of rounding errors in sums of times."""
 
 
@@ -406,7 +406,7 @@ class _Simulated:
     def advance(self, dt: float) -> None:
         """Cycles on a fixed grid, the first at the beginning."""
         self._owed += dt
-        while self._owed > ROUNDING:
+        while self._owed > TIME_TOLERANCE:
             self._owed -= self._period
             self.wait_cycle()
 

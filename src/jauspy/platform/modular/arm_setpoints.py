@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from jauspy.platform.modular.assembly import ArmAssembly, carried_over
 from jauspy.platform.modular.control_laws import JointMeasurements
 from jauspy.platform.modular.servo import ServoReading
-from jauspy.platform.modular.trajectory import JointMotion, MotionError, Setpoint, Shaper, plan_within_torques
+from jauspy.platform.modular.trajectory import MotionError, PlannedMotion, Setpoint, Shaper, plan_within_torques
 
 Array = NDArray[np.float64]
 
@@ -45,7 +45,7 @@ class ArmSetpoints:
         """Why the last motion ended early or was not begun; empty after a success."""
         self._assembly = assembly
         self._planned = self.setpoint
-        self._motion: JointMotion | None = None
+        self._motion: PlannedMotion | None = None
         self._shaper = Shaper(self._planned, 1)
         self._since_end = 0.0
         self._period = 0.002
@@ -90,7 +90,7 @@ class ArmSetpoints:
 
     def come_to_rest(self) -> None:
         """Stop from the present setpoint, each joint independently."""
-        self._motion, self._since_end = JointMotion(self.setpoint, None, self._assembly.limits), 0.0
+        self._motion, self._since_end = PlannedMotion(self.setpoint, None, self._assembly.limits), 0.0
         self._shaper = Shaper(self.setpoint, 1)
 
     def adopt(self, assembly: ArmAssembly, readings: Sequence[ServoReading]) -> None:

@@ -19,12 +19,11 @@ from jauspy.messages.cell import (
 )
 from jauspy.platform.modular.arm import ArmController, ModularArm
 from jauspy.platform.modular.parts import CellSetup
+from jauspy.services.manipulator.joints import CHECK_PERIOD
 from jauspy.services.service import Service
 from jauspy.services.state_machine import CommandCompletion
 from jauspy.services.units import sent_text
 
-CHECK_PERIOD: Final = 0.05
-"""Seconds between two checks whether a motion has ended, and from a command to the first of them."""
 MAX_TOLD: Final = 64
 """Clients of which the service remembers which joints were reported to them."""
 CHANGED: Final = "motion refused: the joints have changed since they were reported to this client"
