@@ -123,7 +123,10 @@ class _Planned:
     def entry(self, package: str) -> MessageEntry:
         """The entry of the registry."""
         message, module = self.message, f"{package}.{self.module}"
-        return MessageEntry(message.code, message.name, *self.service.key, module, self.name, digest(message.body))
+        service, version = self.service.key
+        return MessageEntry(
+            message.code, message.name, service, version, module, cls=self.name, digest=digest(message.body)
+        )
 
 
 def _planned(schema: m.Schema) -> list[_Planned]:

@@ -143,7 +143,7 @@ def _has(bit: int | None) -> Any:
 Number = m.FixedField | m.TypeChoice | m.SubField
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ExplainedValue:
     """One number or string on the wire: offset, field, raw form and value."""
 
@@ -192,11 +192,17 @@ class Explainer:
             left = max(0, self._size - leaf.offset1)
             reason = f"needs {needed} byte{'s' * (needed != 1)}{kind}, {left} left"
             self._damaged(reason, leaf.offset1, left, path)
-        self.rows.append(ExplainedValue(leaf.offset1, leaf.length, path, leaf.value, value, self._unusual))
+        self.rows.append(
+            ExplainedValue(
+                offset=leaf.offset1, length=leaf.length, path=path, raw=leaf.value, value=value, problem=self._unusual
+            )
+        )
         self._unusual = ""
 
     def _damaged(self, reason: str, offset: int, length: int, path: str) -> NoReturn:
-        self.rows.append(ExplainedValue(offset, length, path, b"", None, reason, damaged=True))
+        self.rows.append(
+            ExplainedValue(offset=offset, length=length, path=path, raw=b"", value=None, problem=reason, damaged=True)
+        )
         raise DecodeError(reason, offset=offset, path=path)
 
     def _wrong(self, reason: str, leaf: Container, path: str) -> None:
@@ -529,7 +535,11 @@ def explain(message: MessageDefinition, data: bytes) -> list[ExplainedValue]:
     except DecodeError as error:
         if not (explainer.rows and explainer.rows[-1].damaged):
             offset = error.offset or 0
-            explainer.rows.append(ExplainedValue(offset, 0, error.path, b"", None, error.reason, damaged=True))
+            explainer.rows.append(
+                ExplainedValue(
+                    offset=offset, length=0, path=error.path, raw=b"", value=None, problem=error.reason, damaged=True
+                )
+            )
     return explainer.rows
 
 

@@ -57,7 +57,7 @@ class MessageEntry:
 def entries(module: str, service: str, version: str, *messages: tuple[Any, ...]) -> Iterator[MessageEntry]:
     """The entries of one module: for each message code, name and digest, and its class where that has another name."""
     for code, name, digest, *cls in messages:
-        yield MessageEntry(code, name, service, version, module, cls[0] if cls else name, digest)
+        yield MessageEntry(code, name, service, version, module, cls=cls[0] if cls else name, digest=digest)
 
 
 class Hints(NamedTuple):

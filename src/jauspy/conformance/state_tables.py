@@ -170,12 +170,12 @@ def answer(kind: type[Message], **fields: object) -> Answer:
 
 def everywhere(sender: str, message: Message, right: Answer, variant: str = "") -> Iterator[TableRow]:
     """Rows for a message that has the same answer in every state and changes none."""
-    return (TableRow(state, sender, message, right, state, variant) for state in EVERYWHERE)
+    return (TableRow(state, sender, message, right, state, variant=variant) for state in EVERYWHERE)
 
 
 def ignored(message: Message, *places: tuple[TableState, str], variant: str = "") -> Iterator[TableRow]:
     """Rows for a message without answer or effect in these states, from these senders."""
-    return (TableRow(state, sender, message, None, state, variant) for state, sender in places)
+    return (TableRow(state, sender, message, None, state, variant=variant) for state, sender in places)
 
 
 # --- AS5710: Management, AccessControl --------------------------------------------------------------------------------
@@ -250,24 +250,24 @@ ACCESS_CONTROL_TABLE: Final = StateTable(
         *everywhere(OTHER, QueryTimeout(), answer(ReportTimeout)),
         *everywhere(OTHER, QueryAuthority(), answer(ReportAuthority)),
         TableRow(FREE, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, effect=AUTHORITY_KEPT),
-        TableRow(STANDBY, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, "again"),
-        TableRow(READY, CONTROLLER, RequestControl, _confirm(ACCEPTED), READY, "again"),
-        TableRow(STANDBY, OTHER, _less, _confirm(INSUFFICIENT), STANDBY, "less authority"),
-        TableRow(READY, OTHER, _less, _confirm(INSUFFICIENT), READY, "less authority"),
-        TableRow(STANDBY, OTHER, RequestControl, _confirm(INSUFFICIENT), STANDBY, "the same authority"),
-        TableRow(STANDBY, OTHER, _more, _confirm(ACCEPTED), TAKEN_OVER, "more authority", notice=RELEASED),
+        TableRow(STANDBY, CONTROLLER, RequestControl, _confirm(ACCEPTED), STANDBY, variant="again"),
+        TableRow(READY, CONTROLLER, RequestControl, _confirm(ACCEPTED), READY, variant="again"),
+        TableRow(STANDBY, OTHER, _less, _confirm(INSUFFICIENT), STANDBY, variant="less authority"),
+        TableRow(READY, OTHER, _less, _confirm(INSUFFICIENT), READY, variant="less authority"),
+        TableRow(STANDBY, OTHER, RequestControl, _confirm(INSUFFICIENT), STANDBY, variant="the same authority"),
+        TableRow(STANDBY, OTHER, _more, _confirm(ACCEPTED), TAKEN_OVER, variant="more authority", notice=RELEASED),
         TableRow(EMERGENCY, CONTROLLER, RequestControl, _confirm(NOT_AVAILABLE), EMERGENCY),
-        TableRow(EMERGENCY, OTHER, _more, _confirm(NOT_AVAILABLE), EMERGENCY, "more authority"),
+        TableRow(EMERGENCY, OTHER, _more, _confirm(NOT_AVAILABLE), EMERGENCY, variant="more authority"),
         TableRow(FREE_EMERGENCY, OTHER, RequestControl, _confirm(NOT_AVAILABLE), FREE_EMERGENCY),
         TableRow(STANDBY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
         TableRow(READY, CONTROLLER, ReleaseControl(), RELEASED, FREE),
         TableRow(FREE, OTHER, ReleaseControl(), RELEASED, FREE),
         TableRow(EMERGENCY, CONTROLLER, ReleaseControl(), NOT_RELEASED, EMERGENCY),
         *ignored(ReleaseControl(), (STANDBY, OTHER), (READY, OTHER)),
-        TableRow(STANDBY, CONTROLLER, _lowered, None, STANDBY, "less authority", effect=AUTHORITY_LOWERED),
-        TableRow(READY, CONTROLLER, _lowered, None, READY, "less authority", effect=AUTHORITY_LOWERED),
-        TableRow(READY, OTHER, _lowered, None, READY, "less authority", effect=AUTHORITY_KEPT),
-        TableRow(EMERGENCY, CONTROLLER, _lowered, None, EMERGENCY, "less authority", effect=AUTHORITY_KEPT),
+        TableRow(STANDBY, CONTROLLER, _lowered, None, STANDBY, variant="less authority", effect=AUTHORITY_LOWERED),
+        TableRow(READY, CONTROLLER, _lowered, None, READY, variant="less authority", effect=AUTHORITY_LOWERED),
+        TableRow(READY, OTHER, _lowered, None, READY, variant="less authority", effect=AUTHORITY_KEPT),
+        TableRow(EMERGENCY, CONTROLLER, _lowered, None, EMERGENCY, variant="less authority", effect=AUTHORITY_KEPT),
     ),
 )
 
@@ -346,11 +346,11 @@ LIST_TABLE: Final = StateTable(
         *everywhere(OTHER, QueryElementCount(), answer(ReportElementCount)),
         *everywhere(OTHER, QueryElementList(), answer(ReportElementList)),
         *ignored(QueryElement(UNKNOWN_ID), *((each, OTHER) for each in EVERYWHERE), variant="an unknown one"),
-        TableRow(STANDBY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, STANDBY, "an unknown message"),
-        TableRow(READY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, READY, "an unknown message"),
+        TableRow(STANDBY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, STANDBY, variant="an unknown message"),
+        TableRow(READY, CONTROLLER, UNSUPPORTED_ELEMENT, ELEMENT_REJECTED, READY, variant="an unknown message"),
         *ignored(UNSUPPORTED_ELEMENT, (FREE, OTHER), (STANDBY, OTHER), variant="an unknown message"),
-        TableRow(STANDBY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, STANDBY, "an unknown one"),
-        TableRow(READY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, READY, "an unknown one"),
+        TableRow(STANDBY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, STANDBY, variant="an unknown one"),
+        TableRow(READY, CONTROLLER, _delete(UNKNOWN_ID), ELEMENT_REJECTED, READY, variant="an unknown one"),
         *ignored(_delete(UNKNOWN_ID), (FREE, OTHER), (STANDBY, OTHER), variant="an unknown one"),
     ),
 )

@@ -119,10 +119,10 @@ class Fuzzer:
             cls.SERVICE,
             cls.VERSION,
             problem.what,
-            problem.seen,
-            case.data.hex(),
-            self._seed,
-            case.number,
+            seen=problem.seen,
+            hex=case.data.hex(),
+            seed=self._seed,
+            case=case.number,
         )
 
     def _smallest(self, target: FuzzTarget, finding: FuzzFinding) -> FuzzFinding:
@@ -323,4 +323,4 @@ def _class_findings(entry: MessageEntry) -> Iterator[FuzzFinding]:
 
 def _finding(entry: MessageEntry, what: str, seen: str) -> FuzzFinding:
     data = entry.code.to_bytes(2, "little")
-    return FuzzFinding(CHECK, entry.name, entry.service, entry.version, what, seen, data.hex(), 0, 0)
+    return FuzzFinding(CHECK, entry.name, entry.service, entry.version, what, seen=seen, hex=data.hex(), seed=0, case=0)

@@ -355,7 +355,9 @@ class _Scanner:
         return at
 
     def _counted(self, count: Count, at: int, cuts: list[int], *, nested: bool = False) -> None:
-        self.offsets.append(ByteSpan("count", at, SIZES[count.code], None, tuple(cuts), nested))
+        self.offsets.append(
+            ByteSpan(kind="count", at=at, size=SIZES[count.code], item=None, cuts=tuple(cuts), nested=nested)
+        )
 
     def _bytes(self, count: Count, at: int, *, nested: bool) -> int:
         size = self._add("count", at, count.code)
@@ -376,7 +378,14 @@ class _Scanner:
             for offset in offsets_of(type(found).layout(), self.data[start:end]):
                 cuts = tuple(cut + start for cut in offset.cuts)
                 self.offsets.append(
-                    ByteSpan(offset.kind, offset.at + start, offset.size, offset.item, cuts, offset.nested)
+                    ByteSpan(
+                        kind=offset.kind,
+                        at=offset.at + start,
+                        size=offset.size,
+                        item=offset.item,
+                        cuts=cuts,
+                        nested=offset.nested,
+                    )
                 )
 
     def _repeat(self, item: Repeat, at: int) -> int:

@@ -249,11 +249,11 @@ def _joint(element: Element) -> Joint:
     endless = kind is JointKind.CONTINUOUS
     joint = Joint(
         name,
-        kind,
-        _link(element, "parent", name),
-        _link(element, "child", name),
-        origin(element),
-        _axis(element, name),
+        kind=kind,
+        parent=_link(element, "parent", name),
+        child=_link(element, "child", name),
+        origin=origin(element),
+        axis=_axis(element, name),
         lower=-math.inf if endless else _number(limit, "lower"),
         upper=math.inf if endless else _number(limit, "upper"),
         effort=_number(limit, "effort"),

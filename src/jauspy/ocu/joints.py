@@ -158,14 +158,14 @@ def table_of(report: ReportJointDescription) -> JointTable:
     joints = tuple(
         DescribedJoint(
             each.joint_name,
-            each.joint_type != types.PRISMATIC,
-            -1.0 if each.direction == ReportJointDescription.Direction.REVERSED else 1.0,
-            each.zero_position,
-            -math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
-            math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
-            each.max_effort,
-            each.max_speed,
-            each.width_rate,
+            is_revolute=each.joint_type != types.PRISMATIC,
+            sign=-1.0 if each.direction == ReportJointDescription.Direction.REVERSED else 1.0,
+            zero=each.zero_position,
+            lower=-math.inf if each.joint_type == types.CONTINUOUS else each.lower_limit,
+            upper=math.inf if each.joint_type == types.CONTINUOUS else each.upper_limit,
+            max_effort=each.max_effort,
+            max_speed=each.max_speed,
+            width_rate=each.width_rate,
         )
         for each in report.joint_list
     )

@@ -193,7 +193,16 @@ class Snapshot:
         scans = {name: lidar.scan for name, lidar in robot.lidars.items()}
         wrenches = {name: sensor.wrench for name, sensor in robot.force_torque.items()}
         parts = {part.id: part.state() for part in robot.optional_parts}
-        return cls(robot.time, drive.pose(), drive.twist(), drive.acceleration(), joints, scans, wrenches, parts)
+        return cls(
+            time=robot.time,
+            pose=drive.pose(),
+            twist=drive.twist(),
+            acceleration=drive.acceleration(),
+            joints=joints,
+            scans=scans,
+            wrenches=wrenches,
+            parts=parts,
+        )
 
 
 class RobotLink(Protocol):

@@ -235,20 +235,21 @@ class Localizer(Localization):
         travel, linear, angular, dt = measured
         roll, pitch, yaw = self._angles
         setup, local = self._imu_setup, self._local
-        pose = Pose(self._x, self._y, self._z, roll, pitch, yaw)
+        pose = Pose(self._x, self._y, self._z, roll, pitch, yaw=yaw)
         here = PoseEstimate(pose, *self._errors(local))
         gyro_noise = setup.gyro_noise / math.sqrt(dt)
         bias_rms = math.sqrt(local.covariance[BIAS][BIAS])
         force_noise = setup.acceleration_noise / math.sqrt(dt)
         return LocalizationState(
-            here,
-            here if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
-            Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
-            math.hypot(self._scale_error * self._speed, self._resolution / dt),
-            math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
-            Acceleration(*linear, *angular),
-            math.sqrt(3.0) * math.hypot(force_noise, setup.acceleration_bias, GRAVITY * self._tilt_rms),
-            math.sqrt(6.0) * gyro_noise / dt,
+            local=here,
+            globe=here if self._globe is None else self._globe.estimate(pose, self._moved, self._tilt_rms),
+            twist=Twist(travel.forward / dt, travel.left / dt, 0.0, *self._rates),
+            velocity_rms=math.hypot(self._scale_error * self._speed, self._resolution / dt),
+            rate_rms=math.sqrt(3.0) * math.hypot(gyro_noise, bias_rms),
+            acceleration=Acceleration(*linear, *angular),
+            acceleration_rms=math.sqrt(3.0)
+            * math.hypot(force_noise, setup.acceleration_bias, GRAVITY * self._tilt_rms),
+            angular_acceleration_rms=math.sqrt(6.0) * gyro_noise / dt,
         )
 
 
@@ -300,13 +301,13 @@ class _Moved:
         """What the filters need, in the local frame. At rest the heading does not change."""
         moving = max(0.0, dt - self.at_rest)
         return DeadReckonedMotion(
-            self.x,
-            self.y,
-            self.yaw,
-            moving,
-            position_noise * self.way + turn_slip**2 * self.turned,
-            imu.gyro_noise**2 * moving,
-            imu.gyro_bias_walk**2 * dt,
+            x=self.x,
+            y=self.y,
+            yaw=self.yaw,
+            dt=moving,
+            position_variance=position_noise * self.way + turn_slip**2 * self.turned,
+            yaw_variance=imu.gyro_noise**2 * moving,
+            bias_variance=imu.gyro_bias_walk**2 * dt,
         )
 
 
@@ -349,13 +350,13 @@ class _Globe:
         c, s = self._rotation(heading)
         self._filter.move(
             DeadReckonedMotion(
-                c * motion.x - s * motion.y,
-                s * motion.x + c * motion.y,
-                motion.yaw,
-                motion.dt,
-                motion.position_variance,
-                motion.yaw_variance,
-                motion.bias_variance,
+                x=c * motion.x - s * motion.y,
+                y=s * motion.x + c * motion.y,
+                yaw=motion.yaw,
+                dt=motion.dt,
+                position_variance=motion.position_variance,
+                yaw_variance=motion.yaw_variance,
+                bias_variance=motion.bias_variance,
             )
         )
         self._offset_variance += climbed**2
@@ -373,7 +374,7 @@ class _Globe:
         yaw = math.remainder(state[YAW] + moved.yaw, math.tau)
         height_rms = math.hypot(math.sqrt(self._offset_variance), self._setup.vertical * self._setup.drift)
         attitude_rms = math.hypot(tilt_rms, tilt_rms, self._filter.yaw_rms)
-        there = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw)
+        there = Pose(x, y, pose.z + self._offset, pose.roll, pose.pitch, yaw=yaw)
         return PoseEstimate(there, self._filter.horizontal_rms, height_rms, attitude_rms)
 
     def _rotation(self, heading: float) -> tuple[float, float]:
@@ -474,7 +475,7 @@ X, Y, YAW, SCALE, BIAS, GAIN, DRIFT_X, DRIFT_Y = range(8)
 STATES: Final = 8
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class DeadReckonedMotion:
     """A motion by dead reckoning: metres and radians in the frame of the filter, and its duration in seconds."""
 

@@ -199,7 +199,7 @@ class WheelDrive(GroundDrive):
         self.set_wheel_efforts((0.0,) * len(self.wheels.wheels), None)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class WheelJoints(Table):
     """A chassis on wheels, the table `[wheels]`: the continuous joints of its driven wheels; others roll freely."""
 

@@ -449,7 +449,9 @@ def compare_services(one: ServiceDefinition, other: ServiceDefinition) -> Servic
             old.remove(message)
             new.remove(found)
     behavior = (*_inheritance(one, other), *compare_behavior(one.behavior, other.behavior))
-    return ServiceDiff(one, other, tuple(old), tuple(new), tuple(matched), behavior)
+    return ServiceDiff(
+        one=one, other=other, removed=tuple(old), added=tuple(new), messages=tuple(matched), behavior=behavior
+    )
 
 
 def _once(messages: Sequence[MessageDefinition]) -> Iterator[MessageDefinition]:

@@ -415,7 +415,14 @@ def bind_services(
     names = {event.name for each in definitions.values() for event in each.internal_events}
     names |= {key for key in events if isinstance(key, str) and key not in (ANY_MESSAGE, ANY_TRIGGER)}
     return BoundServices(
-        all_services, definitions, machines, machines.get("ReceiveFSM"), inputs, events, frozenset(names), queries
+        services=all_services,
+        definitions=definitions,
+        machines=machines,
+        receiver=machines.get("ReceiveFSM"),
+        inputs=inputs,
+        events=events,
+        event_names=frozenset(names),
+        queries=queries,
     )
 
 

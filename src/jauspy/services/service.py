@@ -196,7 +196,7 @@ class Service:
         """Called after `leaving`, when the component has its new id, or can be opened again under the same one."""
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class BoundServices:
     """The services of a component, by URN, with their definitions and state machines."""
 

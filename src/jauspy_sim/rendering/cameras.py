@@ -284,17 +284,17 @@ class SimulatedCameras:
         shining = tuple(lamp.setup for lamp in lamps)
         self.cameras: Mapping[str, SimulatedCamera] = {
             setup.name: SimulatedCamera(
-                setup,
-                int(model.camera(f"{prefix}{setup.name}").id),
-                state,
-                physics,
-                drawing,
-                prefix,
-                shining,
-                robot.time_of_day,
-                robot.quality,
-                int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
-                drawn,
+                setup=setup,
+                number=int(model.camera(f"{prefix}{setup.name}").id),
+                state=state,
+                physics=physics,
+                drawing=drawing,
+                prefix=prefix,
+                lamps=shining,
+                time_of_day=robot.time_of_day,
+                quality=robot.quality,
+                base=int(model.body(f"{prefix}{body_name(robot.description.root())}").id),
+                drawn=drawn,
             )
             for setup in robot.cameras
         }

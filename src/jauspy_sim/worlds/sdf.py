@@ -233,7 +233,9 @@ class _Reader:
         x, y, z = turn.rotate((axis[0], axis[1], axis[2]))
         name = f"{prefix}{joint.get('name')}"
         outer = WORLD if parent == WORLD else f"{prefix}{parent}"
-        model.joints.append(_Joint(name, joint, outer, f"{prefix}{child}", pose, (x, y, z)))
+        model.joints.append(
+            _Joint(name, element=joint, parent=outer, child=f"{prefix}{child}", pose=pose, axis=(x, y, z))
+        )
 
     def _add_tree(self, model: _Model, frame: Transform) -> None:
         """Add the links of a model that moves: those that no joint carries are free."""

@@ -303,7 +303,16 @@ def _members(node: m.Record | m.Sequence, depth: int, place: Offset) -> Iterator
 
 def _row(node: m.Node, depth: int, place: Offset, bit: int | None) -> Iterator[Row]:
     notes, inside = _notes(node)
-    yield Row(depth, node.name, str(place), size_text(sizes(node)), _type(node), bit, notes, node.doc)
+    yield Row(
+        depth=depth,
+        name=node.name,
+        place=str(place),
+        size=size_text(sizes(node)),
+        type=_type(node),
+        bit=bit,
+        notes=notes,
+        doc=node.doc,
+    )
     for name, type_, more, doc in inside:
         yield Row(depth + 1, name, "", "", type_, notes=more, doc=doc)
     match node:

@@ -134,7 +134,7 @@ SETTINGS: Final = (
         QueryRange([QueryRange.QueryRangeSensorConfigurationRec(ALL, 0xFFFF)]),
         ReportRange,
         lambda report: report.range_sensor_configuration_list,
-        lambda rate: rate / 2,
+        other=lambda rate: rate / 2,
     ),
     SensorSetting(
         "horizontal_field_of_view",
@@ -145,7 +145,7 @@ SETTINGS: Final = (
         QueryVisual([QueryVisual.QueryVisualSensorConfigurationRec(ALL, 0xFFFF)]),
         ReportVisual,
         lambda report: report.visual_sensor_configuration_list,
-        lambda angle: angle / 2,
+        other=lambda angle: angle / 2,
     ),
     SensorSetting(
         "frame_rate",
@@ -155,7 +155,7 @@ SETTINGS: Final = (
         QueryVideo([QueryVideo.QueryDigitalVideoConfigurationRec(ALL, 0xFF)]),
         ReportVideo,
         lambda report: report.digital_video_sensor_configuration_list,
-        lambda rate: max(1, rate // 2) if rate != 1 else 2,
+        other=lambda rate: max(1, rate // 2) if rate != 1 else 2,
     ),
     SensorSetting(
         "still_image_format",
@@ -166,7 +166,7 @@ SETTINGS: Final = (
         QueryStill([QueryStill.QueryStillImageSensorConfigurationRec(ALL, 0xFF)]),
         ReportStill,
         lambda report: report.still_image_sensor_configuration_list,
-        lambda coding: PNG if coding == JPEG else JPEG,
+        other=lambda coding: PNG if coding == JPEG else JPEG,
     ),
     SensorSetting(
         "group_of_pictures",
@@ -181,7 +181,7 @@ SETTINGS: Final = (
         QueryEncoding([QueryEncoding.QueryH264VideoEncodingRec(ALL)]),
         ReportEncoding,
         lambda report: [each.h264_configuration_rec for each in report.h264_configuration_list],
-        lambda pictures: max(1, pictures // 2) if pictures != 1 else 2,
+        other=lambda pictures: max(1, pictures // 2) if pictures != 1 else 2,
     ),
 )
 SENSORS: Final = tuple(each.stimulus() for each in SETTINGS)

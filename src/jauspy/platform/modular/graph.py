@@ -50,7 +50,7 @@ class Link:
     body_pose: Transform = IDENTITY
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ArmChain:
     """An arm: all bodies that a base carries through one connection, parents before children."""
 

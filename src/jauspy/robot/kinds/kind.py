@@ -82,7 +82,7 @@ class Module(Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ModuleBuild:
     """A module whose services are to be made, and the robot that it belongs to."""
 

@@ -102,11 +102,11 @@ class Events(CommandEvents, urn="urn:jaus:jss:core:Events", private=True):
         """Add a subscription. The first report is sent immediately, except for first-change events."""
         subscription = EventSubscription(
             self.subscriptions.free_id(),
-            source,
-            msg.request_id,
-            msg.event_type,
-            self._query(msg),
-            encoded(msg.query_message),
+            client=source,
+            request_id=msg.request_id,
+            kind=msg.event_type,
+            query=self._query(msg),
+            content=encoded(msg.query_message),
             due=self.host.now,
         )
         self._set_rate(subscription, msg.requested_periodic_rate)

@@ -201,4 +201,13 @@ def _capabilities(sensor: int) -> _Capabilities.H264CapabilitiesRec:
 def _supported_presets() -> _Capabilities.SupportedPresets:
     numbers = range(_Report.Preset.BEST_QUALITY + 1)
     low, slow, stare, drive, manipulate, best = (int(number in PRESETS) for number in numbers)
-    return _Capabilities.SupportedPresets(low, slow, stare, drive, manipulate, best, reserved=0, program_specific=0)
+    return _Capabilities.SupportedPresets(
+        low_latency=low,
+        slow_comms=slow,
+        persistent_stare=stare,
+        drive_vision=drive,
+        manipulation=manipulate,
+        best_quality=best,
+        reserved=0,
+        program_specific=0,
+    )
