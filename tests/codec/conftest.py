@@ -26,8 +26,8 @@ def value_set(*ranges: tuple[float, float], **names: int) -> m.ValueSet:
     return m.ValueSet(enums, tuple(m.ValueRange(low, high) for low, high in ranges))
 
 
-def counted(kind: m.Unsigned = "u8", low: int = 0, high: int = 255) -> m.CountType:
-    return m.CountType(kind, low, high)
+def counted(kind: m.Unsigned = "u8", low: int = 0, high: int = 255) -> m.Count:
+    return m.Count(kind, low, high)
 
 
 STAMP = m.BitField(

@@ -112,17 +112,17 @@ def hostile_schema() -> m.Schema:
         m.VariableField(
             name=text, doc=text, choices=(m.TypeChoice(0, "u8", text, name=text, values=values, doc=text),)
         ),
-        m.VariableFormatField(name=text, doc=text, formats=(m.Format(0, text),), count=m.CountType("u8", 0, 9)),
-        m.VariableLengthField(name=text, doc=text, format=text, count=m.CountType("u8", 0, 9)),
+        m.VariableFormatField(name=text, doc=text, formats=(m.Format(0, text),), count=m.Count("u8", 0, 9)),
+        m.VariableLengthField(name=text, doc=text, format=text, count=m.Count("u8", 0, 9)),
         m.List(
             name=text,
             doc=text,
-            count=m.CountType("u8", 0, 9),
+            count=m.Count("u8", 0, 9),
             element=m.Record(
-                name=text, doc=text, fields=(m.VariableString(name=text, doc=text, count=m.CountType("u8", 0, 9)),)
+                name=text, doc=text, fields=(m.VariableString(name=text, doc=text, count=m.Count("u8", 0, 9)),)
             ),
         ),
-        m.Variant(name=text, doc=text, tag=m.CountType("u8", 0, 1), arms=(m.Record(name=text, fields=()),)),
+        m.Variant(name=text, doc=text, tag=m.Count("u8", 0, 1), arms=(m.Record(name=text, fields=()),)),
     )
     record = m.Record(name=text, doc=text, presence="u8", fields=fields)
     message = m.MessageDefinition(name=text, code=0xD001, is_command=True, body=record, doc=text)

@@ -28,7 +28,7 @@ def test_committed_messages_match_the_schemas() -> None:
 
 def test_lists_of_empty_items_are_rejected() -> None:
     nothing = m.Record(name="Nothing", fields=())
-    body = m.List(name="Endless", count=m.CountType("u32", 0, 2**32 - 1), element=nothing)
+    body = m.List(name="Endless", count=m.Count("u32", 0, 2**32 - 1), element=nothing)
     with pytest.raises(SchemaError, match="message Bomb: list Endless"):
         generate(_schema(body))
 
@@ -36,11 +36,11 @@ def test_lists_of_empty_items_are_rejected() -> None:
 def test_nested_lists_are_supported() -> None:
     body: m.Composite = m.Record(name="R", fields=(m.FixedField(name="X", type="u8"),))
     for _ in range(16):
-        body = m.Sequence(name="S", items=(m.List(name="L", count=m.CountType("u8", 0, 9), element=body),))
+        body = m.Sequence(name="S", items=(m.List(name="L", count=m.Count("u8", 0, 9), element=body),))
     one = load_schema(_schema(body)).by_name("Bomb")
     data = b"\1\0" + b"\1" * 16 + b"\7"
     assert one.decode(data).encode() == data
-    too_many = m.List(name="Last", count=m.CountType("u8", 0, 9), element=body)
+    too_many = m.List(name="Last", count=m.Count("u8", 0, 9), element=body)
     with pytest.raises(SchemaError, match="message Bomb: 'Last' has more than 16 lists and arrays"):
         generate(_schema(too_many))
 

@@ -112,10 +112,10 @@ def test_strings_and_blobs(jsidl):
     assert record.presence == "u8"
     assert record.fields == (
         m.FixedString(name="F", optional=True, length=80),
-        m.VariableString(name="S", count=m.CountType("u8", 0, 255)),
-        m.VariableLengthField(name="L", format="JAUS MESSAGE", count=m.CountType("u32", 2, 2**31 - 1)),
+        m.VariableString(name="S", count=m.Count("u8", 0, 255)),
+        m.VariableLengthField(name="L", format="JAUS MESSAGE", count=m.Count("u32", 2, 2**31 - 1)),
         m.VariableFormatField(
-            name="W", formats=(m.Format(0, "JPEG"), m.Format(9, "x")), count=m.CountType("u16", 0, 9)
+            name="W", formats=(m.Format(0, "JPEG"), m.Format(9, "x")), count=m.Count("u16", 0, 9)
         ),
     )  # fmt: skip
 
@@ -148,8 +148,8 @@ def test_composites(jsidl):
     def record(name):
         return m.Record(name=name, fields=(m.FixedField(name="N", type="i8"),))
 
-    items = m.List(name="Items", optional=True, doc="i", count=m.CountType("u8", 1, 255), element=record("Item"))
-    variant = m.Variant(name="Var", tag=m.CountType("u8", 0, 1), arms=(record("A"), record("B")))
+    items = m.List(name="Items", optional=True, doc="i", count=m.Count("u8", 1, 255), element=record("Item"))
+    variant = m.Variant(name="Var", tag=m.Count("u8", 0, 1), arms=(record("A"), record("B")))
     assert body == m.Sequence(name="Seq", items=(items, variant), presence="u8")
 
 

@@ -48,7 +48,7 @@ def message(name: str, code: int, body: m.Composite) -> m.MessageDefinition:
 
 def registry() -> Registry:
     """The messages, generated as those of a user's own JSIDL are."""
-    efforts = m.List(name="EffortList", count=m.CountType("u8", 0, 255), element=EFFORT)
+    efforts = m.List(name="EffortList", count=m.Count("u8", 0, 255), element=EFFORT)
     messages = (
         message("SetEfforts", 0xD601, efforts),
         message("Attitude", 0xF00A, ATTITUDE),

@@ -497,7 +497,7 @@ class _Parts:
     presence: str | None = None
 
 
-def _count(count: m.CountType) -> Count:
+def _count(count: m.Count) -> Count:
     return Count(CODES[count.type], count.minimum, count.maximum)
 
 

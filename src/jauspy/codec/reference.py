@@ -244,7 +244,7 @@ class Explainer:
                 return text
             case m.VariableLengthField():
                 low = 0 if node.format.lower() == "jaus message" else node.count.minimum
-                return self._bytes(m.CountType(node.count.type, low, node.count.maximum), tree, path)
+                return self._bytes(m.Count(node.count.type, low, node.count.maximum), tree, path)
             case m.VariableFormatField():
                 return self._format(node, tree, path)
             case m.Array():
@@ -270,7 +270,7 @@ class Explainer:
                 values["reserved_presence"] = tree["_presence"].value & ~defined
         return values
 
-    def _counted(self, count: m.CountType, leaf: Container, path: str) -> None:
+    def _counted(self, count: m.Count, leaf: Container, path: str) -> None:
         if not count.minimum <= leaf.value <= count.maximum:
             self._wrong(f"count {leaf.value} is outside {count.minimum}..{count.maximum}", leaf, path)
         self._row(leaf, f"{path}.count", leaf.value)
@@ -338,7 +338,7 @@ class Explainer:
         value = self._number(choice, tree.number, f"{path}.value", choice.name)
         return {"choice": name, "value": value}
 
-    def _bytes(self, count: m.CountType, tree: Container, path: str) -> dict[str, str]:
+    def _bytes(self, count: m.Count, tree: Container, path: str) -> dict[str, str]:
         self._counted(count, tree.count, path)
         value = {"hex": tree.bytes.value.hex()}
         self._row(tree.bytes, path, value["hex"], tree.count.value)

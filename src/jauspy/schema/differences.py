@@ -227,7 +227,7 @@ _COMPARE_INSIDE: Mapping[type[m.Node], Callable[[Any, Any, str], Changes]] = {
 """Functions that compare two nodes, by kind; other nodes are compared as a whole."""
 
 
-def _count(count: m.CountType) -> str:
+def _count(count: m.Count) -> str:
     return f"{count.type} {count.minimum}..{count.maximum}"
 
 

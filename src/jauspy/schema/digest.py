@@ -11,7 +11,7 @@ from jauspy.schema.model import (
     Array,
     BitField,
     Composite,
-    CountType,
+    Count,
     FixedField,
     FixedString,
     List,
@@ -145,7 +145,7 @@ def sizes(node: Node | None) -> Sizes:
     raise TypeError(node)
 
 
-def _counted(count: CountType, item: Sizes) -> Sizes:
+def _counted(count: Count, item: Sizes) -> Sizes:
     width = scalar_size(count.type)
     return width + count.minimum * item[0], width + count.maximum * item[1]
 

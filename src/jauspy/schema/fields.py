@@ -14,7 +14,7 @@ from jauspy.schema.model import (
     Array,
     BitField,
     Composite,
-    CountType,
+    Count,
     Dimension,
     Field,
     FixedField,
@@ -75,7 +75,7 @@ def unsigned(element: Element) -> Unsigned:
     return choice(element, "field_type_unsigned", UNSIGNED)
 
 
-def read_count(element: Element, scope: NameScope) -> CountType:
+def read_count(element: Element, scope: NameScope) -> Count:
     """Read a count or tag field; without limits all values of its type are allowed."""
     kind = unsigned(element)
     largest = 2 ** BITS[kind] - 1
@@ -83,7 +83,7 @@ def read_count(element: Element, scope: NameScope) -> CountType:
     maximum = scope.integer(element, "max_count") if "max_count" in element.attrib else largest
     if not 0 <= minimum <= maximum <= largest:
         raise wrong(element, f"expected 0 <= min_count <= max_count <= {largest}, got {minimum} and {maximum}")
-    return CountType(kind, minimum, maximum)
+    return Count(kind, minimum, maximum)
 
 
 def read_scale(parent: Element, scope: NameScope) -> Scale | None:

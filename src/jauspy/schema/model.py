@@ -71,7 +71,7 @@ class ValueSet:
 
 
 @dataclass(frozen=True, slots=True)
-class CountType:
+class Count:
     """A count on the wire: its unsigned type and its limits."""
 
     type: Unsigned
@@ -149,7 +149,7 @@ class FixedString(Node):
 class VariableString(Node):
     """A counted string."""
 
-    count: CountType
+    count: Count
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -157,7 +157,7 @@ class VariableLengthField(Node):
     """Counted bytes of one format, such as `JAUS MESSAGE`, `JPEG` or `user defined`."""
 
     format: str
-    count: CountType
+    count: Count
 
 
 @dataclass(frozen=True, slots=True)
@@ -173,7 +173,7 @@ class VariableFormatField(Node):
     """A u8 format index, a count, then the bytes."""
 
     formats: tuple[Format, ...]
-    count: CountType
+    count: Count
 
 
 SimpleField: TypeAlias = (
@@ -212,7 +212,7 @@ class Record(Node):
 class List(Node):
     """A counted repetition of one composite."""
 
-    count: CountType
+    count: Count
     element: Composite
 
 
@@ -220,7 +220,7 @@ class List(Node):
 class Variant(Node):
     """A tag (index of the arm, from 0), then that arm. An arm without content is an empty `Record`."""
 
-    tag: CountType
+    tag: Count
     arms: tuple[Composite, ...]
 
 

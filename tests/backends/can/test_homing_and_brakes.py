@@ -33,7 +33,7 @@ def powered_on(monkeypatch: pytest.MonkeyPatch) -> None:
         assert keeps_home
         return DriveFleet(*arguments)
 
-    monkeypatch.setattr("jauspy.backends.can.robot.Fleet", forgetful)
+    monkeypatch.setattr("jauspy.backends.can.robot.DriveFleet", forgetful)
 
 
 def home(changes: dict[str, Any], announced: list[str]) -> None:

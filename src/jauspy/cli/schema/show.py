@@ -384,7 +384,7 @@ def _notes(node: m.Node) -> tuple[tuple[str, ...], list[_Inside]]:
             return (), []
 
 
-def _count(count: m.CountType, what: str) -> str:
+def _count(count: m.Count, what: str) -> str:
     return f"{count.type} count, {count.minimum}..{count.maximum} {what}"
 
 
